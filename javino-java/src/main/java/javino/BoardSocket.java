@@ -1,0 +1,84 @@
+package javino;
+
+import java.util.concurrent.locks.ReentrantLock;
+
+/** What a simulated board is plugged into: runs it while its port is open, one run at a time. */
+final class BoardSocket {
+    private static final System.Logger LOG = System.getLogger(BoardSocket.class.getName());
+    private static final long LAST_RUN_MILLIS = 2_000;
+
+    private final ReentrantLock opening = new ReentrantLock();
+    private final String port;
+    private final SimulatedBoard board;
+    private volatile Run current; // the latest, over or not
+
+    BoardSocket(String port, SimulatedBoard board) {
+        this.port = port;
+        this.board = board;
+    }
+
+    /** Starts the board on a line of its own and returns the computer's end. */
+    Transport open(LineSettings settings) throws PortException {
+        opening.lock();
+        try {
+            if (current != null) {
+                current.requireOver();
+            }
+            current = new Run(MemoryLine.paced(port, settings));
+            current.thread.start();
+            return current.line.computer();
+        } finally {
+            opening.unlock();
+        }
+    }
+
+    /** Takes the line away from a board that is running. */
+    void unplug() {
+        Run run = current;
+        if (run != null) {
+            run.line.unplug();
+        }
+    }
+
+    private final class Run implements Runnable {
+        private final MemoryLine line;
+        private final Thread thread;
+
+        Run(MemoryLine line) {
+            this.line = line;
+            thread = new Thread(this, "board " + port);
+            thread.setDaemon(true);
+            line.whenGone(thread::interrupt);
+        }
+
+        @Override
+        public void run() {
+            try {
+                board.run(line.board());
+                line.unplug("the board's program ended");
+            } catch (PortGoneException | InterruptedException e) {
+                line.unplug("the board's program ended");
+            } catch (PortException | RuntimeException e) {
+                LOG.log(System.Logger.Level.ERROR, "the program of " + port + " failed", e);
+                line.unplug("the board's program failed with " + e);
+            }
+        }
+
+        /** Gives a run whose line is gone a moment to end. */
+        void requireOver() throws PortException {
+            if (!line.isGone()) {
+                throw new PortBusyException(port, "another part of this program");
+            }
+            try {
+                thread.join(LAST_RUN_MILLIS);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                throw new PortInterruptedException(port);
+            }
+            if (thread.isAlive()) {
+                throw new PortBusyException(port, "the board's own program, which still runs " + LAST_RUN_MILLIS
+                        + " ms after its port was closed (it must end when its line is gone)");
+            }
+        }
+    }
+}

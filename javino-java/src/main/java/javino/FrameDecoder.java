@@ -1,0 +1,227 @@
+package javino;
+
+import java.util.function.Consumer;
+
+/**
+ * Finds version 1 frames in whatever bytes a line brings.
+ *
+ * <p>A frame is handed over the moment its last byte is in. Because version 1 has no checksum, a frame whose beginning or end was lost
+ * may have swallowed the beginning of the next one; so its bytes are kept until what follows is known:
+ * <ul>
+ *   <li>the header of another frame, or silence, confirms it, and its bytes are forgotten;
+ *   <li>anything else puts it in doubt: its bytes, but for the first, are read once more together with what followed, and intact frames
+ *       among them are handed over as well.
+ * </ul>
+ * So an intact stream gives exactly its frames, whatever text they carry, and a damaged frame does not cost the intact one behind it.
+ *
+ * <p>A frame that stops half-way is given up when the line has been silent for longer than the inter-byte timeout; complete frames among
+ * its bytes are handed over first. Memory is bounded by about two frames and no input makes a decoder throw. What the receiver of the
+ * frames throws comes through; the decoder stays usable.
+ *
+ * <p>Time is a parameter, in nanoseconds of any steady clock. One thread at a time; the receiver must not call back into the decoder.
+ */
+public final class FrameDecoder {
+    private static final long LEAST_INTER_BYTE_NANOS = 100_000_000L;
+    private static final int INTER_BYTE_TIMES = 20;
+    private static final int LONGEST = Frame.HEADER_LENGTH + Frame.MAX_PAYLOAD;
+    /** A delivered frame and an unfinished header behind it, and as much again so that bytes are seldom moved. */
+    private static final int CAPACITY = 2 * (LONGEST + Frame.HEADER_LENGTH);
+
+    private enum Header { IMPOSSIBLE, UNFINISHED, COMPLETE }
+
+    private final long interByteTimeoutNanos;
+    private final Consumer<Frame> sink;
+    private final byte[] held = new byte[CAPACITY];
+    private int start; // held[start..end) are the bytes not yet decided on
+    private int end;
+    private int delivered; // length of the frame at start that was handed over but is not confirmed; 0: there is none
+    private long lastByteNanos;
+    private long frames;
+    private long discarded;
+
+    /**
+     * @param interByteTimeoutNanos nanoseconds of silence after which an unfinished frame is given up, at least 1
+     * @param sink receives each frame, on the thread that feeds the decoder
+     */
+    public FrameDecoder(long interByteTimeoutNanos, Consumer<Frame> sink) {
+        if (interByteTimeoutNanos < 1) {
+            throw new IllegalArgumentException("an inter-byte timeout is at least 1 ns, but " + interByteTimeoutNanos + " was given");
+        }
+        this.interByteTimeoutNanos = interByteTimeoutNanos;
+        this.sink = sink;
+    }
+
+    /** The inter-byte timeout for a line when nothing else is known: 100 ms, or 20 byte times if that is longer. */
+    public static long interByteTimeoutNanos(LineSettings line) {
+        return Math.max(LEAST_INTER_BYTE_NANOS, INTER_BYTE_TIMES * line.byteNanos());
+    }
+
+    /**
+     * Takes bytes that arrived together.
+     *
+     * @param nowNanos when they arrived
+     */
+    public void accept(byte[] b, int off, int len, long nowNanos) {
+        if (len == 0) {
+            return;
+        }
+        idle(nowNanos);
+        lastByteNanos = nowNanos;
+        for (int i = off; i < off + len; i++) {
+            append(b[i]);
+        }
+    }
+
+    /** Takes one byte that arrived at {@code nowNanos}. */
+    public void accept(byte b, long nowNanos) {
+        idle(nowNanos);
+        lastByteNanos = nowNanos;
+        append(b);
+    }
+
+    /** Says that nothing has arrived up to {@code nowNanos}, so that an unfinished frame can be given up in time. */
+    public void idle(long nowNanos) {
+        if (end > start && nowNanos - lastByteNanos > interByteTimeoutNanos) {
+            giveUp();
+        }
+    }
+
+    /**
+     * Nanoseconds of silence from {@code nowNanos} after which {@link #idle} has something to decide; {@link Long#MAX_VALUE} when
+     * silence changes nothing. Who waits for bytes wakes by then and calls {@code idle}.
+     */
+    public long nanosUntilIdle(long nowNanos) {
+        boolean undecided = end - start > delivered;
+        return undecided ? Math.max(0, lastByteNanos + interByteTimeoutNanos + 1 - nowNanos) : Long.MAX_VALUE;
+    }
+
+    /** Forgets all bytes held, as if the next one were the line's first. The counts stay. */
+    public void reset() {
+        discarded += end - start - delivered;
+        clear();
+    }
+
+    /** Frames handed over so far. */
+    public long frames() {
+        return frames;
+    }
+
+    /** Bytes so far that belonged to no frame, or to one that was put in doubt. */
+    public long discarded() {
+        return discarded;
+    }
+
+    private void append(byte b) {
+        if (end == CAPACITY) {
+            System.arraycopy(held, start, held, 0, end - start);
+            end -= start;
+            start = 0;
+        }
+        held[end++] = b;
+        decide();
+    }
+
+    /** Decides on as many bytes as can be decided on now; what stays held is the beginning of a frame, or a frame to be confirmed. */
+    private void decide() {
+        boolean progress = true;
+        while (progress && start < end) {
+            progress = delivered > 0 ? confirmOrDoubt() : deliverOrSkip();
+        }
+    }
+
+    private boolean confirmOrDoubt() {
+        switch (headerAt(start + delivered)) {
+            case COMPLETE -> confirm();
+            case IMPOSSIBLE -> discardFirst();
+            default -> {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean deliverOrSkip() {
+        switch (headerAt(start)) {
+            case IMPOSSIBLE -> discardFirst();
+            case UNFINISHED -> {
+                return false;
+            }
+            default -> {
+                int payload = payloadLength();
+                if (end - start < Frame.HEADER_LENGTH + payload) {
+                    return false;
+                }
+                deliver(payload);
+            }
+        }
+        return true;
+    }
+
+    private void deliver(int payload) {
+        delivered = Frame.HEADER_LENGTH + payload;
+        frames++;
+        sink.accept(Frame.copyOf(held, start + Frame.HEADER_LENGTH, payload));
+    }
+
+    private void confirm() {
+        start += delivered;
+        delivered = 0;
+    }
+
+    private void discardFirst() {
+        start++;
+        delivered = 0;
+        discarded++;
+    }
+
+    /** The line fell silent: what is unfinished stays so. */
+    private void giveUp() {
+        while (end > start) {
+            decide();
+            if (delivered == end - start) {
+                clear();
+            } else {
+                discardFirst();
+            }
+        }
+    }
+
+    private void clear() {
+        start = 0;
+        end = 0;
+        delivered = 0;
+    }
+
+    private Header headerAt(int from) {
+        int known = Math.min(end - from, Frame.HEADER_LENGTH);
+        for (int i = 0; i < known; i++) {
+            if (!fits(i, held[from + i])) {
+                return Header.IMPOSSIBLE;
+            }
+        }
+        return known == Frame.HEADER_LENGTH ? Header.COMPLETE : Header.UNFINISHED;
+    }
+
+    private static boolean fits(int position, byte b) {
+        return switch (position) {
+            case 0, 1, 2 -> b == 'f';
+            case 3 -> b == 'e';
+            default -> digit(b) >= 0;
+        };
+    }
+
+    private int payloadLength() {
+        return digit(held[start + 4]) << 4 | digit(held[start + 5]);
+    }
+
+    /** The value of a hexadecimal digit in either case, or -1. */
+    private static int digit(byte b) {
+        if (b >= '0' && b <= '9') {
+            return b - '0';
+        }
+        if (b >= 'A' && b <= 'F') {
+            return b - 'A' + 10;
+        }
+        return b >= 'a' && b <= 'f' ? b - 'a' + 10 : -1;
+    }
+}

@@ -1,0 +1,30 @@
+package javino;
+
+/**
+ * How bytes travel on a serial line: 8 data bits, no parity, 1 stop bit, no flow control, at {@code baud} bits a second.
+ *
+ * @param baud bits a second, at least 1; boards in the field use 9600
+ */
+public record LineSettings(int baud) {
+    /** The rate that boards use unless they say otherwise. */
+    public static final int DEFAULT_BAUD = 9600;
+
+    private static final long BITS_PER_BYTE = 10; // a start bit, eight of data, a stop bit
+    private static final long NANOS_PER_SECOND = 1_000_000_000L;
+
+    public LineSettings {
+        if (baud < 1) {
+            throw new IllegalArgumentException("a line's rate is at least 1 baud, but " + baud + " was asked for");
+        }
+    }
+
+    /** 9600 baud. */
+    public static LineSettings defaults() {
+        return new LineSettings(DEFAULT_BAUD);
+    }
+
+    /** Nanoseconds that one byte takes on the line: ten bit times. */
+    public long byteNanos() {
+        return BITS_PER_BYTE * NANOS_PER_SECOND / baud;
+    }
+}

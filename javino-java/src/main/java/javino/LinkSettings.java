@@ -1,0 +1,61 @@
+package javino;
+
+/**
+ * How a {@link Link} treats its line and the board at the other end.
+ *
+ * @param baud bits a second
+ * @param paced whether a frame is handed to the driver only when the one before has left the line by the baud rate, so that an
+ *     urgent command never waits behind seconds of old ones; false writes at once
+ * @param spacingMillis milliseconds that a board is left after an action before the next frame
+ * @param boardQueue received messages that the board can hold, at least 1; boards in the field hold one
+ * @param bootMillis milliseconds since opening in which a board may not have started yet; 0 for a board that is known to run
+ */
+public record LinkSettings(int baud, boolean paced, int spacingMillis, int boardQueue, int bootMillis) {
+    public LinkSettings {
+        requireAtLeast("baud", 1, baud);
+        requireAtLeast("spacingMillis", 0, spacingMillis);
+        requireAtLeast("boardQueue", 1, boardQueue);
+        requireAtLeast("bootMillis", 0, bootMillis);
+    }
+
+    private static void requireAtLeast(String what, int least, int found) {
+        if (found < least) {
+            throw new IllegalArgumentException(what + " is at least " + least + ", but " + found + " was given");
+        }
+    }
+
+    /** 9600 baud, paced, 10 ms of spacing, a board that holds one message and starts within 3 s. */
+    public static LinkSettings defaults() {
+        return new LinkSettings(LineSettings.DEFAULT_BAUD, true, 10, 1, 3000);
+    }
+
+    /** These settings at another rate. */
+    public LinkSettings withBaud(int value) {
+        return new LinkSettings(value, paced, spacingMillis, boardQueue, bootMillis);
+    }
+
+    /** These settings, paced or not. */
+    public LinkSettings withPaced(boolean value) {
+        return new LinkSettings(baud, value, spacingMillis, boardQueue, bootMillis);
+    }
+
+    /** These settings with another spacing, in milliseconds. */
+    public LinkSettings withSpacingMillis(int value) {
+        return new LinkSettings(baud, paced, value, boardQueue, bootMillis);
+    }
+
+    /** These settings for a board that holds {@code value} messages. */
+    public LinkSettings withBoardQueue(int value) {
+        return new LinkSettings(baud, paced, spacingMillis, value, bootMillis);
+    }
+
+    /** These settings for a board that starts within {@code value} milliseconds. */
+    public LinkSettings withBootMillis(int value) {
+        return new LinkSettings(baud, paced, spacingMillis, boardQueue, value);
+    }
+
+    /** The line these settings ask for. */
+    public LineSettings line() {
+        return new LineSettings(baud);
+    }
+}

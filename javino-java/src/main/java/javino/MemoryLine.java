@@ -1,0 +1,188 @@
+package javino;
+
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * A line in memory: two ends, each a {@link Transport}. Simulated boards and tests use it in place of a device.
+ *
+ * <p>It carries bytes at once, or gives every byte its time at the line's rate, in both directions independently. Like a driver it holds
+ * up to {@value #CAPACITY} bytes a direction that the far end has not read; a write beyond them waits.
+ *
+ * <p>When one end is closed, or the line is unplugged, it is gone for both, with what was still on it. All methods are safe on any thread.
+ */
+public final class MemoryLine {
+    /** Bytes a direction that the line holds unread. */
+    public static final int CAPACITY = 4096;
+
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    private final String name;
+    private final LineSettings line;
+    private final LineClock clock;
+    private final Transport computer;
+    private final Transport board;
+    private Runnable whenGone = () -> { };
+    private String end; // why the line is gone; null while it is there
+
+    private MemoryLine(String name, LineSettings line, long byteNanos, LineClock clock) {
+        this.name = name;
+        this.line = line;
+        this.clock = clock;
+        MemoryDirection toBoard = new MemoryDirection(CAPACITY, byteNanos);
+        MemoryDirection toComputer = new MemoryDirection(CAPACITY, byteNanos);
+        computer = new End(toComputer, toBoard);
+        board = new End(toBoard, toComputer);
+    }
+
+    /** A line that carries bytes at once, whatever rate {@code line} says. */
+    public static MemoryLine unlimited(String name, LineSettings line) {
+        return new MemoryLine(name, line, 0, LineClock.system());
+    }
+
+    /** A line on which every byte takes {@link LineSettings#byteNanos()}. */
+    public static MemoryLine paced(String name, LineSettings line) {
+        return paced(name, line, LineClock.system());
+    }
+
+    /** A line on which every byte takes {@link LineSettings#byteNanos()} of {@code clock}. */
+    public static MemoryLine paced(String name, LineSettings line, LineClock clock) {
+        return new MemoryLine(name, line, line.byteNanos(), clock);
+    }
+
+    /** The end that a program opens. */
+    public Transport computer() {
+        return computer;
+    }
+
+    /** The end that the board is at. */
+    public Transport board() {
+        return board;
+    }
+
+    /** Pulls the plug: both ends are gone from now on. */
+    public void unplug() {
+        unplug("it was unplugged");
+    }
+
+    /** Ends the line; {@code why} completes the sentence "port x is gone: ...". Only the first reason counts. */
+    void unplug(String why) {
+        lock.lock();
+        try {
+            if (end != null) {
+                return;
+            }
+            end = why;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+        whenGone.run();
+    }
+
+    /** Has {@code action} run once, by the thread that ends the line. To be called before the line is used. */
+    void whenGone(Runnable action) {
+        whenGone = action;
+    }
+
+    boolean isGone() {
+        lock.lock();
+        try {
+            return end != null;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void requirePlugged() throws PortGoneException {
+        if (end != null) {
+            throw new PortGoneException(name, "port " + name + " is gone: " + end);
+        }
+    }
+
+    private void await(long nanos) throws PortException {
+        try {
+            clock.await(changed, nanos);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            requirePlugged();
+            throw new PortInterruptedException(name);
+        }
+    }
+
+    private final class End implements Transport {
+        private final MemoryDirection in;
+        private final MemoryDirection out;
+
+        End(MemoryDirection in, MemoryDirection out) {
+            this.in = in;
+            this.out = out;
+        }
+
+        @Override
+        public String name() {
+            return name;
+        }
+
+        @Override
+        public LineSettings line() {
+            return line;
+        }
+
+        @Override
+        public int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
+            long deadline = clock.nanos() + timeoutMillis * 1_000_000L;
+            lock.lock();
+            try {
+                while (true) {
+                    requirePlugged();
+                    long now = clock.nanos();
+                    int count = in.take(b, off, len, now);
+                    if (count > 0) {
+                        changed.signalAll();
+                        return count;
+                    }
+                    if (deadline - now <= 0) {
+                        return 0;
+                    }
+                    await(Math.min(deadline - now, in.nanosUntilReady(now)));
+                }
+            } finally {
+                lock.unlock();
+            }
+        }
+
+        @Override
+        public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
+            long deadline = clock.nanos() + timeoutMillis * 1_000_000L;
+            int written = 0;
+            lock.lock();
+            try {
+                while (true) {
+                    requirePlugged();
+                    long now = clock.nanos();
+                    int count = out.put(b, off + written, len - written, now);
+                    written += count;
+                    if (count > 0) {
+                        changed.signalAll();
+                    }
+                    if (written == len) {
+                        return;
+                    }
+                    if (deadline - now <= 0) {
+                        throw new PortTimeoutException(name, "port " + name + " took " + written + " of " + len + " bytes within "
+                                + timeoutMillis + " ms; nobody reads at the far end");
+                    }
+                    await(deadline - now);
+                }
+            } finally {
+                lock.unlock();
+            }
+        }
+
+        @Override
+        public void close() {
+            unplug("it was closed");
+        }
+    }
+}

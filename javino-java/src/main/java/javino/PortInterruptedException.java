@@ -1,0 +1,10 @@
+package javino;
+
+/** The calling thread was interrupted while it waited for the port. It is still marked as interrupted; the port is still open. */
+public final class PortInterruptedException extends PortException {
+    private static final long serialVersionUID = 1L;
+
+    public PortInterruptedException(String port) {
+        super(port, "interrupted while waiting for port " + port, null);
+    }
+}

@@ -1,0 +1,32 @@
+package javino;
+
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A port's name taken apart: {@code sim:robot} is the address {@code robot} of the scheme {@code sim}, and a name without a scheme is the
+ * address of a serial device.
+ *
+ * <p>A scheme has two letters or more, so that {@code C:\dev} is a path. A path may hold colons ({@code /dev/serial/by-path/pci-0000:00})
+ * since nothing in front of a scheme's colon is a slash; and {@code COM8:}, as DOS writes it, is {@code COM8}.
+ */
+record PortName(String scheme, String address) {
+    static final String SERIAL = "serial";
+
+    private static final Pattern WITH_SCHEME = Pattern.compile("([A-Za-z][A-Za-z0-9+.-]+):(.*)", Pattern.DOTALL);
+    private static final Pattern DOS_DEVICE = Pattern.compile("([A-Za-z]+[0-9]+):");
+
+    static PortName of(String port) throws NoSuchPortException {
+        String name = port.strip();
+        Matcher dos = DOS_DEVICE.matcher(name);
+        Matcher scheme = WITH_SCHEME.matcher(name);
+        PortName parsed = dos.matches() ? new PortName(SERIAL, dos.group(1))
+                : scheme.matches() ? new PortName(scheme.group(1).toLowerCase(Locale.ROOT), scheme.group(2).strip())
+                : new PortName(SERIAL, name);
+        if (parsed.address.isEmpty()) {
+            throw new NoSuchPortException(port, "\"" + port + "\" names no port: an address is missing");
+        }
+        return parsed;
+    }
+}

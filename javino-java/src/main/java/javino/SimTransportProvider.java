@@ -1,0 +1,21 @@
+package javino;
+
+import java.util.List;
+
+/** {@code sim:name}: the simulated board of that name. */
+final class SimTransportProvider implements TransportProvider {
+    @Override
+    public String scheme() {
+        return SimulatedBoards.SCHEME;
+    }
+
+    @Override
+    public Transport open(String address, LineSettings line) throws PortException {
+        return SimulatedBoards.open(address, line);
+    }
+
+    @Override
+    public List<String> ports() {
+        return SimulatedBoards.names().stream().map(name -> scheme() + ':' + name).toList();
+    }
+}

@@ -1,0 +1,40 @@
+package javino;
+
+/**
+ * An open line that carries bytes both ways.
+ *
+ * <p>One thread may read while another writes. {@link #close()} may be called from any thread, also while others wait.
+ * Once closed, and once the device at the other end has gone, every call but {@code close} throws {@link PortGoneException}
+ * at once. An interrupted thread gets {@link PortInterruptedException} and stays interrupted.
+ */
+public interface Transport extends AutoCloseable {
+    /** The port's name as a person would give it, for messages: {@code ttyACM0}, {@code sim:robot}. */
+    String name();
+
+    /** The rate this line was opened with. */
+    LineSettings line();
+
+    /**
+     * Waits until at least one byte has arrived, then takes what is there.
+     *
+     * @param b the array to fill from {@code off}
+     * @param len bytes wanted at most, at least 1
+     * @param timeoutMillis milliseconds to wait at most; 0 takes only what is there already
+     * @return bytes read, 1 to {@code len}, or 0 when the time is over
+     * @throws PortGoneException if the line is closed, or its device gone, which is noticed within a second
+     */
+    int read(byte[] b, int off, int len, int timeoutMillis) throws PortException;
+
+    /**
+     * Hands bytes to the line and returns when the driver has taken them all, which may be before they have left.
+     *
+     * @param timeoutMillis milliseconds to wait at most while the driver takes no more
+     * @throws PortTimeoutException if the driver has not taken all of them by then; some may have left
+     * @throws PortGoneException if the line is closed, or its device gone
+     */
+    void write(byte[] b, int off, int len, int timeoutMillis) throws PortException;
+
+    /** Closes the line and gives its device back. Calls that wait on it throw {@link PortGoneException}. Idempotent. */
+    @Override
+    void close();
+}

@@ -1,0 +1,35 @@
+package javino;
+
+import java.util.List;
+
+/**
+ * Opens transports of one kind. Programs add kinds of their own through {@link java.util.ServiceLoader}: a class with a public
+ * constructor without arguments, named in {@code META-INF/services/javino.TransportProvider}.
+ *
+ * <p>A port is written {@code scheme:address}; {@link Transports} hands what follows the colon to the provider of that scheme.
+ * Providers are called from any thread.
+ */
+public interface TransportProvider {
+    /** The scheme, two or more letters, digits, {@code +}, {@code .} or {@code -}, the first a letter: {@code sim}. */
+    String scheme();
+
+    /**
+     * Opens the port at {@code address}.
+     *
+     * @param address what follows {@code scheme:}, not blank
+     * @throws PortException of the kind that says why it cannot be opened
+     */
+    Transport open(String address, LineSettings line) throws PortException;
+
+    /** The ports there are now, as a person would give them to {@link Transports#open}; empty when they cannot be listed. */
+    List<String> ports();
+
+    /**
+     * One address for all the addresses of one device, so that a device under two names still has one owner.
+     *
+     * @return {@code address} itself, unless the provider knows better
+     */
+    default String canonicalAddress(String address) {
+        return address;
+    }
+}

@@ -1,0 +1,71 @@
+package javino;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceLoader;
+
+/**
+ * Opens ports by name: {@code scheme:address} through the {@link TransportProvider} of that scheme, anything else as a serial device.
+ *
+ * <p>{@code serial} and {@code sim} are built in. Providers found through {@link ServiceLoader} add schemes, but do not replace these.
+ * All methods are safe on any thread.
+ */
+public final class Transports {
+    private Transports() {}
+
+    /**
+     * Opens {@code port}.
+     *
+     * @throws NoSuchPortException if there is no such port or scheme; the message lists those there are
+     * @throws PortBusyException if it is open already
+     * @throws PortPermissionException if this user may not open it
+     * @throws PortFaultException if the driver refuses for another reason
+     */
+    public static Transport open(String port, LineSettings line) throws PortException {
+        PortName name = PortName.of(port);
+        return provider(port, name).open(name.address(), line);
+    }
+
+    /** The ports there are now: serial devices, simulated boards, and what other providers list. */
+    public static List<String> ports() {
+        List<String> ports = new ArrayList<>();
+        providers().values().forEach(provider -> ports.addAll(provider.ports()));
+        return List.copyOf(ports);
+    }
+
+    /**
+     * One name for all the names of one device: symbolic links are followed, and a scheme is written in front.
+     * The port need not exist, nor its scheme.
+     */
+    public static String canonicalName(String port) {
+        try {
+            PortName name = PortName.of(port);
+            return name.scheme() + ':' + provider(port, name).canonicalAddress(name.address());
+        } catch (NoSuchPortException e) {
+            return port; // a name that cannot be opened is nobody else's name
+        }
+    }
+
+    private static TransportProvider provider(String port, PortName name) throws NoSuchPortException {
+        Map<String, TransportProvider> providers = providers();
+        TransportProvider provider = providers.get(name.scheme());
+        if (provider == null) {
+            throw new NoSuchPortException(port, "port " + port + " asks for the scheme \"" + name.scheme() + "\", but there are only: "
+                    + String.join(", ", providers.keySet()) + " (a serial device needs none)");
+        }
+        return provider;
+    }
+
+    private static Map<String, TransportProvider> providers() {
+        Map<String, TransportProvider> providers = new LinkedHashMap<>();
+        for (TransportProvider builtIn : List.of(new SerialTransportProvider(), new SimTransportProvider())) {
+            providers.put(builtIn.scheme(), builtIn);
+        }
+        ServiceLoader.load(TransportProvider.class).forEach(found -> providers.putIfAbsent(found.scheme(), found));
+        ServiceLoader.load(TransportProvider.class, TransportProvider.class.getClassLoader())
+                .forEach(found -> providers.putIfAbsent(found.scheme(), found));
+        return providers;
+    }
+}
