@@ -1,0 +1,32 @@
+package argo.filters
+
+/**
+ * One thing that is wrong with a filter's text.
+ *
+ * @property source the file or other place the text came from
+ * @property line counted from 1
+ * @property column counted from 1, in characters
+ * @property message what was found and what is expected
+ */
+data class Problem(val source: String, val line: Int, val column: Int, val message: String) {
+    /** `file:line:column: message`. */
+    override fun toString(): String = "$source:$line:$column: $message"
+}
+
+/**
+ * A filter was refused. The message lists all [problems], one a line, in the order of the text.
+ *
+ * @throws IllegalArgumentException if there is no problem
+ */
+class FilterException(problems: List<Problem>, cause: Throwable? = null) :
+    Exception(problems.joinToString("\n"), cause) {
+
+    val problems: List<Problem> = java.util.List.copyOf(problems)
+
+    init {
+        require(problems.isNotEmpty()) { "a filter is refused for at least one problem" }
+    }
+}
+
+/** No filter of the name that was asked for; the message lists where it was looked for and which filters there are. */
+class FilterNotFoundException(message: String) : Exception(message)

@@ -1,0 +1,46 @@
+package argo.filters
+
+/**
+ * What a rule or a term is called: a functor as Jason reads it, negated or not, in a namespace.
+ *
+ * `open` and `~open` are different predicates, and so are `open` and `house::open`.
+ *
+ * @property functor an atom as it is written, quotes included: `dist`, `'Left wheel'`
+ * @property negated whether strong negation (`~`) stands before the functor
+ * @property namespace the namespace's name; [DEFAULT_NAMESPACE] where none is written
+ */
+data class Predicate(val functor: String, val negated: Boolean = false, val namespace: String = DEFAULT_NAMESPACE) {
+
+    init {
+        require(Syntax.isFunctor(functor)) { "'$functor' is no functor: ${Syntax.FUNCTOR_IN_WORDS}" }
+        require(Syntax.isAtom(namespace)) { "'$namespace' is no namespace: ${Syntax.FUNCTOR_IN_WORDS}" }
+        require(!negated || functor !in Syntax.TRUTH_VALUES) { "~$functor cannot be written in Jason" }
+    }
+
+    /** As Jason writes it: `dist`, `~open`, `house::~open`. */
+    override fun toString(): String = buildString {
+        if (namespace != DEFAULT_NAMESPACE) append(namespace).append("::")
+        if (negated) append('~')
+        append(functor)
+    }
+
+    companion object {
+        /** The namespace of everything that is written without one. */
+        const val DEFAULT_NAMESPACE: String = "default"
+
+        /**
+         * Reads a predicate as Jason would: `dist`, `~open`, `house::dist`.
+         *
+         * @throws IllegalArgumentException if [text] is no predicate; the message says what is wrong with it
+         */
+        fun of(text: String): Predicate {
+            val separator = text.indexOf("::")
+            val namespace = if (separator < 0) DEFAULT_NAMESPACE else namespaceOf(text.substring(0, separator).trim())
+            val rest = (if (separator < 0) text else text.substring(separator + 2)).trim()
+            val negated = rest.startsWith('~')
+            return Predicate(if (negated) rest.substring(1).trimStart() else rest, negated, namespace)
+        }
+
+        private fun namespaceOf(written: String) = if (written.isEmpty() || written == "this_ns") DEFAULT_NAMESPACE else written
+    }
+}

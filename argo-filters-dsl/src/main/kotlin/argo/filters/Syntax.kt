@@ -1,0 +1,148 @@
+package argo.filters
+
+/** The words of Jason's term syntax, as its grammar defines them for ASCII text. */
+internal object Syntax {
+    const val FUNCTOR_IN_WORDS =
+        "it starts with a lower-case letter and goes on with letters, digits and _, or stands in single quotes"
+
+    /** Atoms that stand alone: no arguments, annotations or negation. */
+    val TRUTH_VALUES = setOf("true", "false")
+
+    /** Words that Jason's parser takes for something else than an atom. */
+    private val RESERVED = setOf("not", "div", "mod", "if", "else", "elif", "for", "while")
+
+    fun isFunctor(text: String): Boolean = isAtom(text)
+
+    fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
+
+    fun isReserved(text: CharSequence, start: Int, end: Int): Boolean =
+        RESERVED.any { it.length == end - start && text.regionMatches(start, it) }
+
+    fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean =
+        TRUTH_VALUES.any { it.length == end - start && text.regionMatches(start, it) }
+
+    /** The end of the atom that starts at [start], or -1 if there is none. */
+    fun atomEnd(text: CharSequence, start: Int, end: Int): Int {
+        if (start >= end) return -1
+        if (text[start] == '\'') return quotedAtomEnd(text, start, end)
+        var i = when {
+            text[start] in 'a'..'z' -> start + 1
+            isDottedWord(text, start, end) -> start + 2
+            else -> return -1
+        }
+        while (i < end) {
+            i += when {
+                isWordCharacter(text[i]) -> 1
+                isDottedWord(text, i, end) -> 2
+                else -> break
+            }
+        }
+        return if (isReserved(text, start, i)) -1 else i
+    }
+
+    private fun quotedAtomEnd(text: CharSequence, start: Int, end: Int): Int {
+        var i = start + 1
+        while (i < end && text[i] != '\'') i++
+        return if (i < end) i + 1 else -1
+    }
+
+    private fun isDottedWord(text: CharSequence, i: Int, end: Int) =
+        text[i] == '.' && i + 1 < end && isWordCharacter(text[i + 1])
+
+    fun isWordCharacter(c: Char): Boolean = c in 'a'..'z' || c in 'A'..'Z' || c in '0'..'9' || c == '_'
+
+    /** Whether an atom is the name of an internal action or arithmetic function to Jason, by the dot in it. */
+    fun isDotted(text: CharSequence, start: Int, end: Int): Boolean =
+        text[start] != '\'' && (start until end).any { text[it] == '.' }
+
+    /** The end of the unsigned number that starts at [start], or -1 if there is none. */
+    fun numberEnd(text: CharSequence, start: Int, end: Int): Int {
+        val whole = digitsEnd(text, start, end)
+        var i = whole
+        if (i < end && text[i] == '.') {
+            val fraction = digitsEnd(text, i + 1, end)
+            if (fraction > i + 1) i = fraction
+        }
+        if (i == start) return -1
+        return exponentEnd(text, i, end)
+    }
+
+    private fun exponentEnd(text: CharSequence, start: Int, end: Int): Int {
+        if (start >= end || (text[start] != 'e' && text[start] != 'E')) return start
+        val sign = start + 1
+        val digits = if (sign < end && (text[sign] == '+' || text[sign] == '-')) sign + 1 else sign
+        val exponent = digitsEnd(text, digits, end)
+        return if (exponent > digits) exponent else start
+    }
+
+    private fun digitsEnd(text: CharSequence, start: Int, end: Int): Int {
+        var i = start
+        while (i < end && text[i] in '0'..'9') i++
+        return i
+    }
+
+    /** The end of the string in double quotes that starts at [start], or -1 if it is not closed or not as Jason writes strings. */
+    fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
+        var i = start + 1
+        while (i < end) {
+            when (text[i]) {
+                '"' -> return i + 1
+                '\n', '\r' -> return -1
+                '\\' -> {
+                    if (i + 1 >= end || text[i + 1] !in ESCAPED) return -1
+                    i += 2
+                }
+                else -> i++
+            }
+        }
+        return -1
+    }
+
+    private const val ESCAPED = "ntbrf\\'\"01234567"
+
+    /** The first position from [start] that is neither white space nor in a comment. */
+    fun skipBlanks(text: CharSequence, start: Int, end: Int): Int {
+        var i = start
+        while (i < end) {
+            val c = text[i]
+            i = when {
+                c == ' ' || c == '\t' || c == '\n' || c == '\r' -> i + 1
+                c == '/' -> commentEnd(text, i, end).also { if (it == i) return i }
+                else -> return i
+            }
+        }
+        return i
+    }
+
+    /** The end of the comment that starts at [start], or [start] itself if none does. */
+    fun commentEnd(text: CharSequence, start: Int, end: Int): Int {
+        if (start + 1 >= end) return start
+        return when (text[start + 1]) {
+            '/' -> lineEnd(text, start + 2, end)
+            '*' -> blockEnd(text, start + 2, end).let { if (it < 0) start else it }
+            else -> start
+        }
+    }
+
+    private fun lineEnd(text: CharSequence, start: Int, end: Int): Int {
+        var i = start
+        while (i < end && text[i] != '\n' && text[i] != '\r') i++
+        return i
+    }
+
+    private fun blockEnd(text: CharSequence, start: Int, end: Int): Int {
+        var i = start
+        while (i + 1 < end) {
+            if (text[i] == '*' && text[i + 1] == '/') return i + 2
+            i++
+        }
+        return -1
+    }
+
+    /** Whether [text] goes on with [word] at [start]. */
+    fun CharSequence.regionMatches(start: Int, word: String): Boolean {
+        if (start + word.length > length) return false
+        for (i in word.indices) if (this[start + i] != word[i]) return false
+        return true
+    }
+}

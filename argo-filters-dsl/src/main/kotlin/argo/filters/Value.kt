@@ -1,0 +1,106 @@
+package argo.filters
+
+/**
+ * A value that a condition compares an argument with: a ground Jason term.
+ *
+ * Values are equal as Jason's terms are: `36` and `36.0` are one number, the atom `front` and the string `"front"` are two things.
+ * `toString` gives text that [of] reads back to an equal value.
+ */
+sealed interface Value {
+
+    /** A number. Jason's numbers are doubles. */
+    class Number(value: Double) : Value {
+        /** The number itself; never NaN, and never the negative zero, which Jason does not tell from zero. */
+        val value: Double = value + 0.0
+
+        init {
+            require(!value.isNaN()) { "NaN is no number that a percept could hold" }
+        }
+
+        override fun equals(other: Any?): Boolean = other is Number && value == other.value
+        override fun hashCode(): Int = value.hashCode()
+        override fun toString(): String = when {
+            value == Double.POSITIVE_INFINITY -> BEYOND_RANGE
+            value == Double.NEGATIVE_INFINITY -> "-$BEYOND_RANGE"
+            value == Math.rint(value) && Math.abs(value) < EXACT_INTEGERS -> value.toLong().toString()
+            else -> value.toString()
+        }
+
+        private companion object {
+            const val BEYOND_RANGE = "1e999"
+            const val EXACT_INTEGERS = 9007199254740992.0
+        }
+    }
+
+    /**
+     * A string.
+     *
+     * @property text what stands between the quotes once Jason has read it: `\n` and `\"` are resolved, every other escape is kept as written
+     */
+    data class Text(val text: String) : Value {
+        init {
+            require(isWritable(text)) {
+                "Jason cannot write the string ${write(text)}: a backslash in it stands before one of n t b r f \\ ' \" 0-7, and \\n is a line break"
+            }
+        }
+
+        override fun toString(): String = write(text)
+
+        internal companion object {
+            /** As Jason resolves escapes when it reads a string: these two, one after the other, and no others. */
+            fun unescape(written: String): String = written.replace("\\n", "\n").replace("\\\"", "\"")
+
+            /** The string that holds [text], or null where Jason's syntax has none. */
+            fun ofOrNull(text: String): Text? = if (isWritable(text)) Text(text) else null
+
+            private fun write(text: String) = "\"" + text.replace("\n", "\\n").replace("\"", "\\\"") + "\""
+
+            private fun isWritable(text: String): Boolean {
+                val written = write(text)
+                return Syntax.stringEnd(written, 0, written.length) == written.length && unescape(written.substring(1, written.length - 1)) == text
+            }
+        }
+    }
+
+    /** A list. */
+    data class Sequence(val items: List<Value>) : Value {
+        override fun toString(): String = items.joinToString(",", "[", "]")
+    }
+
+    /** An atom, if it has no arguments, or a structure; its annotations have no order. */
+    data class Structure(
+        val predicate: Predicate,
+        val arguments: List<Value> = emptyList(),
+        val annotations: Set<Value> = emptySet(),
+    ) : Value {
+        override fun toString(): String = buildString {
+            append(predicate)
+            if (arguments.isNotEmpty()) arguments.joinTo(this, ",", "(", ")")
+            if (annotations.isNotEmpty()) annotations.joinTo(this, ",", "[", "]")
+        }
+    }
+
+    companion object {
+        /**
+         * Reads a value as Jason reads a term: `front`, `-3.5`, `"text"`, `pos(1,2)`, `[a,b]`.
+         *
+         * @throws IllegalArgumentException if [text] is none; the message says what is wrong with it
+         */
+        fun of(text: String): Value = requireNotNull(ofOrNull(text)) { explain(text) }
+
+        /** As [of], or null. Variables, expressions and plans are no values. */
+        fun ofOrNull(text: CharSequence): Value? = ValueReader(text, 0, text.length).readWhole()
+
+        private fun explain(text: String): String {
+            val trimmed = text.trim()
+            return when {
+                trimmed.isEmpty() -> "the value is missing"
+                trimmed[0] in 'A'..'Z' || trimmed[0] == '_' && Syntax.isWordCharacter(trimmed.last()) ->
+                    "'$trimmed' is a variable to Jason; an atom starts with a lower-case letter (${trimmed.trimStart('_').replaceFirstChar(Char::lowercase)})" +
+                        " or stands in quotes"
+                else -> "'$trimmed' is not a value that Jason can read: " +
+                    "an atom (front), a number (-3.5), a string (\"text\"), a structure (pos(1,2)) or a list ([a,b])"
+            }
+        }
+    }
+}

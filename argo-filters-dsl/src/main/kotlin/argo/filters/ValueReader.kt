@@ -1,0 +1,108 @@
+package argo.filters
+
+/**
+ * Reads one ground term out of a region of text, as Jason's parser would.
+ *
+ * Whatever is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text) gives null,
+ * and so does anything nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
+ */
+internal class ValueReader(private val text: CharSequence, start: Int, private val end: Int) {
+    private var at = start
+
+    /** The term that fills the whole region, blanks around it aside. */
+    fun readWhole(): Value? {
+        val value = term(0) ?: return null
+        return value.takeIf { blanks() == end }
+    }
+
+    private fun term(depth: Int): Value? {
+        if (depth > MAX_DEPTH || blanks() >= end) return null
+        return when (text[at]) {
+            '"' -> string()
+            '[' -> list(depth)?.let(Value::Sequence)
+            '(' -> parenthesised(depth)
+            '+', '-' -> signed(depth)
+            in '0'..'9' -> number()
+            '.' -> number()
+            else -> structure(depth)
+        }
+    }
+
+    private fun parenthesised(depth: Int): Value? {
+        at++
+        val value = term(depth + 1)
+        return value.takeIf { take(')') }
+    }
+
+    private fun signed(depth: Int): Value? {
+        val minus = text[at++] == '-'
+        val value = when {
+            blanks() >= end -> null
+            text[at] == '(' -> parenthesised(depth)
+            else -> number()
+        } as? Value.Number ?: return null
+        return if (minus) Value.Number(-value.value) else value
+    }
+
+    private fun number(): Value? {
+        val numberEnd = Syntax.numberEnd(text, at, end)
+        if (numberEnd < 0) return null
+        val value = text.substring(at, numberEnd).toDouble()
+        at = numberEnd
+        return Value.Number(value)
+    }
+
+    private fun string(): Value? {
+        val stringEnd = Syntax.stringEnd(text, at, end)
+        if (stringEnd < 0) return null
+        val value = Value.Text.unescape(text.substring(at + 1, stringEnd - 1))
+        at = stringEnd
+        return Value.Text(value)
+    }
+
+    private fun list(depth: Int): List<Value>? {
+        at++
+        val items = ArrayList<Value>()
+        if (take(']')) return items
+        do items += term(depth + 1) ?: return null while (take(','))
+        if (take('|')) {
+            if (depth >= MAX_DEPTH || blanks() >= end || text[at] != '[') return null
+            items += list(depth + 1) ?: return null
+        }
+        return items.takeIf { take(']') }
+    }
+
+    private fun structure(depth: Int): Value? {
+        val predicate = predicate() ?: return null
+        if (predicate.functor in Syntax.TRUTH_VALUES) return Value.Structure(predicate)
+        val arguments = if (take('(')) terms(depth, ')') ?: return null else emptyList()
+        val annotations = if (blanks() < end && text[at] == '[') list(depth) ?: return null else emptyList()
+        return Value.Structure(predicate, arguments, annotations.toSet())
+    }
+
+    private fun terms(depth: Int, close: Char): List<Value>? {
+        val terms = ArrayList<Value>()
+        do terms += term(depth + 1) ?: return null while (take(','))
+        return terms.takeIf { take(close) }
+    }
+
+    private fun predicate(): Predicate? {
+        val scanner = FunctorScanner(text, at, end)
+        if (!scanner.scan() || Syntax.isDotted(text, scanner.functorStart, scanner.functorEnd)) return null
+        at = scanner.functorEnd
+        return scanner.predicate()
+    }
+
+    private fun blanks(): Int = Syntax.skipBlanks(text, at, end).also { at = it }
+
+    private fun take(expected: Char): Boolean {
+        if (blanks() >= end || text[at] != expected) return false
+        at++
+        return true
+    }
+
+    companion object {
+        /** Deeper terms than any board sends; keeps hostile text from using up the stack. */
+        const val MAX_DEPTH = 64
+    }
+}
