@@ -1,27 +1,76 @@
 package javino;
 
 import com.fazecast.jSerialComm.SerialPort;
+import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantLock;
 
-/** A serial device. */
+/** A serial device, or a pseudo-terminal that stands for one, through jSerialComm. */
 final class SerialTransport implements Transport {
+    /** How long one read of the driver waits: it counts in tenths of a second. */
+    private static final int SLICE_MILLIS = 100;
+    private static final long SLICE_NANOS = SLICE_MILLIS * 1_000_000L;
+    /** How often the driver is asked when less than a slice is left. */
+    private static final long POLL_NANOS = 250_000L;
+
+    /** jSerialComm keeps the error code of a failed opening in one place for the whole program. */
+    private static final ReentrantLock OPENING = new ReentrantLock();
+
+    private final ReentrantLock reading = new ReentrantLock(); // held while the driver reads, so that it is not closed under it
     private final SerialPort port;
     private final String name;
     private final LineSettings line;
+    private final TimedWriter writer;
+    private final AtomicBoolean closed = new AtomicBoolean();
+    private volatile boolean gone;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
         this.port = port;
         this.name = name;
         this.line = line;
+        writer = new TimedWriter(name, bytes -> port.writeBytes(bytes, bytes.length));
     }
 
     static SerialTransport open(String name, LineSettings line) throws PortException {
-        SerialPort port = SerialPort.getCommPort(name);
-        port.setBaudRate(line.baud());
-        port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 100, 0);
-        if (!port.openPort()) {
-            throw new PortFaultException(name, "port " + name + " cannot be opened (driver's code " + port.getLastErrorCode() + ")", null);
+        SerialDevice device = SerialDevice.of(name);
+        OPENING.lock();
+        try {
+            SerialTransport transport = new SerialTransport(openDriver(device, line), name, line);
+            transport.writer.start();
+            return transport;
+        } catch (SerialPortInvalidPortException e) {
+            throw SerialPortErrors.noSuchPort(device, ports());
+        } catch (LinkageError e) {
+            throw SerialPortErrors.noNativeLibrary(name, e);
+        } finally {
+            OPENING.unlock();
         }
-        return new SerialTransport(port, name, line);
+    }
+
+    private static SerialPort openDriver(SerialDevice device, LineSettings line) throws PortException {
+        if (!device.exists()) {
+            throw SerialPortErrors.noSuchPort(device, ports()); // jSerialComm would look for the name elsewhere
+        }
+        SerialPort port = SerialPort.getCommPort(device.hasNode() ? device.canonicalAddress() : device.path());
+        port.setComPortParameters(line.baud(), 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
+        port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
+        port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, SLICE_MILLIS, 0);
+        if (!port.openPort()) {
+            throw SerialPortErrors.cannotOpen(device, port.getLastErrorCode(), ports());
+        }
+        return port;
+    }
+
+    /** The names of the serial devices there are, in alphabetical order; none where jSerialComm cannot run. */
+    static List<String> ports() {
+        try {
+            return Arrays.stream(SerialPort.getCommPorts()).map(SerialPort::getSystemPortName).sorted().toList();
+        } catch (LinkageError e) {
+            return List.of(); // opening one says why
+        }
     }
 
     @Override
@@ -37,25 +86,82 @@ final class SerialTransport implements Transport {
     @Override
     public int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
         long deadline = System.nanoTime() + timeoutMillis * 1_000_000L;
-        int count = port.readBytes(b, len, off);
-        while (count == 0 && deadline - System.nanoTime() > 0) {
-            count = port.readBytes(b, len, off);
+        while (true) {
+            long left = deadline - System.nanoTime();
+            boolean slice = left >= SLICE_NANOS;
+            int count = readNow(b, off, len, slice);
+            if (count > 0 || left <= 0) {
+                return count;
+            }
+            if (!slice) {
+                LockSupport.parkNanos(Math.min(left, POLL_NANOS));
+            }
+            if (Thread.currentThread().isInterrupted()) {
+                throw new PortInterruptedException(name);
+            }
         }
-        if (count < 0) {
-            throw new PortGoneException(name, "port " + name + " is gone");
+    }
+
+    /** Reads what there is; if nothing is, waits a slice for it or not at all. */
+    private int readNow(byte[] b, int off, int len, boolean wait) throws PortException {
+        reading.lock();
+        try {
+            requireOpen();
+            int count = wait ? len : Math.min(len, port.bytesAvailable());
+            if (count > 0) {
+                count = port.readBytes(b, count, off);
+            }
+            if (count < 0) {
+                throw broken();
+            }
+            return count;
+        } finally {
+            reading.unlock();
         }
-        return count;
     }
 
     @Override
     public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-        if (port.writeBytes(b, len, off) != len) {
-            throw new PortGoneException(name, "port " + name + " is gone");
+        requireOpen();
+        long deadline = System.nanoTime() + timeoutMillis * 1_000_000L;
+        try {
+            switch (writer.write(b, off, len, deadline)) {
+                case WRITTEN -> { }
+                case TOO_LATE -> throw new PortTimeoutException(name, "port " + name + " did not take " + len + " bytes within "
+                        + timeoutMillis + " ms; the device does not read");
+                default -> throw broken();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new PortInterruptedException(name);
         }
+    }
+
+    private void requireOpen() throws PortGoneException {
+        if (closed.get() || gone) {
+            throw broken();
+        }
+    }
+
+    /** What is to be thrown when the driver reports an error: on an open line that means that the device is not there any more. */
+    private PortGoneException broken() {
+        gone = true;
+        return new PortGoneException(name, "port " + name + " is gone: "
+                + (closed.get() ? "it was closed" : "its device was unplugged, or the far end closed"));
     }
 
     @Override
     public void close() {
-        port.closePort();
+        if (closed.getAndSet(true)) {
+            return;
+        }
+        writer.close();
+        port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
+        reading.lock();
+        try {
+            port.closePort(); // ends a write that waits
+        } finally {
+            reading.unlock();
+        }
     }
 }

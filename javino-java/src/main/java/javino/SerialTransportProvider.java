@@ -1,10 +1,8 @@
 package javino;
 
-import com.fazecast.jSerialComm.SerialPort;
-import java.util.Arrays;
 import java.util.List;
 
-/** Serial devices, through jSerialComm. */
+/** Serial devices. */
 final class SerialTransportProvider implements TransportProvider {
     @Override
     public String scheme() {
@@ -18,6 +16,11 @@ final class SerialTransportProvider implements TransportProvider {
 
     @Override
     public List<String> ports() {
-        return Arrays.stream(SerialPort.getCommPorts()).map(SerialPort::getSystemPortName).sorted().toList();
+        return SerialTransport.ports();
+    }
+
+    @Override
+    public String canonicalAddress(String address) {
+        return SerialDevice.of(address).canonicalAddress();
     }
 }

@@ -1,0 +1,129 @@
+package javino;
+
+import java.util.Arrays;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/**
+ * Gives blocking writes a time limit. The operating system's write has none: it waits for as long as the far end does not read. So it is
+ * done on a thread of this writer's own, which the caller waits for.
+ *
+ * <p>Safe on any thread; writes go out in the order in which they are called, each as a whole.
+ */
+final class TimedWriter {
+    /** The write that has no time limit. */
+    interface Target {
+        /** Writes all the bytes; returns how many were written, fewer or -1 on an error. */
+        int write(byte[] bytes);
+    }
+
+    /** How a write ended. */
+    enum Outcome { WRITTEN, FAILED, TOO_LATE, CLOSED }
+
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    private final Target target;
+    private final Thread thread;
+    private Job waiting; // the next to be written
+    private boolean closed;
+
+    TimedWriter(String port, Target target) {
+        this.target = target;
+        thread = new Thread(this::work, "write " + port);
+        thread.setDaemon(true);
+    }
+
+    void start() {
+        thread.start();
+    }
+
+    /**
+     * Writes the bytes, waiting at most until {@code deadlineNanos} of {@link System#nanoTime}. After {@link Outcome#TOO_LATE} they have
+     * not left, or are still on their way out.
+     */
+    Outcome write(byte[] b, int off, int len, long deadlineNanos) throws InterruptedException {
+        Job job = new Job(Arrays.copyOfRange(b, off, off + len));
+        lock.lockInterruptibly();
+        try {
+            while (waiting != null && !closed) {
+                if (!awaitUntil(deadlineNanos)) {
+                    return Outcome.TOO_LATE;
+                }
+            }
+            waiting = job;
+            changed.signalAll();
+            while (job.outcome == null && !closed) {
+                if (!awaitUntil(deadlineNanos)) {
+                    return Outcome.TOO_LATE;
+                }
+            }
+            return job.outcome != null ? job.outcome : Outcome.CLOSED;
+        } finally {
+            if (waiting == job) {
+                waiting = null;
+                changed.signalAll();
+            }
+            lock.unlock();
+        }
+    }
+
+    private boolean awaitUntil(long deadlineNanos) throws InterruptedException {
+        long left = deadlineNanos - System.nanoTime();
+        return left > 0 && changed.await(left, TimeUnit.NANOSECONDS) || deadlineNanos - System.nanoTime() > 0;
+    }
+
+    /** Ends the thread as soon as its write returns. Calls that wait get {@link Outcome#CLOSED}. */
+    void close() {
+        lock.lock();
+        try {
+            closed = true;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void work() {
+        Job job = next();
+        while (job != null) {
+            int count = target.write(job.bytes);
+            finish(job, count == job.bytes.length ? Outcome.WRITTEN : Outcome.FAILED);
+            job = next();
+        }
+    }
+
+    private Job next() {
+        lock.lock();
+        try {
+            while (waiting == null && !closed) {
+                changed.awaitUninterruptibly();
+            }
+            Job job = closed ? null : waiting;
+            waiting = null;
+            changed.signalAll();
+            return job;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void finish(Job job, Outcome outcome) {
+        lock.lock();
+        try {
+            job.outcome = outcome;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private static final class Job {
+        private final byte[] bytes;
+        private Outcome outcome;
+
+        Job(byte[] bytes) {
+            this.bytes = bytes;
+        }
+    }
+}
