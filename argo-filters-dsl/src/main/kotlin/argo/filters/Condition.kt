@@ -8,6 +8,20 @@ enum class Operator(internal val words: String, internal val ordering: Boolean) 
     GE("is at least", true),
     LT("is less than", true),
     LE("is at most", true),
+    ;
+
+    internal companion object {
+        /** The other names of the filter files' operators: equal, bigger, bigger or equal, smaller, smaller or equal. */
+        private val ALIASES = mapOf("E" to EQ, "B" to GT, "BE" to GE, "S" to LT, "SE" to LE)
+
+        private val BY_NAME = (entries.associateBy(Operator::name) + ALIASES)
+            .flatMap { (name, operator) -> listOf(name to operator, name.lowercase() to operator) }.toMap()
+
+        val NAMES: String = entries.joinToString(", ") + " (or " + ALIASES.entries.joinToString(", ") { (alias, operator) -> "$alias for $operator" } + ")"
+
+        /** The operator that a filter file calls [name], all in upper or all in lower case, or null. */
+        fun named(name: String): Operator? = BY_NAME[name]
+    }
 }
 
 /**
@@ -48,10 +62,13 @@ sealed interface Condition {
     }
 
     /**
-     * A condition on the annotations called [name], of which one must meet it: with a [test], the first argument of the annotation
-     * must meet the test; without, the annotation must be there. It is false for a percept that has no such annotation.
+     * A condition on the annotations called [name]: the first argument of one of them must meet all [tests]. Without tests it is enough
+     * that there is one. It is false for a percept that has no such annotation.
      */
-    data class Annotation(val name: Predicate, val test: Test? = null) : Condition {
-        override fun toString(): String = if (test == null) "there is an annotation $name" else "annotation $name $test"
+    data class Annotation(val name: Predicate, val tests: List<Test> = emptyList()) : Condition {
+        constructor(name: String, vararg tests: Test) : this(Predicate.of(name), tests.toList())
+
+        override fun toString(): String =
+            if (tests.isEmpty()) "there is an annotation $name" else tests.joinToString(" and ", "annotation $name ")
     }
 }

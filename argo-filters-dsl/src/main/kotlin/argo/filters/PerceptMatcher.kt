@@ -35,8 +35,8 @@ class PerceptMatcher internal constructor(val filter: PerceptionFilter) {
 
     internal fun meets(condition: Condition.Annotation, annotation: Value?): Boolean {
         if (annotation !is Value.Structure || annotation.predicate != condition.name) return false
-        val test = condition.test ?: return true
-        return meets(test, annotation.arguments.firstOrNull())
+        val value = annotation.arguments.firstOrNull()
+        return condition.tests.all { meets(it, value) }
     }
 
     internal fun meets(test: Test, value: Value?): Boolean = value != null && when (test) {

@@ -8,15 +8,24 @@ object XmlFilters {
      * Reads a filter.
      *
      * @param input the XML document, in any encoding that its declaration or byte-order mark names; UTF-8 where there is neither. Not closed.
-     * @param source the file or other place it comes from, for messages; its last part without `.xml` becomes the filter's name
+     * @param source the file or other place it comes from, for messages
+     * @param name the filter's name; usually the last part of [source] without `.xml`
      * @throws FilterException with all problems of the text, if there are any
      * @throws java.io.IOException if [input] cannot be read
      */
-    fun read(input: InputStream, source: String): PerceptionFilter = TODO()
+    fun read(input: InputStream, source: String, name: String = nameOf(source)): PerceptionFilter =
+        read(XmlDecoder(source).decode(input.readBytes()), source, name)
 
     /** As the other form, from text that has been decoded. */
-    fun read(input: String, source: String): PerceptionFilter = TODO()
+    fun read(input: String, source: String, name: String = nameOf(source)): PerceptionFilter =
+        XmlFilterReader(input.removePrefix("\uFEFF"), source, name).read()
 
-    /** The filter as an XML document, which [read] reads back to an equal filter. */
-    fun write(filter: PerceptionFilter): String = TODO()
+    /**
+     * The filter as an XML document with LF line ends, which [read] reads back to an equal filter.
+     *
+     * @throws IllegalArgumentException if a functor or a string of the filter holds a character that XML has no way to write
+     */
+    fun write(filter: PerceptionFilter): String = XmlFilterWriter().write(filter)
+
+    private fun nameOf(source: String) = source.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".xml")
 }

@@ -1,0 +1,25 @@
+package argo.filters
+
+/** A position in a text: line and column, both counted from 1, the column in characters. */
+internal data class Position(val line: Int, val column: Int) : Comparable<Position> {
+    override fun compareTo(other: Position): Int = compareValuesBy(this, other, Position::line, Position::column)
+}
+
+/** A text that knows where its lines begin. Lines end with LF, CR or both. */
+internal class SourceText(val text: String) {
+    private val lineStarts: IntArray = buildList {
+        add(0)
+        for (i in text.indices) {
+            if (text[i] == '\n' || text[i] == '\r' && text.getOrNull(i + 1) != '\n') add(i + 1)
+        }
+    }.toIntArray()
+
+    val end: Position
+        get() = position(text.length)
+
+    fun position(offset: Int): Position {
+        val found = lineStarts.binarySearch(offset)
+        val line = if (found >= 0) found else -found - 2
+        return Position(line + 1, offset - lineStarts[line] + 1)
+    }
+}

@@ -1,0 +1,178 @@
+package argo.filters
+
+/** Makes a filter of an XML document, or a list of all that is wrong with it. */
+internal class XmlFilterReader(text: String, private val source: String, private val name: String) {
+    private val tree = XmlTreeReader(SourceText(text), source).read()
+    private val problems = ArrayList<Problem>()
+
+    /** @throws FilterException with all problems of the document, in the order of the text */
+    fun read(): PerceptionFilter {
+        val rules = tree.root?.let(::filter).orEmpty()
+        tree.problem?.let(problems::add)
+        if (problems.isNotEmpty()) throw FilterException(problems.sortedBy { Position(it.line, it.column) })
+        return PerceptionFilter(name, rules)
+    }
+
+    private fun filter(root: XmlElement): List<Rule> {
+        if (root.name != ROOT) {
+            report(root.position, "the root element is <${root.name}>; expected <$ROOT>")
+            if (!root.name.equals(ROOT, ignoreCase = true)) return emptyList()
+        }
+        attributes(root)
+        noText(root)
+        return children(root, FILTER).mapNotNull(::rule)
+    }
+
+    private fun rule(element: XmlElement): Rule? {
+        attributes(element)
+        noText(element)
+        val children = children(element, PREDICATE, PARAMETER, *ANNOTATION)
+        val predicate = predicate(element, children.filter { it.name == PREDICATE })
+        val conditions = children.mapNotNull {
+            when (it.name) {
+                PREDICATE -> null
+                PARAMETER -> argument(it)
+                else -> annotation(it)
+            }
+        }
+        return predicate?.let { Rule(it, conditions) }
+    }
+
+    private fun predicate(rule: XmlElement, found: List<XmlElement>): Predicate? {
+        if (found.isEmpty()) {
+            if (isWhole(rule)) report(rule.position, "the rule has no predicate; expected <predicate> with a functor, as in <predicate>dist</predicate>")
+            return null
+        }
+        found.drop(1).forEach { report(it.position, "a second predicate in one rule; expected one, and another <filter> for the other") }
+        return found.map(::predicate).first()
+    }
+
+    private fun predicate(element: XmlElement): Predicate? {
+        attributes(element)
+        children(element)
+        return predicate(element.text, element.textPosition, "predicate", isWhole(element))
+    }
+
+    private fun predicate(text: String, at: Position, what: String, isWhole: Boolean = true): Predicate? {
+        if (text.isEmpty()) {
+            if (isWhole) report(at, "the $what is empty; expected a functor, as in dist or ~open")
+            return null
+        }
+        return reporting(at, "as the $what, the functor alone is expected") { Predicate.of(text) }
+    }
+
+    private fun argument(element: XmlElement): Condition? {
+        val attributes = attributes(element, ID, OPERATOR)
+        children(element)
+        val index = index(element, attributes[ID])
+        val test = test(element, operator(attributes[OPERATOR]))
+        return if (index == null || test == null) null else Condition.Argument(index, test)
+    }
+
+    private fun index(element: XmlElement, id: XmlAttribute?): Int? {
+        if (id == null) {
+            report(element.position, "the <$PARAMETER> has no id; expected id=\"0\" for the first argument, id=\"1\" for the second and so on")
+            return null
+        }
+        val written = id.value.trim()
+        val index = written.takeIf { it.isNotEmpty() && it.all { digit -> digit in '0'..'9' } }?.toIntOrNull()
+        if (index == null) report(id.position, "the id '${id.value}'; expected a whole number from 0, the number of the argument")
+        return index
+    }
+
+    private fun annotation(element: XmlElement): Condition? {
+        val attributes = attributes(element, NAME, OPERATOR)
+        val limits = children(element, LIMIT)
+        val name = annotationName(element, attributes[NAME])
+        val ownOperator = attributes[OPERATOR]
+        val tests = when {
+            limits.isNotEmpty() -> limits(element, limits, ownOperator)
+            ownOperator == null && element.text.isEmpty() -> emptyList()
+            else -> listOf(test(element, operator(ownOperator)))
+        }
+        return if (name == null || null in tests) null else Condition.Annotation(name, tests.filterNotNull())
+    }
+
+    private fun annotationName(element: XmlElement, name: XmlAttribute?): Predicate? {
+        if (name != null) return predicate(name.value.trim(), name.position, "annotation's name")
+        report(element.position, "the <${element.name}> has no name; expected the annotation's functor, as in name=\"q\"")
+        return null
+    }
+
+    private fun limits(annotation: XmlElement, limits: List<XmlElement>, inherited: XmlAttribute?): List<Test?> {
+        noText(annotation)
+        val usual = operator(inherited)
+        return limits.map {
+            val own = attributes(it, OPERATOR)[OPERATOR]
+            children(it)
+            if (own != null && inherited != null) report(own.position, "a second operator for one annotation; expected it on <$LIMIT> or around it")
+            test(it, if (own == null) usual else operator(own))
+        }
+    }
+
+    private fun test(element: XmlElement, operator: Operator?): Test? {
+        val text = element.text
+        if (text.isEmpty()) {
+            if (isWhole(element)) report(element.position, "the <${element.name}> is empty; expected the value to compare with")
+            return null
+        }
+        val value = reporting(element.textPosition, "") { Value.of(text) } ?: return null
+        return operator?.let { reporting(element.textPosition, "") { Test.Compare(it, value) } }
+    }
+
+    private fun operator(attribute: XmlAttribute?): Operator? {
+        if (attribute == null) return Operator.EQ
+        val operator = Operator.named(attribute.value.trim())
+        if (operator == null) report(attribute.position, "the operator '${attribute.value}'; expected ${Operator.NAMES}")
+        return operator
+    }
+
+    /** The attributes of [element] by name; those that are not [known] are reported. */
+    private fun attributes(element: XmlElement, vararg known: String): Map<String, XmlAttribute> {
+        val (expected, unknown) = element.attributes.partition { it.name in known }
+        unknown.forEach { report(it.position, "the attribute '${it.name}' on <${element.name}>; expected ${words(known, "no attribute")}") }
+        return expected.associateBy(XmlAttribute::name)
+    }
+
+    /** The children of [element] that are [known]; others are reported. */
+    private fun children(element: XmlElement, vararg known: String): List<XmlElement> {
+        val (expected, unknown) = element.children.partition { it.name in known }
+        val elements = words(known.map { "<$it>" }.toTypedArray(), "text alone")
+        unknown.forEach { report(it.position, "the element <${it.name}> in <${element.name}>; expected $elements") }
+        return expected
+    }
+
+    private fun words(known: Array<out String>, none: String) = if (known.isEmpty()) none else known.joinToString(" or ")
+
+    private fun noText(element: XmlElement) = element.texts.filter { it.text.isNotBlank() }.forEach {
+        report(it.position, "the text '${it.text.trim()}' in <${element.name}>; expected elements alone")
+    }
+
+    /** What is missing in an element that the document breaks off in is no problem of its own. */
+    private fun isWhole(element: XmlElement) = element.isClosed || tree.problem == null
+
+    private fun <T> reporting(at: Position, expectation: String, read: () -> T): T? = try {
+        read()
+    } catch (e: IllegalArgumentException) {
+        report(at, listOf(e.message.orEmpty(), expectation).filter(String::isNotEmpty).joinToString("; "))
+        null
+    }
+
+    private fun report(at: Position, message: String) {
+        problems += Problem(source, at.line, at.column, message)
+    }
+
+    private companion object {
+        const val ROOT = "PerceptionFilter"
+        const val FILTER = "filter"
+        const val PREDICATE = "predicate"
+        const val PARAMETER = "parameter"
+        const val LIMIT = "limit"
+        const val ID = "id"
+        const val NAME = "name"
+        const val OPERATOR = "operator"
+
+        /** The second is how files of earlier versions spell it. */
+        val ANNOTATION = arrayOf("annotation", "anotation")
+    }
+}

@@ -1,0 +1,82 @@
+package argo.filters
+
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.bind
+import io.kotest.property.arbitrary.choice
+import io.kotest.property.arbitrary.boolean
+import io.kotest.property.arbitrary.constant
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.enum
+import io.kotest.property.arbitrary.filter
+import io.kotest.property.arbitrary.flatMap
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.map
+import io.kotest.property.arbitrary.numericDouble
+import io.kotest.property.arbitrary.string
+
+/** A filter whose rules stand in XML between the root's tags. */
+fun xml(rules: String): PerceptionFilter = XmlFilters.read("<PerceptionFilter>$rules</PerceptionFilter>", "test.xml")
+
+/** A filter of one rule on [predicate], with the XML of its conditions. */
+fun rule(predicate: String, conditions: String = ""): PerceptMatcher =
+    xml("<filter><predicate>$predicate</predicate>$conditions</filter>").matcher()
+
+/** Small vocabularies, so that filters and percepts meet often. */
+val functors = Arb.element("dist", "light", "open", "'Left wheel'", "x_1", "begin", "'two\nlines'", "'a\tb\r'", "'<&>'")
+val predicates: Arb<Predicate> = Arb.bind(functors, Arb.element(false, false, true), Arb.element("default", "default", "house")) { functor, negated, namespace ->
+    Predicate(functor, negated, namespace)
+}
+
+val numbers: Arb<Value.Number> = Arb.choice(
+    Arb.int(-3..3).map(Int::toDouble),
+    Arb.element(0.5, -0.5, 36.0, 1e10, 1e300, 5e-324, 123456789012345680.0),
+    Arb.numericDouble(),
+).map(Value::Number)
+
+val texts: Arb<Value.Text> = Arb.choice(
+    Arb.element("", "front", "a,b", "]", ")", "(", "say \"hi\"", "line\nbreak", "\\t", "// no comment", "é 漢 \uD83D\uDE00", "'", ";", "<&>]]>"),
+    Arb.string(0..6).filter { Value.Text.ofOrNull(it) != null && it.none(Char::isISOControl) },
+).map(Value::Text)
+
+fun values(depth: Int = 2): Arb<Value> {
+    val leaves = listOf<Arb<Value>>(numbers.map { it }, texts.map { it }, predicates.map { Value.Structure(it) }, Arb.element("front", "back", "true", "false").map(Value::of))
+    if (depth == 0) return Arb.choice(leaves)
+    val items = Arb.list(values(depth - 1), 0..3)
+    val lists: Arb<Value> = items.map(Value::Sequence)
+    val structures: Arb<Value> = Arb.bind(predicates, items, Arb.list(values(depth - 1), 0..2)) { predicate, arguments, annotations ->
+        Value.Structure(predicate, arguments, annotations.toSet())
+    }
+    return Arb.choice(leaves + leaves + lists + structures)
+}
+
+val comparisons: Arb<Test> = Arb.enum<Operator>().flatMap { operator ->
+    val values: Arb<Value> = if (operator.ordering) numbers.map { it } else values()
+    values.map { Test.Compare(operator, it) }
+}
+
+val conditions: Arb<Condition> = Arb.choice(
+    Arb.bind(Arb.int(0..2), comparisons, Condition::Argument),
+    Arb.bind(predicates, Arb.list(comparisons, 0..2)) { name, tests -> Condition.Annotation(name, tests) },
+)
+
+val rules: Arb<Rule> = Arb.bind(predicates, Arb.list(conditions, 0..2)) { predicate, conditions -> Rule(predicate, conditions) }
+
+val filters: Arb<PerceptionFilter> = Arb.list(rules, 0..6).map { PerceptionFilter("generated", it) }
+
+/** The parts of a percept. Its annotations are structures, in their order. */
+data class Percept(val predicate: Predicate, val arguments: List<Value>, val annotations: List<Value>)
+
+val percepts: Arb<Percept> = Arb.bind(predicates, Arb.list(values(), 0..3), Arb.list(values(1), 0..2), ::Percept)
+
+/** White space and comments that may stand between the tokens of a percept. */
+val blanks: Arb<String> = Arb.choice(Arb.constant(""), Arb.constant(""), Arb.element(" ", "\t", "\n", " \r\n ", "/* , ) */", "// ]\n", "/***/"))
+
+/** Percepts as text, with [blanks] between their tokens. */
+val perceptTexts: Arb<String> = Arb.bind(percepts, Arb.list(blanks, 16..16), Arb.boolean()) { percept, blanks, spaced ->
+    var next = 0
+    fun blank() = if (spaced) blanks[next++ % blanks.size] else ""
+    fun group(open: String, terms: List<Value>, close: String) =
+        if (terms.isEmpty()) "" else terms.joinToString(",", open, close) { blank() + it + blank() }
+    blank() + percept.predicate + blank() + group("(", percept.arguments, ")") + blank() + group("[", percept.annotations, "]") + blank()
+}

@@ -1,0 +1,44 @@
+package argo.filters
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.StringSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.property.checkAll
+
+class ValueSpec : StringSpec({
+    "what a value writes is read back to it" { checkAll(5_000, values()) { Value.of("$it") shouldBe it } }
+
+    "numbers are equal by what they are, not by how they are written" {
+        for (written in listOf("36.0", "3.6e1", " 36", "+36", "360e-1", "036")) Value.of(written) shouldBe Value.of("36")
+        Value.of("-0.0") shouldBe Value.of("0")
+        Value.of("-0.0").hashCode() shouldBe Value.of("0").hashCode()
+    }
+
+    "a string is not the atom of the same text" { Value.of("\"front\"") shouldNotBe Value.of("front") }
+
+    "annotations have no order" { Value.of("a[b,c]") shouldBe Value.of("a[c,b,c]") }
+
+    "what is no ground term is refused with what is wrong" {
+        for ((written, words) in listOf("" to "missing", "Front" to "variable", "_x" to "variable", "a b" to "not a value", "1d" to "not a value", "0x10" to "not a value", "a+b" to "not a value", "[a|T]" to "not a value", "\"x" to "not a value")) {
+            shouldThrow<IllegalArgumentException> { Value.of(written) }.message shouldContain words
+        }
+    }
+
+    "a string that Jason cannot write is refused" {
+        for (text in listOf("\\", "a\\", "\\x", "\r", "\\n")) shouldThrow<IllegalArgumentException> { Value.Text(text) }
+    }
+
+    "an ordering needs a number" {
+        shouldThrow<IllegalArgumentException> { Test.Compare(Operator.GT, Value.of("front")) }.message shouldContain "'front' is not one"
+    }
+
+    "a predicate is written as it is read" {
+        for (written in listOf("dist", "~open", "house::dist", "house::~open", "'Left wheel'")) "${Predicate.of(written)}" shouldBe written
+        "${Predicate.of(" default:: dist ")}" shouldBe "dist"
+        for (written in listOf("", "Dist", "dist(1)", "~", "~~a", "a b", "1", "::", "a::", "A::b", "not", "~true")) {
+            shouldThrow<IllegalArgumentException> { Predicate.of(written) }
+        }
+    }
+})
