@@ -2,60 +2,99 @@ package javino;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.concurrent.locks.ReentrantLock;
 
-/** The interface that Javino programs know. */
-public class Javino {
-    private static final int TIMEOUT_MILLIS = 1_000;
+/**
+ * The interface that Javino programs know: one call for each thing to do with a port, each returning whether it was done.
+ *
+ * <p>A port is opened when it is first named and stays open until {@link #close()}, since opening it resets most boards; one whose device has
+ * gone is opened anew by the next call. No call throws for what happens on the line: {@link #lastError()} says why one returned false.
+ *
+ * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} speak of the latest call of all. Not final, so that programs
+ * can put a class of their own in its place in tests.
+ */
+public class Javino implements AutoCloseable {
+    private static final int DEFAULT_TIMEOUT_MILLIS = 1_000;
 
-    private final Map<String, Link> links = new HashMap<>();
-    private String data = "";
-    private String lastError = "";
+    private final ReentrantLock opening = new ReentrantLock();
+    private final Map<String, Link> links = new HashMap<>(); // by canonical name, guarded by opening
+    private final LinkSettings settings;
+    private final int timeoutMillis;
+    private volatile String data = "";
+    private volatile String lastError = "";
 
-    /** Sends a message. */
+    /** With {@link LinkSettings#defaults()} and time limits of 1000 ms. */
+    public Javino() {
+        this(LinkSettings.defaults(), DEFAULT_TIMEOUT_MILLIS);
+    }
+
+    /**
+     * @param settings for every port that is opened
+     * @param timeoutMillis milliseconds that a call waits for the line and for a message, at least 1
+     */
+    public Javino(LinkSettings settings, int timeoutMillis) {
+        this.settings = settings;
+        this.timeoutMillis = timeoutMillis;
+    }
+
+    /** Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. True when its last byte has left. */
     public boolean sendCommand(String port, String msg) {
-        return succeeds(() -> link(port).send(msg, TIMEOUT_MILLIS));
+        return succeeds(() -> link(port).send(msg, timeoutMillis));
     }
 
-    /** Sends a request and waits for its answer. */
+    /** Sends a request, {@code getPercepts} say. True when its answer is in {@link #getData()}. */
     public boolean requestData(String port, String msg) {
-        return succeeds(() -> data = link(port).request(msg, TIMEOUT_MILLIS));
+        return succeeds(() -> data = link(port).request(msg, timeoutMillis));
     }
 
-    /** Waits for a message. */
+    /** Waits for a message that the board sends of its own accord. True when it is in {@link #getData()}. */
     public boolean listenHardware(String port) {
-        return succeeds(() -> data = link(port).listen(TIMEOUT_MILLIS));
+        return succeeds(() -> data = link(port).listen(timeoutMillis));
     }
 
-    /** The last message. */
+    /** The last message that a call received; empty before the first. */
     public String getData() {
         return data;
     }
 
-    /** Why the last call returned false. */
+    /** Why the latest call that returned false did so; empty if none has. */
     public String lastError() {
         return lastError;
     }
 
-    /** Closes all ports. */
+    /** Closes the ports that were opened. They are opened again when they are next named. */
+    @Override
     public void close() {
-        links.values().forEach(Link::close);
-        links.clear();
+        opening.lock();
+        try {
+            links.values().forEach(Link::close);
+            links.clear();
+        } finally {
+            opening.unlock();
+        }
     }
 
     private Link link(String port) throws PortException {
-        Link link = links.get(port);
-        if (link == null) {
-            link = Link.open(port, LinkSettings.defaults(), "Javino");
-            links.put(port, link);
+        String name = Transports.canonicalName(port);
+        opening.lock();
+        try {
+            links.values().removeIf(other -> !other.isOpen());
+            Link link = links.get(name);
+            if (link == null) {
+                link = Link.open(port, settings, "Javino");
+                links.put(name, link);
+            }
+            return link;
+        } finally {
+            opening.unlock();
         }
-        return link;
     }
 
     private boolean succeeds(LineWork work) {
         try {
             work.run();
             return true;
-        } catch (PortException e) {
+        } catch (PortException | IllegalArgumentException e) { // the latter: a message that fits into no frame
             lastError = e.getMessage();
             return false;
         }

@@ -1,0 +1,55 @@
+package javino;
+
+/**
+ * What earlier requests say about the next answer. After a request that was not answered in time its answer may still come, and would be
+ * taken for that of the next: the agent would be one answer behind for good. So the exchange after it listens on until the line has been
+ * silent for a while, and takes the last answer.
+ *
+ * <p>Times are nanoseconds of one steady clock. One thread at a time.
+ */
+final class AnswerHistory {
+    private static final long LEAST_SETTLING_NANOS = 50_000_000L;
+    /** A board that has never answered and does so later than this was starting, not slow. */
+    private static final long SLOWEST_BOARD_NANOS = 1_000_000_000L;
+
+    private int asked; // requests since the line was last known to owe no answer
+    private long firstAskedAt;
+    private long longestNanos;
+
+    /** Says that a request was written whose last byte leaves at {@code nanos}. */
+    void asked(long nanos) {
+        if (asked == 0) {
+            firstAskedAt = nanos;
+        }
+        asked++;
+    }
+
+    /** Whether a message that arrives now may be the answer to a request before the last. */
+    boolean mayBeLate() {
+        return asked > 1;
+    }
+
+    /** Says that the one request there was has been answered. */
+    void answered(long now) {
+        longestNanos = Math.max(longestNanos, now - firstAskedAt);
+        asked = 0;
+    }
+
+    /** Says that the line has fallen silent: nothing is owed any more. */
+    void settled() {
+        asked = 0;
+    }
+
+    /**
+     * Nanoseconds of silence after which no further answer is expected: twice the longest that one has taken, at least 50 ms, at most
+     * {@code timeoutNanos}. If none has been timed yet, and the board is not one that was just starting, it takes as long as since the first
+     * request.
+     *
+     * @param answerAt when the first message arrived
+     */
+    long settlingNanos(long answerAt, long timeoutNanos) {
+        long sinceFirst = answerAt - firstAskedAt;
+        long slow = longestNanos > 0 ? 2 * longestNanos : sinceFirst < SLOWEST_BOARD_NANOS ? sinceFirst : 0;
+        return Math.min(Math.max(LEAST_SETTLING_NANOS, slow), timeoutNanos);
+    }
+}

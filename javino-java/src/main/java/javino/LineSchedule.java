@@ -1,0 +1,135 @@
+package javino;
+
+/**
+ * When the next frame may be handed to the driver: a function of the time and of what was written and received before.
+ *
+ * <p>Two things hold a frame back. The pace: the driver is given a frame when the one before has left the line by the baud rate. And
+ * courtesy to version 1 boards, which hold few received messages, overwrite one that they have not handled with the next, and do not read
+ * while they send an answer:
+ * <ul>
+ *   <li>an action ends {@code spacing} after the frame before it, and a request starts {@code spacing} after the last action;
+ *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
+ *       an AVR. It may be busy until the answer is complete and {@code spacing} has passed, or until it has been silent for
+ *       {@value #QUIET_MILLIS} ms;
+ *   <li>a request waits until it has had time for the actions it got meanwhile.
+ * </ul>
+ * A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
+ */
+final class LineSchedule {
+    static final int QUIET_MILLIS = 50;
+    /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
+    static final int RECEIVE_BUFFER = 60;
+
+    private static final long NANOS_PER_MILLI = 1_000_000L;
+    private static final long QUIET_NANOS = QUIET_MILLIS * NANOS_PER_MILLI;
+
+    private final boolean paced;
+    private final long byteNanos;
+    private final long spacingNanos;
+    private final int boardQueue;
+
+    private long lineFreeAt;
+    private long frameEnd; // of the last frame
+    private long actionEnd; // of the last action
+    private boolean awaitingAnswer;
+    private long busyUntil;
+    private int actionsMeanwhile; // written while the board may have been busy with the last request
+    private int bytesMeanwhile;
+
+    /** @param now the time at which the line was opened */
+    LineSchedule(LinkSettings settings, long now) {
+        paced = settings.paced();
+        byteNanos = settings.line().byteNanos();
+        spacingNanos = settings.spacingMillis() * NANOS_PER_MILLI;
+        boardQueue = settings.boardQueue();
+        lineFreeAt = now;
+        frameEnd = now - spacingNanos;
+        actionEnd = now - spacingNanos;
+        busyUntil = now;
+    }
+
+    /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
+    long nanosUntilAction(int bytes, long now) {
+        if (!paced) {
+            return 0;
+        }
+        long at = later(lineFreeAt, frameEnd + spacingNanos - bytes * byteNanos);
+        if (overfills(bytes)) {
+            at = later(at, busyUntil);
+        }
+        return Math.max(0, at - now);
+    }
+
+    /** Nanoseconds from {@code now} until a request may be written; 0: now. */
+    long nanosUntilRequest(long now) {
+        if (!paced) {
+            return 0;
+        }
+        long at = later(lineFreeAt, actionEnd + spacingNanos);
+        if (actionsMeanwhile > 0) {
+            at = later(at, busyUntil);
+        }
+        return Math.max(0, at - now);
+    }
+
+    /**
+     * Says that an action was written.
+     *
+     * @param start when it was handed to the driver
+     * @param now when the driver had taken it
+     * @return when its last byte has left
+     */
+    long wroteAction(int bytes, long start, long now) {
+        if (mayBeBusy(start)) {
+            actionsMeanwhile++;
+            bytesMeanwhile += bytes;
+        }
+        actionEnd = wrote(bytes, start, now);
+        return actionEnd;
+    }
+
+    /** Says that a request was written; as {@link #wroteAction}. */
+    long wroteRequest(int bytes, long start, long now) {
+        wrote(bytes, start, now);
+        actionsMeanwhile = 0;
+        bytesMeanwhile = 0;
+        awaitingAnswer = true;
+        busyUntil = frameEnd + QUIET_NANOS;
+        return frameEnd;
+    }
+
+    private long wrote(int bytes, long start, long now) {
+        if (paced) {
+            lineFreeAt = later(later(start, lineFreeAt) + bytes * byteNanos, now);
+            frameEnd = lineFreeAt;
+        } else {
+            frameEnd = now;
+        }
+        return frameEnd;
+    }
+
+    /** Says that bytes arrived. */
+    void received(long now) {
+        if (awaitingAnswer) {
+            busyUntil = later(busyUntil, now + QUIET_NANOS);
+        }
+    }
+
+    /** Says that the answer is complete. */
+    void answered(long now) {
+        awaitingAnswer = false;
+        busyUntil = now + spacingNanos;
+    }
+
+    private boolean overfills(int bytes) {
+        return actionsMeanwhile >= boardQueue || bytesMeanwhile + bytes > RECEIVE_BUFFER;
+    }
+
+    private boolean mayBeBusy(long now) {
+        return busyUntil - now > 0;
+    }
+
+    private static long later(long a, long b) {
+        return a - b >= 0 ? a : b;
+    }
+}
