@@ -1,0 +1,187 @@
+package javino;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+
+/** The program that runs on a {@link FakeBoard}: reads a message, does what the script says, and begins again. */
+final class FakeBoardSketch implements SimulatedBoard {
+    private static final int READ_MILLIS = 100;
+    private static final int WRITE_MILLIS = 10_000;
+    private static final int BUFFER = 256;
+
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    private final ReentrantLock writing = new ReentrantLock(); // the script answers on the board's thread, tests send on theirs
+    private final FakeBoardScript script;
+    private final FakeBoardRecord record;
+    private Transport open; // guarded by lock, as is stalled
+    private boolean stalled;
+    private volatile int queueSize = Integer.MAX_VALUE;
+    private volatile int loopMillis;
+    private volatile int bootMillis;
+
+    FakeBoardSketch(FakeBoardScript script, FakeBoardRecord record) {
+        this.script = script;
+        this.record = record;
+    }
+
+    void queueSize(int messages) {
+        queueSize = messages;
+    }
+
+    void loopTakes(int millis) {
+        loopMillis = millis;
+    }
+
+    void bootTakes(int millis) {
+        bootMillis = millis;
+    }
+
+    void stall(boolean value) {
+        lock.lock();
+        try {
+            stalled = value;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    @Override
+    public void run(Transport line) throws PortException, InterruptedException {
+        setOpen(line);
+        try {
+            boot(line);
+            Deque<String> queue = new ArrayDeque<>();
+            FrameDecoder decoder = new FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line()), frame -> enqueue(queue, frame.text()));
+            while (true) {
+                awaitRunning();
+                receive(line, decoder, queue.isEmpty() ? READ_MILLIS : 0);
+                awaitRunning();
+                if (!queue.isEmpty()) {
+                    handle(queue.remove(), line);
+                }
+                TimeUnit.MILLISECONDS.sleep(loopMillis);
+            }
+        } finally {
+            setClosed(line);
+        }
+    }
+
+    private void boot(Transport line) throws PortException, InterruptedException {
+        if (bootMillis > 0) {
+            TimeUnit.MILLISECONDS.sleep(bootMillis);
+            byte[] lost = new byte[MemoryLine.CAPACITY];
+            line.read(lost, 0, lost.length, 0);
+        }
+    }
+
+    /** Waits for bytes, and takes all that came by then. */
+    private static void receive(Transport line, FrameDecoder decoder, int timeoutMillis) throws PortException {
+        byte[] buffer = new byte[BUFFER];
+        int count = line.read(buffer, 0, buffer.length, timeoutMillis);
+        while (count > 0) {
+            decoder.acceptUnbroken(buffer, 0, count, System.nanoTime());
+            count = line.read(buffer, 0, buffer.length, 0);
+        }
+        decoder.idle(System.nanoTime());
+    }
+
+    private void enqueue(Deque<String> queue, String message) {
+        if (queue.size() == queueSize) {
+            record.overwritten(queue.remove());
+        }
+        queue.add(message);
+    }
+
+    private void handle(String message, Transport line) throws PortException, InterruptedException {
+        FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
+        record.received(message, rule != null);
+        if (rule == null) {
+            return;
+        }
+        TimeUnit.MILLISECONDS.sleep(rule.delayMillis());
+        byte[] answer = rule.reply(message);
+        if (answer != null) {
+            write(line, answer);
+            TimeUnit.NANOSECONDS.sleep(answer.length * line.line().byteNanos()); // a board does not read while it sends
+        }
+    }
+
+    /** Writes bytes to the port that is open. */
+    void write(byte[] bytes) throws PortException {
+        Transport line;
+        lock.lock();
+        try {
+            line = open;
+        } finally {
+            lock.unlock();
+        }
+        if (line == null) {
+            throw new IllegalStateException("the board has nobody to send to: its port is not open");
+        }
+        write(line, bytes);
+    }
+
+    private void write(Transport line, byte[] bytes) throws PortException {
+        writing.lock();
+        try {
+            line.write(bytes, 0, bytes.length, WRITE_MILLIS);
+        } finally {
+            writing.unlock();
+        }
+    }
+
+    void awaitOpen(String port, int timeoutMillis) {
+        long left = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+        lock.lock();
+        try {
+            while (open == null) {
+                if (left <= 0) {
+                    throw new AssertionError("nobody opened " + port + " within " + timeoutMillis + " ms");
+                }
+                left = changed.awaitNanos(left);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError("interrupted while waiting for somebody to open " + port, e);
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void setOpen(Transport line) {
+        lock.lock();
+        try {
+            open = line;
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void setClosed(Transport line) {
+        lock.lock();
+        try {
+            if (open == line) { // a board that was plugged in again may be open anew by now
+                open = null;
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void awaitRunning() throws InterruptedException {
+        lock.lockInterruptibly();
+        try {
+            while (stalled) {
+                changed.await();
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+}
