@@ -54,6 +54,11 @@ public final class FakeBoard implements AutoCloseable {
         return SimulatedBoards.SCHEME + ':' + name;
     }
 
+    /** What runs on the board, for a test that wants it at the end of another line: a pseudo-terminal, say. */
+    public SimulatedBoard program() {
+        return sketch;
+    }
+
     /** Says how the board handles a message; replaces what was said about the same message before. */
     public Rule whenAsked(String message) {
         return script.rule(message, message::equals);
