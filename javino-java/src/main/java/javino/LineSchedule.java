@@ -118,7 +118,12 @@ final class LineSchedule {
     /** Says that the answer is complete. */
     void answered(long now) {
         awaitingAnswer = false;
-        busyUntil = now + spacingNanos;
+        if (actionsMeanwhile == 0) {
+            frameEnd = now - spacingNanos; // the board has handled all it got: what comes next need not keep its distance
+            busyUntil = now;
+        } else {
+            busyUntil = now + spacingNanos;
+        }
     }
 
     private boolean overfills(int bytes) {
