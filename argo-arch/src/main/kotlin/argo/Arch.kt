@@ -1,0 +1,189 @@
+package argo
+
+import jason.architecture.AgArch
+import jason.asSemantics.Event
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+import jason.bb.BeliefBase
+import javino.PortException
+import javino.PortTimeoutException
+import java.util.logging.Level
+import java.util.logging.Logger
+
+/**
+ * The architecture of an agent that perceives and acts through microcontroller boards. A project declares it in its `.mas2j`:
+ *
+ *     agents: robot agentArchClass argo.Arch;
+ *
+ * and its agents use the internal actions `argo.port`, `argo.limit`, `argo.percepts`, `argo.act` and `argo.change_filter`.
+ * When snapshots of the sensors are handed over is set with `[argo_sensing=fresh]` (the default), `every` or `in_cycle`.
+ *
+ * It follows N. M. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
+ * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.
+ *
+ * The methods of [AgArch] are called by Jason; a project has no reason to call any.
+ */
+open class Arch : AgArch() {
+    private lateinit var log: Logger
+    private lateinit var reader: PerceptReader
+    private lateinit var handOver: HandOver
+    private lateinit var states: PortStates
+    private lateinit var ports: Ports
+    private lateinit var waker: Waker
+    private lateinit var policy: SensingPolicy
+    private val commands = CommandLedger()
+    private val environment = EnvironmentPercepts()
+
+    @Volatile
+    private var filter = ActiveFilter.NONE
+    private var filterIsNew = false
+
+    @Volatile
+    private var perceiving = false
+
+    @Volatile
+    private var intervalMs = DEFAULT_INTERVAL_MS
+    private var lastInCycle: Long? = null
+    private var sensed: List<Literal> = emptyList()
+
+    override fun init() {
+        super.init()
+        log = Logger.getLogger("${Arch::class.java.name}.$agName")
+        policy = sensingPolicy()
+        waker = Waker(this)
+        reader = PerceptReader { log.warning(it) }
+        handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, ::perceptEventsWait) else EveryHandOver { log.warning(it) }
+        states = PortStates(::portChanged)
+        ports = Ports(agName, states, Listener(), ::applySensing)
+    }
+
+    private fun sensingPolicy(): SensingPolicy {
+        ts.settings.userParameters.keys.filter { it.startsWith("argo_") && it != SENSING }.forEach {
+            log.warning("$it is not an option of argo.Arch, which has $SENSING=${SensingPolicy.words}")
+        }
+        val word = ts.settings.getUserParameter(SENSING) ?: return SensingPolicy.FRESH
+        return (SensingPolicy.of(word) ?: SensingPolicy.FRESH.also {
+            log.severe("$SENSING=$word: a policy is one of ${SensingPolicy.words}; ${it.word} is used")
+        }).also {
+            if (it == SensingPolicy.IN_CYCLE) log.warning("$SENSING=$word: every reasoning cycle waits for the board, so this agent falls behind the world; for comparison only")
+        }
+    }
+
+    /** Perceives through [filter] from the next perception on. Called by the agent's thread. */
+    internal fun perceiveThrough(filter: ActiveFilter) {
+        this.filter = filter
+        filterIsNew = true
+    }
+
+    /** Starts or stops perceiving. */
+    internal fun perceive(open: Boolean) {
+        perceiving = open
+        applySensing()
+    }
+
+    /** Sets the sensing interval in ms; 0: as fast as the line allows. */
+    internal fun senseEvery(intervalMs: Int) {
+        this.intervalMs = intervalMs
+        applySensing()
+    }
+
+    /** Makes [name] the port in use: see [Ports.choose]. */
+    internal fun choosePort(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
+        ports.choose(term, name, options, outcome)
+
+    /** Closes all ports. */
+    internal fun closePorts() = ports.closeAll()
+
+    /** Whether a port is in use. */
+    internal fun hasPort() = ports.current != null
+
+    /**
+     * Sends [text] to the board in use, of which there must be one.
+     * @param outcome is called once, with null when its last byte has left the line, else with the reason why it has not
+     */
+    internal fun send(text: String, outcome: (Failure?) -> Unit) {
+        val port = checkNotNull(ports.current) { "no port is in use" }
+        if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(text))
+        val number = commands.issue()
+        port.commands.submit(text) {
+            commands.done(number)
+            outcome(it)
+        }
+    }
+
+    /** Wakes the agent until [seen]: see [Waker]. */
+    internal fun wake(seen: () -> Boolean) = waker.wake(seen)
+
+    private fun applySensing() {
+        val current = ports.current
+        val threaded = policy != SensingPolicy.IN_CYCLE
+        ports.all().forEach { it.sensing.set(threaded && perceiving && it === current, intervalMs) }
+        handOver.clear()
+    }
+
+    /** What is new since the last call: from the board in use, about the ports, from the Jason environment; null if nothing is. */
+    override fun perceive(): MutableCollection<Literal>? {
+        val environmentNews = environment.update(super.perceive())
+        if (policy == SensingPolicy.IN_CYCLE) senseInCycle()
+        val snapshot = handOver.take()
+        if (snapshot != null) sensed = if (snapshot.filter === filter) snapshot.percepts else read(snapshot.texts)
+        if (!environmentNews && snapshot == null && !states.hasNews() && !filterIsNew) return null
+        filterIsNew = false
+        return (environment.through(filter) + sensed + states.beliefs()).toMutableList()
+    }
+
+    private fun senseInCycle() {
+        val port = ports.current?.takeIf { perceiving && it.link.isOpen } ?: return
+        val start = System.nanoTime()
+        if (start - (lastInCycle ?: (start - Long.MAX_VALUE / 2)) < intervalMs * NANOS_PER_MS) return
+        lastInCycle = start
+        port.sensing.exchange()
+        waker.wakeIn(intervalMs) // an agent that has nothing else to do must perceive again
+    }
+
+    private fun read(texts: List<String>): List<Literal> = texts.filterNot(filter::drops).flatMap(reader::read)
+
+    /** Whether percept events wait in Jason's queue. */
+    private fun perceptEventsWait(): Boolean = ts.c.events.any(::isPerceptEvent)
+
+    override fun canSleep(): Boolean = super.canSleep() && !handOver.isReady() && !states.hasNews() && !filterIsNew
+
+    /** Gives up all ports and threads. Never waits for the line. */
+    override fun stop() {
+        if (::ports.isInitialized) ports.stop()
+        super.stop()
+    }
+
+    private fun portChanged(port: Term, status: PortStatus, reason: String?) {
+        val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
+        log.log(level, "port $port is ${status.word}" + reason?.let { ": $it" }.orEmpty())
+        waker.wake { !states.hasNews() }
+    }
+
+    private inner class Listener : SensingListener {
+        override fun received(port: OpenPort, message: String, receivedNanos: Long) {
+            val through = filter
+            val texts = perceptsOf(message)
+            val snapshot = Snapshot(texts, through, texts.filterNot(through::drops).flatMap(reader::read), receivedNanos)
+            if (port !== ports.current || !perceiving) return
+            handOver.put(snapshot)
+            port.terms.forEach { states.set(it, PortStatus.ON) }
+            waker.wake { !handOver.isReady() }
+        }
+
+        override fun unanswered(port: OpenPort, trouble: PortTimeoutException) =
+            port.terms.forEach { states.set(it, PortStatus.TIMEOUT, trouble.message) }
+
+        override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)
+    }
+
+    internal companion object {
+        /** The sensing interval in ms until `argo.limit` sets another. */
+        const val DEFAULT_INTERVAL_MS = 50
+        private const val SENSING = "argo_sensing"
+        private const val NANOS_PER_MS = 1_000_000L
+    }
+}
+
+private fun isPerceptEvent(event: Event): Boolean =
+    event.isExternal && event.trigger.isUpdate && event.trigger.literal.hasSource(BeliefBase.APercept)

@@ -1,0 +1,70 @@
+package argo
+
+import jason.JasonException
+import jason.asSemantics.ConcurrentInternalAction
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.Term
+
+/**
+ * What the internal actions of ARGO have in common: the agent they belong to, and how they fail.
+ *
+ * An action either does its work at once, or suspends the intention, never the agent, until another thread has done it.
+ */
+abstract class BoardAction internal constructor(private val name: String, private val arguments: IntRange) : ConcurrentInternalAction() {
+    /** Whether the intention waits until [Call.resume] or [Call.fail]. */
+    final override fun suspendIntention(): Boolean = suspends
+
+    internal open val suspends: Boolean get() = false
+
+    /** Does what the action is for. Called by the agent's thread. */
+    internal abstract fun run(call: Call)
+
+    final override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        val call = Call(ts, args, "$name(${args.joinToString(",")})")
+        try {
+            if (args.size !in arguments) throw ArgumentException("it takes ${counted(arguments)}, not ${args.size}")
+            run(call)
+        } catch (refused: ArgumentException) {
+            throw wrongArgument(refused.message.orEmpty()).of(call.text)
+        }
+        return true
+    }
+
+    /** Never happens: the links that an action waits for have time limits of their own. */
+    final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
+
+    /**
+     * One call of the action in a plan.
+     *
+     * @property text the call as the agent wrote it, for messages
+     */
+    internal inner class Call(val ts: TransitionSystem, val args: Array<Term>, val text: String) {
+        /** The agent's [Arch]. */
+        val arch: Arch
+            get() = architectures(ts).filterIsInstance<Arch>().firstOrNull() ?: throw failure(
+                "not_argo",
+                "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j",
+            )
+
+        /** The exception that fails the plan now. */
+        fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
+
+        /**
+         * Suspends the intention.
+         * @return takes the outcome later, from any thread: null, or why the plan fails
+         */
+        fun suspendIntention(): (Failure?) -> Unit {
+            val key = suspendInt(ts, name, 0)
+            return { failure ->
+                resume(ts, key, failure != null, failure?.of(text)?.errorTerms)
+                arch.wake { !ts.c.pendingIntentions.containsKey(key) }
+            }
+        }
+    }
+}
+
+private fun counted(arguments: IntRange) = when {
+    arguments.first == arguments.last -> if (arguments.first == 1) "one argument" else "${arguments.first} arguments"
+    else -> "${arguments.first} to ${arguments.last} arguments"
+}

@@ -1,0 +1,78 @@
+package argo
+
+import javino.Link
+import javino.PortException
+import javino.PortGoneException
+import java.util.concurrent.LinkedBlockingQueue
+
+/**
+ * The commands that wait for one port. One thread writes them in their order, at the pace of the line; it starts with the
+ * first command and ends with [close].
+ *
+ * @param owner the agent's name, for the thread's
+ * @param lost is called when writing finds that the port has gone
+ */
+internal class Commands(private val link: Link, private val owner: String, private val lost: (PortException) -> Unit) {
+    private val queue = LinkedBlockingQueue<Command>()
+
+    @Volatile
+    private var closed = false
+    private val writer = lazy { daemonThread("argo-$owner-acting-${link.port()}", ::writeAll) }
+
+    /**
+     * Queues [text].
+     *
+     * @param outcome is called once by another thread, with null when the command's last byte has left the line, else with
+     * the reason why it has not
+     */
+    fun submit(text: String, outcome: (Failure?) -> Unit) {
+        queue.put(Command(text, outcome))
+        if (closed) failWaiting() else writer.value
+    }
+
+    /** Fails the commands that wait and ends the thread. The link must be closed as well. May be called twice. */
+    fun close() {
+        closed = true
+        failWaiting()
+        if (writer.isInitialized()) writer.value.interrupt()
+    }
+
+    private fun writeAll() {
+        try {
+            while (!closed) queue.take().let { it.outcome(write(it.text)) }
+        } catch (_: InterruptedException) {
+            // close() ends this thread
+        }
+        failWaiting()
+    }
+
+    /** Writes [text] on the caller's thread, without waiting for a turn, and says why if it could not. */
+    fun write(text: String): Failure? = try {
+        link.send(text, WRITE_LIMIT_MS)
+        null
+    } catch (gone: PortGoneException) {
+        if (!closed) lost(gone)
+        failureOf(gone)
+    } catch (trouble: PortException) {
+        failureOf(trouble)
+    } catch (unforeseen: RuntimeException) { // the commands behind it must go on, whatever a transport throws
+        Failure("port_failed", "$unforeseen")
+    }
+
+    private fun failWaiting() {
+        while (true) (queue.poll() ?: return).outcome(Failure("port_gone", "the port ${link.port()} was closed before it was sent"))
+    }
+
+    private class Command(val text: String, val outcome: (Failure?) -> Unit)
+
+    companion object {
+        /** How long a line may refuse to take one command, in ms. */
+        const val WRITE_LIMIT_MS = 5000
+    }
+}
+
+/** Starts a platform thread that does not keep the program alive. */
+internal fun daemonThread(name: String, run: () -> Unit): Thread = Thread(run, name).apply {
+    isDaemon = true
+    start()
+}

@@ -1,0 +1,88 @@
+package argo
+
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.InternalActionLiteral
+import jason.asSyntax.Literal
+import jason.bb.BeliefBase
+import java.util.concurrent.ConcurrentHashMap
+
+/**
+ * Turns the text of a percept into the literal that Jason believes.
+ *
+ * A text that Jason cannot read, or that no sensor can mean, costs itself alone, and one warning per distinct text.
+ * Literals of a text seen before are reused: Jason copies what it adds to a belief base.
+ *
+ * Safe for use by several threads.
+ *
+ * @param warn takes the one line that is said about a text that is not read
+ */
+internal class PerceptReader(private val warn: (String) -> Unit) {
+    private val known = ConcurrentHashMap<String, Reading>()
+    private val reported = ConcurrentHashMap.newKeySet<String>()
+
+    /** What [percept] says; empty if it cannot be read, several literals only where a stray quote or bracket had joined them. */
+    fun read(percept: String): List<Literal> = when (val reading = reading(percept)) {
+        is Reading.Percept -> listOf(reading.literal)
+        is Reading.Unreadable -> {
+            val pieces = piecesOf(percept)
+            if (pieces.size > 1) pieces.flatMap(::read) else emptyList<Literal>().also { report(percept, reading.why) }
+        }
+    }
+
+    private fun reading(percept: String): Reading {
+        known[percept]?.let { return it }
+        if (known.size >= MOST_KNOWN) known.clear() // boards repeat themselves; one that never does must not fill the memory
+        return parse(percept).also { known[percept] = it }
+    }
+
+    private fun parse(percept: String): Reading = try {
+        val literal = ASSyntax.parseLiteral(percept)
+        when {
+            literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
+            !literal.isGround -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
+            claimsToBeAPort(literal) -> Reading.Unreadable("port/2 with on, off or timeout tells the state of a port, which no board can claim")
+            else -> Reading.Percept(ownSource(literal))
+        }
+    } catch (unreadable: Exception) {
+        Reading.Unreadable(firstLine(unreadable.message ?: unreadable.javaClass.simpleName))
+    } catch (tooDeep: StackOverflowError) {
+        Reading.Unreadable("its brackets are nested too deeply")
+    } catch (lexical: Error) { // Jason's tokenizer throws a TokenMgrError for a character that no token begins with
+        if (lexical is VirtualMachineError) throw lexical
+        Reading.Unreadable(firstLine(lexical.message ?: lexical.javaClass.simpleName))
+    }
+
+    private fun report(percept: String, why: String) {
+        if (reported.size > MOST_REPORTED || !reported.add(percept)) return
+        if (reported.size > MOST_REPORTED) warn("further percepts that cannot be read are not reported")
+        else warn("percept ${printable(percept)} is left out: $why")
+    }
+
+    private sealed interface Reading {
+        data class Percept(val literal: Literal) : Reading
+        data class Unreadable(val why: String) : Reading
+    }
+
+    private companion object {
+        const val MOST_KNOWN = 4096
+        const val MOST_REPORTED = 100
+    }
+}
+
+private fun claimsToBeAPort(literal: Literal) =
+    literal.functor == "port" && literal.arity == 2 && literal.getTerm(1).toString() in PortStatus.WORDS
+
+/** [literal] without the sources it claims: what a board sends is a percept and nothing else. */
+private fun ownSource(literal: Literal): Literal {
+    val claimed = literal.getAnnots("source")
+    if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))
+    return literal
+}
+
+private fun firstLine(message: String) = printable(message.lineSequence().first())
+
+/** [text] for a log line: control characters as `\xHH`, at most 200 characters. */
+internal fun printable(text: String): String = buildString {
+    for (c in text.take(200)) if (c.isISOControl()) append("\\x%02X".format(c.code)) else append(c)
+    if (text.length > 200) append("… (${text.length} characters)")
+}

@@ -1,0 +1,69 @@
+package argo
+
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Literal
+import jason.asSyntax.NumberTerm
+import jason.asSyntax.Term
+import javino.LinkSettings
+
+/**
+ * How a port is used: the second argument of `argo.port`.
+ *
+ * @property link baud rate and manners on the line
+ * @property timeoutMs how long an answer may take, in ms
+ * @property listens whether the board speaks unasked, so that it is listened to and never asked
+ */
+internal data class PortOptions(
+    val link: LinkSettings = LinkSettings.defaults(),
+    val timeoutMs: Int = DEFAULT_TIMEOUT_MS,
+    val listens: Boolean = false,
+) {
+    companion object {
+        /** How long an answer may take unless `timeout(Ms)` says otherwise: three times what twelve percepts take at 9600 baud. */
+        const val DEFAULT_TIMEOUT_MS = 500
+
+        /**
+         * Reads a list such as `[baud(115200), timeout(500)]`.
+         * @throws ArgumentException if it is not a list of known options
+         */
+        fun of(term: Term): PortOptions {
+            val list = term as? ListTerm
+                ?: throw ArgumentException("the second argument is a list of options such as [baud(115200)], not $term")
+            return list.fold(PortOptions()) { options, option -> options.with(option) }
+        }
+    }
+
+    private fun with(option: Term): PortOptions {
+        val name = (option as? Literal)?.takeIf { it.arity == 1 && !it.isVar }?.functor
+        return when (name) {
+            "baud" -> copy(link = link.withBaud(whole(option, 1..MOST_BAUD)))
+            "timeout" -> copy(timeoutMs = whole(option, 1..MOST_MS))
+            "boot" -> copy(link = link.withBootMillis(whole(option, 0..MOST_MS)))
+            "spacing" -> copy(link = link.withSpacingMillis(whole(option, 0..MOST_MS)))
+            "queue" -> copy(link = link.withBoardQueue(whole(option, 1..MOST_QUEUE)))
+            "mode" -> copy(listens = oneOf(option, "request", "listen") == "listen")
+            "protocol" -> also { oneOf(option, "1", "auto") }
+            else -> throw ArgumentException("$option is not an option; there are $KNOWN")
+        }
+    }
+}
+
+private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), boot(Ms), spacing(Ms) and queue(Messages)"
+private const val MOST_BAUD = 20_000_000
+private const val MOST_MS = 600_000
+private const val MOST_QUEUE = 1000
+
+/** An argument that an internal action cannot use; [message] says what was found and what is expected. */
+internal class ArgumentException(message: String) : Exception(message)
+
+private fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
+    ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")
+
+private fun oneOf(option: Literal, vararg words: String): String = option.getTerm(0).toString().takeIf { it in words }
+    ?: throw ArgumentException("$option: ${option.functor} is ${words.joinToString(" or ")} in this version")
+
+/** [term] as a whole number, or null if it is none. */
+internal fun wholeNumber(term: Term): Int? {
+    val value = (term as? NumberTerm)?.takeIf { it.isNumeric && it.isGround }?.solve() ?: return null
+    return value.toInt().takeIf { it.toDouble() == value }
+}

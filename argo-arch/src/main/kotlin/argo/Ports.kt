@@ -1,0 +1,125 @@
+package argo
+
+import jason.asSyntax.Term
+import javino.Link
+import javino.PortException
+import javino.Transports
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.ThreadPoolExecutor
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * The ports that one agent holds open, and the one it uses now.
+ *
+ * Links stay open until [closeAll], since opening a port resets most boards. Safe for use by several threads.
+ *
+ * @param owner the agent's name: what a second agent is told that asks for the same port
+ * @param settle is called after each change of the port in use
+ */
+internal class Ports(
+    private val owner: String,
+    private val states: PortStates,
+    private val listener: SensingListener,
+    private val settle: () -> Unit,
+) {
+    private val lock = ReentrantLock()
+    private val open = LinkedHashMap<String, OpenPort>()
+    private val lastOptions = HashMap<String, PortOptions>()
+    private var stopped = false
+
+    /** One thread at most, in the order of the requests; it ends when there is nothing to open. */
+    private val opener = ThreadPoolExecutor(1, 1, 1, TimeUnit.SECONDS, LinkedBlockingQueue()) { work ->
+        Thread(work, "argo-$owner-opening").apply { isDaemon = true }
+    }.apply { allowCoreThreadTimeOut(true) }
+
+    /** The port for sensing and acting, or null. */
+    @Volatile
+    var current: OpenPort? = null
+        private set
+
+    /** All open ports. */
+    fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
+
+    /**
+     * Makes the port [name] the one in use, and opens it if it is not open yet, on another thread.
+     *
+     * @param term the port as the agent calls it
+     * @param options how to use it, or null for what the agent said of it last
+     * @param outcome is called once by another thread, with null or with why the port in use is still the one before
+     */
+    fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) {
+        opener.execute { outcome(tryToChoose(term, name, options)) }
+    }
+
+    private fun tryToChoose(term: Term, name: String, options: PortOptions?): Failure? = try {
+        val key = Transports.canonicalName(name)
+        val wanted = options ?: lastOptions[key] ?: PortOptions()
+        val port = reusable(key, wanted) ?: openNew(key, name, term, wanted)
+        lastOptions[key] = wanted
+        port.isCalled(term)
+        current = port
+        states.set(term, PortStatus.ON)
+        settle()
+        null
+    } catch (trouble: PortException) {
+        failureOf(trouble).also { states.set(term, PortStatus.OFF, it.cause) }
+    } catch (refused: ArgumentException) {
+        Failure("too_many_ports", refused.message.orEmpty())
+    } catch (unforeseen: Exception) { // a plan that waits for its port must go on, whatever a transport throws
+        Failure("port_failed", "$unforeseen").also { states.set(term, PortStatus.OFF, it.cause) }
+    } catch (unloadable: LinkageError) { // the driver's native library
+        Failure("port_failed", "$unloadable").also { states.set(term, PortStatus.OFF, it.cause) }
+    }
+
+    /** The port if it is open and used as [wanted]; closed if it is open and used otherwise. */
+    private fun reusable(key: String, wanted: PortOptions): OpenPort? {
+        val port = lock.withLock { open[key] } ?: return null
+        if (port.link.isOpen && port.options == wanted) return port
+        forget(port)
+        return null
+    }
+
+    private fun openNew(key: String, name: String, term: Term, options: PortOptions): OpenPort {
+        if (lock.withLock { open.size } >= MOST_PORTS) {
+            throw ArgumentException("an agent holds at most $MOST_PORTS ports; argo.port(none) closes them")
+        }
+        val port = OpenPort(term, Link.open(name, options.link, owner), options, owner, listener)
+        val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
+        if (tooLate) port.close()
+        return port
+    }
+
+    /** [port] cannot be used any more, for the reason given; nothing new if it has been given up already. */
+    fun lost(port: OpenPort, trouble: PortException) {
+        if (forget(port)) port.terms.forEach { states.set(it, PortStatus.OFF, trouble.message) }
+    }
+
+    /** Gives [port] up and returns whether it had still been held. */
+    private fun forget(port: OpenPort): Boolean {
+        val held = lock.withLock { open.values.remove(port) }
+        port.close()
+        return held
+    }
+
+    /** Closes all ports; none is in use afterwards, and nothing is believed of them. */
+    fun closeAll() {
+        current = null
+        all().forEach(::forget)
+        states.clear()
+        settle()
+    }
+
+    /** [closeAll] for good: what is being opened now is closed at once. Never waits for the line. May be called twice. */
+    fun stop() {
+        lock.withLock { stopped = true }
+        opener.shutdownNow()
+        closeAll()
+    }
+
+    companion object {
+        /** The most ports that one agent holds, after the 127 boards that the paper names. */
+        const val MOST_PORTS = 127
+    }
+}

@@ -1,0 +1,38 @@
+package argo
+
+import jason.architecture.AgArch
+import jason.asSemantics.Agent
+import java.util.concurrent.RejectedExecutionException
+import java.util.concurrent.TimeUnit
+
+/**
+ * Wakes an agent that sleeps or is about to.
+ *
+ * Jason's wake-up is lost when it comes between an agent's decision to sleep and its sleep, which then lasts up to a second.
+ * So it is repeated, ever more slowly, until the agent has seen what it was woken for.
+ */
+internal class Waker(private val arch: AgArch) {
+    /** Wakes the agent now and again until [seen]; [seen] is asked by other threads. */
+    fun wake(seen: () -> Boolean) = wake(FIRST_REPEAT_MS, seen)
+
+    /** Wakes the agent once, in [delayMs] ms. */
+    fun wakeIn(delayMs: Int) = later(delayMs.toLong()) { arch.firstAgArch.wakeUpSense() }
+
+    private fun wake(repeatMs: Long, seen: () -> Boolean) {
+        if (!arch.isRunning) return
+        arch.firstAgArch.wakeUpSense()
+        arch.firstAgArch.wakeUpDeliberate()
+        if (repeatMs <= LAST_REPEAT_MS) later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
+    }
+
+    private fun later(delayMs: Long, action: () -> Unit) = try {
+        Agent.getScheduler().schedule(action, delayMs, TimeUnit.MILLISECONDS)
+    } catch (_: RejectedExecutionException) {
+        null // the whole system is being stopped: nobody is left to wake
+    }
+
+    private companion object {
+        const val FIRST_REPEAT_MS = 2L
+        const val LAST_REPEAT_MS = 1024L
+    }
+}

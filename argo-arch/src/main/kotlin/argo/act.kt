@@ -1,0 +1,41 @@
+package argo
+
+import jason.asSyntax.Literal
+import jason.asSyntax.StringTerm
+import jason.asSyntax.Term
+import javino.Frame
+
+/**
+ * The internal action `argo.act(W)`: sends the text of W, any literal, to the board in use: `ledOn`, `speed(120)`. A string
+ * is sent without its quotes.
+ *
+ * The intention is suspended until the last byte has left the line; the agent is not. Commands go out in their order.
+ *
+ * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`,
+ * `error(port_timeout)` or `error(not_argo)`.
+ */
+@Suppress("ClassName")
+open class act : BoardAction("argo.act", 1..1) {
+    override val suspends get() = true
+
+    override fun run(call: Call) {
+        val arch = call.arch
+        val text = commandText(call.args[0])
+        if (!arch.hasPort()) throw call.failure("no_port", "no port is in use; choose one with argo.port first")
+        arch.send(text, call.suspendIntention())
+    }
+}
+
+private fun commandText(term: Term): String {
+    val text = when {
+        term is StringTerm -> term.string
+        !term.isGround -> throw ArgumentException("$term holds a variable that has no value")
+        term is Literal && !term.isList -> term.toString()
+        else -> throw ArgumentException("a command is a literal such as ledOn or speed(120), not $term")
+    }
+    try {
+        return Frame.of(text).text()
+    } catch (unsendable: IllegalArgumentException) {
+        throw ArgumentException(unsendable.message.orEmpty())
+    }
+}

@@ -1,0 +1,48 @@
+package argo
+
+import argo.filters.FilterException
+import argo.filters.FilterNotFoundException
+import argo.filters.PerceptionFilter
+import jason.asSyntax.Literal
+import jason.asSyntax.StringTerm
+import jason.asSyntax.Term
+import java.io.IOException
+
+/**
+ * The internal action `argo.change_filter(F)`: the active filter from the next perception on. F is an atom or a string, the
+ * name of a filter or of its file; `none` lets everything through. Works for agents without [Arch] too, whose percepts come
+ * from a Jason environment.
+ *
+ * Fails the plan, the filter staying what it was, with `error(wrong_arguments)`, `error(no_such_filter)` or
+ * `error(bad_filter)` for a file that is refused, whose problems are all in the message.
+ */
+@Suppress("ClassName")
+open class change_filter : BoardAction("argo.change_filter", 1..1) {
+    override fun run(call: Call) {
+        val filter = when (val name = filterName(call.args[0])) {
+            "none" -> ActiveFilter.NONE
+            else -> ActiveFilter.of(find(call, name))
+        }
+        val archs = architectures(call.ts)
+        val arch = archs.filterIsInstance<Arch>().firstOrNull()
+        if (arch != null) return arch.perceiveThrough(filter)
+        val environmentFilter = archs.filterIsInstance<EnvironmentFilter>().firstOrNull() ?: EnvironmentFilter.insertInto(call.ts)
+        environmentFilter.perceiveThrough(filter)
+    }
+
+    private fun find(call: Call, name: String): PerceptionFilter = try {
+        filterOf(call.ts.ag, name)
+    } catch (missing: FilterNotFoundException) {
+        throw call.failure("no_such_filter", missing.message.orEmpty())
+    } catch (refused: FilterException) {
+        throw call.failure("bad_filter", refused.message.orEmpty())
+    } catch (unreadable: IOException) {
+        throw call.failure("bad_filter", "the filter $name cannot be read: $unreadable")
+    }
+}
+
+private fun filterName(term: Term): String = when {
+    term is StringTerm -> term.string
+    term is Literal && term.isAtom -> term.functor
+    else -> throw ArgumentException("a filter is named by an atom or a string, not by $term")
+}

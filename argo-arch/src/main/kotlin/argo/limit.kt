@@ -1,0 +1,16 @@
+package argo
+
+/**
+ * The internal action `argo.limit(Ms)`: the sensing interval in ms, a whole number from 0 (as fast as the line allows).
+ * Until it is called the interval is 50 ms.
+ *
+ * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.
+ */
+@Suppress("ClassName")
+open class limit : BoardAction("argo.limit", 1..1) {
+    override fun run(call: Call) {
+        val interval = wholeNumber(call.args[0])?.takeIf { it >= 0 }
+            ?: throw ArgumentException("the sensing interval is a whole number of milliseconds from 0, not ${call.args[0]}")
+        call.arch.senseEvery(interval)
+    }
+}

@@ -1,0 +1,19 @@
+package argo
+
+/**
+ * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`,
+ * stops it. Blocked at the start. What was perceived stays believed while it is blocked.
+ *
+ * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.
+ */
+@Suppress("ClassName")
+open class percepts : BoardAction("argo.percepts", 1..1) {
+    override fun run(call: Call) {
+        val open = when (call.args[0].toString()) {
+            "open" -> true
+            "block", "close" -> false
+            else -> throw ArgumentException("perception is set to open or block, not ${call.args[0]}")
+        }
+        call.arch.perceive(open)
+    }
+}

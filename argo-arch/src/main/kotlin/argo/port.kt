@@ -1,0 +1,54 @@
+package argo
+
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+import jason.asSyntax.StringTerm
+import jason.asSyntax.Term
+import jason.asSyntax.VarTerm
+
+/**
+ * The internal action `argo.port(P)` or `argo.port(P, Options)`: the port for sensing and acting from now on.
+ *
+ * P is an atom, a string, or a variable without a value, whose name is the port's: `ttyACM0`, `"/dev/serial/by-id/…"`,
+ * `COM8`. `none` closes all ports of the agent. Options is a list of `baud(Rate)`, `timeout(Ms)`, `mode(request)` or
+ * `mode(listen)`, `protocol(1)`, `boot(Ms)`, `spacing(Ms)`, `queue(Messages)`; without it the agent's last options for P hold.
+ *
+ * The intention is suspended until the port is open. Ports opened before stay open. The state of P is the belief
+ * `port(P,on)`, `port(P,off)` or `port(P,timeout)`.
+ *
+ * Fails the plan, the port in use staying what it was, with `error(wrong_arguments)`, `error(no_such_port)`,
+ * `error(port_busy)`, `error(port_permission)`, `error(port_gone)`, `error(port_failed)`, `error(too_many_ports)` or, for an
+ * agent without [Arch], `error(not_argo)`.
+ */
+@Suppress("ClassName")
+open class port : BoardAction("argo.port", 1..2) {
+    override val suspends get() = true
+
+    override fun run(call: Call) {
+        val arch = call.arch
+        val name = portName(call.args[0])
+        val options = call.args.getOrNull(1)?.let(PortOptions::of)
+        val outcome = call.suspendIntention()
+        if (name == "none") {
+            arch.closePorts()
+            outcome(null)
+        } else {
+            arch.choosePort(portTerm(call.args[0], name), name, options, outcome)
+        }
+    }
+}
+
+private fun portName(term: Term): String {
+    val name = when {
+        term is VarTerm -> term.functor
+        term is StringTerm -> term.string
+        term is Literal && term.isAtom -> term.functor
+        else -> throw ArgumentException("a port is an atom such as ttyACM0 or a string such as \"/dev/ttyACM0\", not $term")
+    }
+    if (term is VarTerm && name.startsWith("_")) throw ArgumentException("the variable for the port has no value")
+    if (name.isBlank()) throw ArgumentException("the port has no name")
+    return name
+}
+
+/** The port in the agent's beliefs: what it wrote, or for a variable its name as an atom if it can be one, else as a string. */
+private fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written

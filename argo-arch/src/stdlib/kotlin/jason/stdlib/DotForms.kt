@@ -1,0 +1,25 @@
+package jason.stdlib
+
+/** `.port(…)`: see [argo.port]. */
+@Suppress("ClassName")
+class port : argo.port()
+
+/** `.limit(…)`: see [argo.limit]. */
+@Suppress("ClassName")
+class limit : argo.limit()
+
+/** `.percepts(…)`: see [argo.percepts]. */
+@Suppress("ClassName")
+class percepts : argo.percepts()
+
+/** `.act(…)`: see [argo.act]. */
+@Suppress("ClassName")
+class act : argo.act()
+
+/** `.change_filter(…)`: see [argo.change_filter]. */
+@Suppress("ClassName")
+class change_filter : argo.change_filter()
+
+/** `.filter(…)`: see [argo.change_filter]. */
+@Suppress("ClassName")
+class filter : argo.change_filter()

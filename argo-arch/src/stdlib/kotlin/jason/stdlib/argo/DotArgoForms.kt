@@ -1,0 +1,25 @@
+package jason.stdlib.argo
+
+/** `.argo.port(…)`: see [argo.port]. */
+@Suppress("ClassName")
+class port : argo.port()
+
+/** `.argo.limit(…)`: see [argo.limit]. */
+@Suppress("ClassName")
+class limit : argo.limit()
+
+/** `.argo.percepts(…)`: see [argo.percepts]. */
+@Suppress("ClassName")
+class percepts : argo.percepts()
+
+/** `.argo.act(…)`: see [argo.act]. */
+@Suppress("ClassName")
+class act : argo.act()
+
+/** `.argo.change_filter(…)`: see [argo.change_filter]. */
+@Suppress("ClassName")
+class change_filter : argo.change_filter()
+
+/** `.argo.filter(…)`: see [argo.change_filter]. */
+@Suppress("ClassName")
+class filter : argo.change_filter()
