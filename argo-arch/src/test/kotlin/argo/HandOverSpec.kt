@@ -1,0 +1,101 @@
+package argo
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+
+class HandOverSpec : FunSpec({
+    fun snapshot(n: Long) = Snapshot(listOf("n($n)"), ActiveFilter.NONE, emptyList(), n)
+
+    context("fresh") {
+        test("gives the newest snapshot, once") {
+            val handOver = FreshHandOver(CommandLedger()) { false }
+            handOver.take() shouldBe null
+            handOver.put(snapshot(1))
+            handOver.put(snapshot(2))
+            handOver.isReady() shouldBe true
+            handOver.take()?.receivedNanos shouldBe 2
+            handOver.take() shouldBe null
+        }
+
+        test("waits while percept events of the one before are in the queue") {
+            var events = true
+            val handOver = FreshHandOver(CommandLedger()) { events }
+            handOver.put(snapshot(1))
+            handOver.isReady() shouldBe false
+            handOver.take() shouldBe null
+            events = false
+            handOver.take()?.receivedNanos shouldBe 1
+        }
+
+        test("waits for the commands issued before the last hand-over and for no others") {
+            val ledger = CommandLedger()
+            val handOver = FreshHandOver(ledger) { false }
+            val first = ledger.issue()
+            handOver.put(snapshot(1))
+            handOver.take()?.receivedNanos shouldBe 1 // the first hand-over has none before it
+            val second = ledger.issue()
+            handOver.put(snapshot(2))
+            handOver.take() shouldBe null
+            ledger.done(first)
+            handOver.take()?.receivedNanos shouldBe 2 // the second command was issued after the last hand-over
+            handOver.put(snapshot(3))
+            handOver.take() shouldBe null
+            ledger.done(second)
+            handOver.take()?.receivedNanos shouldBe 3
+        }
+
+        test("a plan that always has a command on its way does not starve it") {
+            val ledger = CommandLedger()
+            val handOver = FreshHandOver(ledger) { false }
+            var taken = 0
+            var onItsWay = ledger.issue()
+            repeat(100) { n ->
+                handOver.put(snapshot(n.toLong()))
+                if (handOver.take() != null) taken++
+                val next = ledger.issue()
+                ledger.done(onItsWay)
+                onItsWay = next
+            }
+            check(taken >= 49) { "$taken of 100 taken" }
+        }
+
+        test("what is cleared is never taken") {
+            val handOver = FreshHandOver(CommandLedger()) { false }
+            handOver.put(snapshot(1))
+            handOver.clear()
+            handOver.take() shouldBe null
+        }
+    }
+
+    context("every") {
+        test("gives each snapshot in its order") {
+            val handOver = EveryHandOver { error(it) }
+            (1L..10).forEach { handOver.put(snapshot(it)) }
+            (1L..10).map { handOver.take()?.receivedNanos } shouldBe (1L..10).toList()
+            handOver.take() shouldBe null
+        }
+
+        test("is bounded, and says so once") {
+            val warnings = ArrayList<String>()
+            val handOver = EveryHandOver { warnings += it }
+            (1L..2000).forEach { handOver.put(snapshot(it)) }
+            handOver.take()?.receivedNanos shouldBe 1001
+            warnings.size shouldBe 1
+        }
+    }
+
+    test("the ledger knows for any order of completion whether all commands up to one are done") {
+        checkAll(Arb.list(Arb.element(true, false), 1..40)) { steps ->
+            val ledger = CommandLedger()
+            val pending = ArrayList<Long>()
+            for (issue in steps) {
+                if (issue || pending.isEmpty()) pending += ledger.issue() else ledger.done(pending.removeAt(pending.size / 2))
+                for (mark in 0..ledger.lastIssued()) ledger.allDoneUpTo(mark) shouldBe pending.none { it <= mark }
+            }
+        }
+    }
+})
