@@ -1,0 +1,8 @@
+plugins { application }
+
+dependencies {
+    implementation(project(":argo-arch"))
+    implementation(libs.jason)
+}
+
+application { mainClass = "benchmarks.MainKt" }
