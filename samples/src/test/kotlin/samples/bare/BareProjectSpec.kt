@@ -53,7 +53,7 @@ private fun stopsTheRobot(java: InstalledJava, jason: Path) = PseudoTerminals.op
 /** Jason with what it needs itself, and `argo.jar`. */
 private fun classPath(jason: Path): String {
     val own = listOf(Class.forName("javax.json.Json"), Class.forName("org.glassfish.json.JsonProviderImpl")).map(::jarOf)
-    return (listOf(jason) + own + Path.of(System.getProperty("argo.jar"))).joinToString(File.pathSeparator)
+    return listOf(jason, *own.toTypedArray(), Path.of(System.getProperty("argo.jar"))).joinToString(File.pathSeparator)
 }
 
 private fun jarOf(type: Class<*>): Path = Path.of(type.protectionDomain.codeSource.location.toURI())
