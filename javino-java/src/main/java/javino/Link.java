@@ -153,8 +153,7 @@ public final class Link implements AutoCloseable {
                 throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
             ready = true;
-            Frame newer = inbox.newest();
-            return (newer == null ? message : newer).text();
+            return newest(message).text();
         });
     }
 
@@ -231,7 +230,7 @@ public final class Link implements AutoCloseable {
         return sent;
     }
 
-    /** The exchange whose first message has come is brought to its end. */
+    /** Brings the exchange whose first message has come to its end. */
     private Frame completed(Frame answer, int timeoutMillis) throws PortException {
         ready = true;
         Frame last = answer;
@@ -239,9 +238,16 @@ public final class Link implements AutoCloseable {
             last = lastBeforeSilence(answer, timeoutMillis * NANOS_PER_MILLI);
         } else {
             history.answered(clock.nanos());
+            last = newest(answer); // behind a frame that was cut comes the intact one
         }
         writer.answered(clock.nanos());
         return last;
+    }
+
+    /** The newest message that is there already: {@code message}, unless others have come behind it. */
+    private Frame newest(Frame message) throws PortException {
+        Frame newer = inbox.newest();
+        return newer == null ? message : newer;
     }
 
     private Frame lastBeforeSilence(Frame first, long timeoutNanos) throws PortException {

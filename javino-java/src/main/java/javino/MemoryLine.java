@@ -15,6 +15,8 @@ public final class MemoryLine {
     /** Bytes a direction that the line holds unread. */
     public static final int CAPACITY = 4096;
 
+    private static final long NANOS_PER_MILLI = 1_000_000L;
+
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
     private final String name;
@@ -37,7 +39,12 @@ public final class MemoryLine {
 
     /** A line that carries bytes at once, whatever rate {@code line} says. */
     public static MemoryLine unlimited(String name, LineSettings line) {
-        return new MemoryLine(name, line, 0, LineClock.system());
+        return unlimited(name, line, LineClock.system());
+    }
+
+    /** A line that carries bytes at once, whatever rate {@code line} says; its waits go by {@code clock}. */
+    public static MemoryLine unlimited(String name, LineSettings line, LineClock clock) {
+        return new MemoryLine(name, line, 0, clock);
     }
 
     /** A line on which every byte takes {@link LineSettings#byteNanos()}. */
@@ -131,7 +138,7 @@ public final class MemoryLine {
 
         @Override
         public int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-            long deadline = clock.nanos() + timeoutMillis * 1_000_000L;
+            long deadline = clock.nanos() + timeoutMillis * NANOS_PER_MILLI;
             lock.lock();
             try {
                 while (true) {
@@ -154,7 +161,7 @@ public final class MemoryLine {
 
         @Override
         public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-            long deadline = clock.nanos() + timeoutMillis * 1_000_000L;
+            long deadline = clock.nanos() + timeoutMillis * NANOS_PER_MILLI;
             int written = 0;
             lock.lock();
             try {

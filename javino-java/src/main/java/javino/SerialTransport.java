@@ -12,7 +12,8 @@ import java.util.concurrent.locks.ReentrantLock;
 final class SerialTransport implements Transport {
     /** How long one read of the driver waits: it counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;
-    private static final long SLICE_NANOS = SLICE_MILLIS * 1_000_000L;
+    private static final long NANOS_PER_MILLI = 1_000_000L;
+    private static final long SLICE_NANOS = SLICE_MILLIS * NANOS_PER_MILLI;
     /** How often the driver is asked when less than a slice is left. */
     private static final long POLL_NANOS = 250_000L;
 
@@ -85,10 +86,10 @@ final class SerialTransport implements Transport {
 
     @Override
     public int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-        long deadline = System.nanoTime() + timeoutMillis * 1_000_000L;
+        long deadline = System.nanoTime() + timeoutMillis * NANOS_PER_MILLI;
         while (true) {
             long left = deadline - System.nanoTime();
-            boolean slice = left >= SLICE_NANOS;
+            boolean slice = left >= SLICE_NANOS - NANOS_PER_MILLI; // so that a wait of one slice is one
             int count = readNow(b, off, len, slice);
             if (count > 0 || left <= 0) {
                 return count;
@@ -123,7 +124,7 @@ final class SerialTransport implements Transport {
     @Override
     public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
         requireOpen();
-        long deadline = System.nanoTime() + timeoutMillis * 1_000_000L;
+        long deadline = System.nanoTime() + timeoutMillis * NANOS_PER_MILLI;
         try {
             switch (writer.write(b, off, len, deadline)) {
                 case WRITTEN -> { }

@@ -1,0 +1,98 @@
+package javino
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.shouldBe
+
+private const val PAST = Long.MIN_VALUE / 4
+
+/** An inbox on a line in memory, whose far end a test holds. */
+private class InboxProbe {
+    val clock = JumpingClock()
+    private val line = MemoryLine.unlimited("probe", LineSettings.defaults(), clock)
+    val receivedAt = mutableListOf<Long>()
+    val inbox = Inbox(line.computer(), clock, receivedAt::add)
+
+    fun arrives(bytes: String) = line.board().write(bytes.toByteArray(Charsets.ISO_8859_1), 0, bytes.length, 0)
+
+    fun next(): String? = inbox.next(clock.nanos() + 1_000_000_000)?.text()
+
+    fun unplug() = line.unplug()
+}
+
+class InboxSpec : FunSpec({
+    test("messages come in their order") {
+        val probe = InboxProbe()
+        probe.arrives("fffe03onefffe03two")
+        probe.next() shouldBe "one"
+        probe.next() shouldBe "two"
+    }
+
+    test("a wait ends with nothing when its time is over") {
+        val probe = InboxProbe()
+        val start = probe.clock.nanos()
+        probe.next().shouldBeNull()
+        probe.clock.nanos() - start shouldBeGreaterThanOrEqual 1_000_000_000
+    }
+
+    test("a deadline that has passed still takes what is there") {
+        val probe = InboxProbe()
+        probe.arrives("fffe03one")
+        probe.inbox.next(probe.clock.nanos() + PAST)?.text() shouldBe "one"
+        probe.inbox.next(probe.clock.nanos() + PAST).shouldBeNull()
+    }
+
+    test("the newest message is the last of all that are there") {
+        val probe = InboxProbe()
+        probe.inbox.newest().shouldBeNull()
+        probe.arrives("fffe03onefffe03twofffe05three")
+        probe.next() shouldBe "one"
+        probe.inbox.newest().text() shouldBe "three"
+        probe.inbox.newest().shouldBeNull()
+    }
+
+    test("clearing forgets what has come, an unfinished message too") {
+        val probe = InboxProbe()
+        probe.arrives("fffe03onefffe03twofffe05thr")
+        probe.inbox.clear()
+        probe.arrives("eefffe03new")
+        probe.next() shouldBe "new"
+    }
+
+    test("a message inside a damaged one is found when the line falls silent, before the time is over") {
+        val probe = InboxProbe()
+        val start = probe.clock.nanos()
+        probe.arrives("fffeFFfffe05hello")
+        probe.inbox.next(start + 60_000_000_000)?.text() shouldBe "hello"
+        probe.clock.nanos() - start shouldBe 101_000_000
+    }
+
+    test("an unfinished message is given up after a silence, not because its reader was away") {
+        val probe = InboxProbe()
+        probe.arrives("fffe05hel")
+        probe.inbox.next(probe.clock.nanos() + 1_000_000).shouldBeNull()
+        probe.clock.advance(5_000_000_000)
+        probe.arrives("lo")
+        probe.next() shouldBe "hello"
+        probe.arrives("fffe05hel")
+        probe.next().shouldBeNull()
+        probe.arrives("lo")
+        probe.next().shouldBeNull()
+    }
+
+    test("the time of the last byte is known, and told") {
+        val probe = InboxProbe()
+        probe.clock.advance(7_000_000)
+        probe.arrives("x")
+        probe.next()
+        probe.receivedAt shouldBe listOf(probe.inbox.lastByteNanos())
+    }
+
+    test("a line that is gone is told of") {
+        val probe = InboxProbe()
+        probe.unplug()
+        shouldThrow<PortGoneException> { probe.next() }
+    }
+})

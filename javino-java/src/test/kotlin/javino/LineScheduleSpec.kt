@@ -1,0 +1,115 @@
+package javino
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
+import io.kotest.matchers.shouldBe
+
+private const val MILLI = 1_000_000L
+private const val BYTE_9600 = 1_041_666L
+
+private fun schedule(settings: LinkSettings = LinkSettings.defaults()) = LineSchedule(settings, 0)
+
+class LineScheduleSpec : FunSpec({
+    test("the first frame goes at once") {
+        schedule().nanosUntilAction(11, 0) shouldBe 0
+        schedule().nanosUntilRequest(0) shouldBe 0
+    }
+
+    test("a frame has left when its bytes have had their time") {
+        schedule().wroteAction(11, 0, 0) shouldBe 11 * BYTE_9600
+        schedule().wroteRequest(17, 5, 5) shouldBe 5 + 17 * BYTE_9600
+    }
+
+    test("the next frame goes when the one before has left") {
+        val schedule = schedule()
+        schedule.wroteAction(11, 0, 0)
+        schedule.nanosUntilAction(11, 0) shouldBe 11 * BYTE_9600
+        schedule.nanosUntilAction(11, 11 * BYTE_9600 - 1) shouldBe 1
+        schedule.nanosUntilAction(11, 11 * BYTE_9600) shouldBe 0
+    }
+
+    test("a driver that took its time moves the line on") {
+        schedule().wroteAction(11, 0, 700 * MILLI) shouldBe 700 * MILLI
+    }
+
+    test("on a fast line actions end as far apart as the board needs") {
+        val schedule = schedule(LinkSettings.defaults().withBaud(1_000_000))
+        val end = schedule.wroteAction(10, 0, 0)
+        end shouldBe 100_000
+        schedule.nanosUntilAction(10, end) shouldBe 10 * MILLI - 100_000
+    }
+
+    test("a request goes only when the board has had time for the last action") {
+        val schedule = schedule()
+        val end = schedule.wroteAction(11, 0, 0)
+        schedule.nanosUntilRequest(end) shouldBe 10 * MILLI
+    }
+
+    test("while the board may be busy with an answer it gets as many actions as it can hold") {
+        val schedule = schedule()
+        val asked = schedule.wroteRequest(17, 0, 0)
+        schedule.nanosUntilAction(11, asked) shouldBe 0
+        val sent = schedule.wroteAction(11, asked, asked)
+        schedule.nanosUntilAction(11, sent) shouldBe asked + 50 * MILLI - sent
+    }
+
+    test("a board with a longer queue gets more of them, but no more bytes than its receive buffer holds") {
+        val schedule = schedule(LinkSettings.defaults().withBoardQueue(4))
+        val asked = schedule.wroteRequest(17, 0, 0)
+        val first = schedule.wroteAction(30, asked, asked)
+        schedule.nanosUntilAction(30, first) shouldBe 0
+        schedule.nanosUntilAction(31, first) shouldBe asked + 50 * MILLI - first
+    }
+
+    test("an action that is longer than the receive buffer waits for the answer") {
+        val schedule = schedule()
+        val asked = schedule.wroteRequest(17, 0, 0)
+        schedule.nanosUntilAction(61, asked) shouldBe 50 * MILLI
+        schedule.answered(asked + 20 * MILLI)
+        schedule.nanosUntilAction(61, asked + 20 * MILLI) shouldBe 10 * MILLI
+    }
+
+    test("bytes that arrive say that the board is still busy") {
+        val schedule = schedule()
+        val asked = schedule.wroteRequest(17, 0, 0)
+        val sent = schedule.wroteAction(11, asked, asked)
+        schedule.received(asked + 40 * MILLI)
+        schedule.nanosUntilAction(11, sent) shouldBe asked + 90 * MILLI - sent
+    }
+
+    test("a complete answer lets the other actions go when the board has had time for the first") {
+        val schedule = schedule()
+        val asked = schedule.wroteRequest(17, 0, 0)
+        schedule.wroteAction(11, asked, asked)
+        val answered = asked + 40 * MILLI
+        schedule.answered(answered)
+        schedule.nanosUntilAction(11, answered) shouldBe 10 * MILLI
+        schedule.nanosUntilRequest(answered) shouldBe 10 * MILLI
+    }
+
+    test("an answer that met no action holds nothing back") {
+        val schedule = schedule()
+        val asked = schedule.wroteRequest(17, 0, 0)
+        schedule.answered(asked + 40 * MILLI)
+        schedule.nanosUntilAction(11, asked + 40 * MILLI) shouldBe 0
+        schedule.nanosUntilRequest(asked + 40 * MILLI) shouldBe 0
+    }
+
+    test("a line that is not paced holds nothing back") {
+        val schedule = schedule(LinkSettings.defaults().withPaced(false))
+        schedule.wroteAction(255, 0, 1) shouldBe 1
+        schedule.wroteRequest(17, 1, 2) shouldBe 2
+        repeat(5) {
+            schedule.nanosUntilAction(255, 2) shouldBe 0
+            schedule.wroteAction(255, 2, 2)
+        }
+        schedule.nanosUntilRequest(2) shouldBe 0
+    }
+
+    test("the origin of time does not matter") {
+        val schedule = LineSchedule(LinkSettings.defaults(), Long.MAX_VALUE - 5)
+        val end = schedule.wroteAction(11, Long.MAX_VALUE - 5, Long.MAX_VALUE - 5)
+        schedule.nanosUntilAction(11, Long.MAX_VALUE - 5) shouldBe 11 * BYTE_9600
+        schedule.nanosUntilRequest(end) shouldBe 10 * MILLI
+    }
+})

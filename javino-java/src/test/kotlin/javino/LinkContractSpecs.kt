@@ -1,0 +1,27 @@
+package javino
+
+import io.kotest.core.test.Enabled
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+
+private val boards = AtomicInteger()
+
+internal class SimulatedLinkSpec : LinkContract(Enabled.enabled, {
+    val board = FakeBoard.plugIn("contract${boards.incrementAndGet()}").lenient()
+    Bench(board.port(), board, board::unplug, board::close)
+})
+
+/** The same, through the operating system: the fake board sits at the other end of a pseudo-terminal. */
+internal class SerialLinkSpec : LinkContract(PseudoTerminals.available, {
+    val terminals = PseudoTerminals.open()
+    val board = FakeBoard.plugIn("contract${boards.incrementAndGet()}").lenient()
+    val end = SerialTransport.open(terminals.board, Bench.FAST.line())
+    val running = async { board.program().run(end) }
+    board.awaitOpen(10_000)
+    Bench(terminals.computer, board, terminals::unplug) {
+        end.close()
+        running.handle { _, _ -> }.get(20, TimeUnit.SECONDS)
+        terminals.close()
+        board.close()
+    }
+})
