@@ -37,7 +37,7 @@ public final class Link implements AutoCloseable {
     private final long bootedAt; // when a board that has not answered is taken to have started
     private volatile boolean ready;
 
-    private Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
+    Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
         long now = clock.nanos();
         this.transport = transport;
         this.settings = settings;
@@ -60,14 +60,10 @@ public final class Link implements AutoCloseable {
      * @throws PortFaultException if the driver refuses for another reason
      */
     public static Link open(String port, LinkSettings settings, String owner) throws PortException {
-        return open(port, settings, owner, LineClock.system());
-    }
-
-    static Link open(String port, LinkSettings settings, String owner, LineClock clock) throws PortException {
         PortOwners.Claim claim = PortOwners.claim(port, owner);
         boolean opened = false;
         try {
-            Link link = new Link(Transports.open(port, settings.line()), settings, claim, clock);
+            Link link = new Link(Transports.open(port, settings.line()), settings, claim, LineClock.system());
             opened = true;
             return link;
         } finally {

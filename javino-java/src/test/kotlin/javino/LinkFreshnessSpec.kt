@@ -1,0 +1,101 @@
+package javino
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+
+private const val REQUEST = "getPercepts"
+private val RUNNING = LinkSettings.defaults().withBootMillis(0)
+
+class LinkFreshnessSpec : FunSpec({
+    test("a board that was stopped for seconds and answers all requests in one burst leaves the next percepts fresh") {
+        val board = VirtualBoard()
+        VirtualBench(RUNNING, board).use { bench ->
+            bench.link.request(REQUEST, 1_000) shouldBe "1;"
+            board.stopped = true
+            repeat(5) { shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 1_000) } }
+            board.stopped = false
+            bench.link.request(REQUEST, 1_000) shouldBe "7;"
+            bench.link.request(REQUEST, 1_000) shouldBe "8;"
+        }
+    }
+
+    test("an answer that comes between two requests is dropped") {
+        val board = VirtualBoard(answersAfter = 600.0)
+        VirtualBench(RUNNING, board).use { bench ->
+            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }
+            bench.awayFor(200)
+            board.answersAfter = 0.0
+            bench.link.request(REQUEST, 500) shouldBe "2;"
+        }
+    }
+
+    test("an answer that comes after the next request is not taken for its answer") {
+        val board = VirtualBoard()
+        VirtualBench(RUNNING, board).use { bench ->
+            bench.link.request(REQUEST, 500) shouldBe "1;"
+            board.answersAfter = 510.0
+            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }
+            board.answersAfter = 20.0
+            bench.link.request(REQUEST, 500) shouldBe "3;"
+        }
+    }
+
+    test("after one missed answer, only the next exchange waits for silence") {
+        val board = VirtualBoard()
+        VirtualBench(RUNNING, board).use { bench ->
+            board.silent = true
+            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }
+            board.silent = false
+            bench.link.request(REQUEST, 500)
+            val before = bench.millis
+            bench.link.request(REQUEST, 500)
+            bench.millis - before shouldBeLessThan 30.0
+        }
+    }
+
+    test("a line that never falls silent ends an exchange too") {
+        val board = VirtualBoard()
+        VirtualBench(RUNNING, board).use { bench ->
+            board.silent = true
+            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }
+            (0..400).forEach { board.say(bench.millis + it * 20, "tick($it);") }
+            val before = bench.millis
+            bench.link.request(REQUEST, 500)
+            bench.millis - before shouldBeLessThan 1_100.0
+        }
+    }
+
+    test("of several messages that are waiting, listening takes the newest") {
+        val board = VirtualBoard().apply { (1..5).forEach { say(it * 10.0, "tick($it);") } }
+        VirtualBench(RUNNING, board).use { bench ->
+            bench.link.listen(1_000) shouldBe "tick(1);"
+            bench.awayFor(200)
+            bench.link.listen(1_000) shouldBe "tick(5);"
+        }
+    }
+
+    test("an action returns when its last byte has left by the line's rate") {
+        val board = VirtualBoard()
+        VirtualBench(RUNNING, board).use { bench ->
+            bench.link.send("x".repeat(90), 500)
+            bench.millis shouldBe (96 * LineSettings(9600).byteNanos() / 1e6)
+        }
+    }
+
+    test("an action on a line that is not paced returns at once") {
+        VirtualBench(RUNNING.withPaced(false), VirtualBoard()).use { bench ->
+            bench.link.send("x".repeat(90), 500)
+            bench.millis shouldBe 0.0
+        }
+    }
+
+    test("a time limit of no time is refused") {
+        VirtualBench(RUNNING, VirtualBoard()).use { bench ->
+            shouldThrow<IllegalArgumentException> { bench.link.request(REQUEST, 0) }
+            shouldThrow<IllegalArgumentException> { bench.link.send("stop", -1) }
+            shouldThrow<IllegalArgumentException> { bench.link.listen(0) }
+        }
+    }
+})
