@@ -1,50 +1,5 @@
 package argo.filters
 
-/** How a condition compares a term with a value. The names are those of the filter files. */
-enum class Operator(internal val words: String, internal val ordering: Boolean) {
-    EQ("is", false),
-    NE("is not", false),
-    GT("is greater than", true),
-    GE("is at least", true),
-    LT("is less than", true),
-    LE("is at most", true),
-    ;
-
-    internal companion object {
-        /** The other names of the filter files' operators: equal, bigger, bigger or equal, smaller, smaller or equal. */
-        private val ALIASES = mapOf("E" to EQ, "B" to GT, "BE" to GE, "S" to LT, "SE" to LE)
-
-        private val BY_NAME = (entries.associateBy(Operator::name) + ALIASES)
-            .flatMap { (name, operator) -> listOf(name to operator, name.lowercase() to operator) }.toMap()
-
-        val NAMES: String = entries.joinToString(", ") + " (or " + ALIASES.entries.joinToString(", ") { (alias, operator) -> "$alias for $operator" } + ")"
-
-        /** The operator that a filter file calls [name], all in upper or all in lower case, or null. */
-        fun named(name: String): Operator? = BY_NAME[name]
-    }
-}
-
-/**
- * A test of one term.
- *
- * Every test is false for a term that is not ground and plain: variables, expressions, plans.
- */
-sealed interface Test {
-
-    /**
-     * Compares the term with [value]. The orderings hold only for numbers.
-     *
-     * @throws IllegalArgumentException if [operator] is an ordering and [value] is not a number
-     */
-    data class Compare(val operator: Operator, val value: Value) : Test {
-        init {
-            require(!operator.ordering || value is Value.Number) { "$operator compares numbers, and '$value' is not one" }
-        }
-
-        override fun toString(): String = "${operator.words} $value"
-    }
-}
-
 /** A condition of a rule. */
 sealed interface Condition {
 
@@ -55,7 +10,7 @@ sealed interface Condition {
      */
     data class Argument(val index: Int, val test: Test) : Condition {
         init {
-            require(index >= 0) { "arguments are counted from 0, and there is none at $index" }
+            requireIndex(index)
         }
 
         override fun toString(): String = "argument $index $test"
@@ -72,3 +27,5 @@ sealed interface Condition {
             if (tests.isEmpty()) "there is an annotation $name" else tests.joinToString(" and ", "annotation $name ")
     }
 }
+
+internal fun requireIndex(index: Int) = require(index >= 0) { "arguments are counted from 0, and there is none at $index" }

@@ -22,15 +22,36 @@ import jason.asSyntax.Trigger
 /**
  * Whether the filter drops [percept]: the same decision as over the percept's text.
  *
- * [percept] is only read. Never throws.
+ * [percept] is only read. Never throws. A literal that no text could stand for (a variable, say) is kept.
  */
-fun PerceptMatcher.drops(percept: Literal): Boolean {
-    val predicate = predicateOf(percept) ?: return false
-    return dropping(predicate) { condition ->
-        when (condition) {
-            is Condition.Argument -> condition.index < percept.arity && meets(condition.test, valueOf(percept.getTerm(condition.index), 0))
-            is Condition.Annotation -> percept.hasAnnot() && percept.annots.any { meets(condition, valueOf(it, 0)) }
+fun PerceptMatcher.drops(percept: Literal): Boolean = LiteralForm.of(percept)?.let(::drops) ?: false
+
+/** A percept that is a Jason literal. */
+internal class LiteralForm private constructor(private val literal: Literal, override val predicate: Predicate) : PerceptForm {
+    override val arity: Int
+        get() = literal.arity
+
+    override fun meets(condition: CompiledCondition): Boolean = when {
+        condition.argument >= arity -> false
+        condition.argument >= 0 -> condition.meets(valueOf(literal.getTerm(condition.argument), 0))
+        else -> literal.hasAnnot() && literal.annots.any { condition.meetsAnnotation(valueOf(it, 0)) }
+    }
+
+    override fun number(index: Int): Double? = (valueOf(literal.getTerm(index), 0) as? Value.Number)?.value
+
+    override fun key(number: String): String = (0 until arity).joinToString(",", "$predicate(", ")") {
+        val term = literal.getTerm(it)
+        when (val value = valueOf(term, 0)) {
+            null -> term.toString()
+            is Value.Number -> number
+            else -> value.toString()
         }
+    }
+
+    override fun toString(): String = literal.toString()
+
+    companion object {
+        fun of(literal: Literal): LiteralForm? = predicateOf(literal)?.let { LiteralForm(literal, it) }
     }
 }
 

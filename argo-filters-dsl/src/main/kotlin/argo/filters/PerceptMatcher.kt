@@ -1,58 +1,69 @@
 package argo.filters
 
+import argo.filters.PerceptionFilter.Mode
+
 /**
  * Decides over percepts by a filter's rules.
  *
- * Immutable; any thread may use it. For percepts that are Jason literals there is `drops(Literal)`, an extension in this package.
+ * Immutable; any thread may use it. For percepts that are Jason literals there are extensions of the same names in this package.
+ * Rules with a [Rate] need to know the time and what came before, which a [FilterSession] does; a matcher takes each percept for the first
+ * of its kind, which no rate holds back.
  */
-class PerceptMatcher internal constructor(val filter: PerceptionFilter) {
-    private val rules: Map<Predicate, List<Rule>> = filter.rules.groupBy(Rule::predicate)
+class PerceptMatcher internal constructor(
+    /** What the matcher was compiled from. */
+    val filter: PerceptionFilter,
+) {
+    private val index = RuleIndex(filter.rules)
+    private val drops = filter.mode == Mode.DROP
 
     /**
-     * Whether the filter drops the percept that [percept] is the text of, as it came off the line: `dist(f,123)`.
+     * Whether the filter drops the percept that [percept] holds from [start] to [end], as it came off the line: `dist(f,123)`.
      *
-     * Text that is not a percept is kept, so that whoever reads it can report it. Never throws.
+     * Text that is not a percept is kept, so that whoever reads it can report it. Never throws for positions inside the text. Allocates
+     * nothing as long as the percept's functor is a word without namespace and conditions are on arguments that are plain atoms or numbers.
      */
-    fun drops(percept: CharSequence): Boolean {
-        if (rules.isEmpty()) return false
-        val scanner = PerceptScanner(percept)
-        return scanner.scan() && dropping(scanner.predicate()) { meets(it, percept, scanner) }
-    }
-
-    internal inline fun dropping(predicate: Predicate, meets: (Condition) -> Boolean): Boolean =
-        rules[predicate]?.any { rule -> rule.conditions.all(meets) } == true
-
-    private fun meets(condition: Condition, text: CharSequence, percept: PerceptScanner): Boolean = when (condition) {
-        is Condition.Argument -> condition.index < percept.arguments.size &&
-            meets(condition.test, value(text, percept.arguments, condition.index))
-        is Condition.Annotation -> (0 until percept.annotations.size).any {
-            meets(condition, value(text, percept.annotations, it))
+    @JvmOverloads
+    fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean {
+        var functor = Syntax.skipBlanks(percept, start, end)
+        val negated = functor < end && percept[functor] == '~'
+        if (negated) functor = Syntax.skipBlanks(percept, functor + 1, end)
+        if (functor < end && percept[functor] in 'a'..'z') {
+            val wordEnd = Syntax.wordEnd(percept, functor, end)
+            if (wordEnd == end || percept[wordEnd] == '(' || percept[wordEnd] == '[') {
+                return drops(percept, functor, wordEnd, end, negated, Predicate.DEFAULT_NAMESPACE)
+            }
         }
+        val head = FunctorScanner(percept, start, end)
+        return head.scan() && drops(percept, head.functorStart, head.functorEnd, end, head.negated, head.namespace)
     }
 
-    private fun value(text: CharSequence, bounds: PerceptScanner.Bounds, index: Int): Value? =
-        ValueReader(text, bounds.start(index), bounds.end(index)).readWhole()
-
-    internal fun meets(condition: Condition.Annotation, annotation: Value?): Boolean {
-        if (annotation !is Value.Structure || annotation.predicate != condition.name) return false
-        val value = annotation.arguments.firstOrNull()
-        return condition.tests.all { meets(it, value) }
+    private fun drops(text: CharSequence, functor: Int, functorEnd: Int, end: Int, negated: Boolean, namespace: String): Boolean {
+        val rules = index.find(text, functor, functorEnd)
+        if (rules.isEmpty() && drops || Syntax.isReserved(text, functor, functorEnd)) return false
+        val tail = Outline.tail(text, functorEnd, end)
+        if (tail < 0 || !isWritable(text, functor, functorEnd, end, negated)) return false
+        val arity = Outline.arity(tail)
+        for (rule in rules) {
+            if (rule.rate != null && drops) continue
+            if (rule.isFor(negated, namespace, arity) && rule.meets(text, functorEnd, end, tail)) return drops
+        }
+        return !drops
     }
 
-    internal fun meets(test: Test, value: Value?): Boolean = value != null && when (test) {
-        is Test.Compare -> compares(test.operator, value, test.value)
+    /** Truth values stand alone. */
+    private fun isWritable(text: CharSequence, functor: Int, functorEnd: Int, end: Int, negated: Boolean) =
+        !Syntax.isTruthValue(text, functor, functorEnd) || !negated && Syntax.skipBlanks(text, functorEnd, end) == end
+
+    internal fun drops(percept: PerceptForm): Boolean {
+        val met = rulesThatMeet(percept)
+        return if (drops) met.any { it.rate == null } else met.isEmpty()
     }
 
-    private fun compares(operator: Operator, found: Value, wanted: Value): Boolean = when (operator) {
-        Operator.EQ -> found == wanted
-        Operator.NE -> found != wanted
-        else -> found is Value.Number && wanted is Value.Number && ordered(operator, found.value, wanted.value)
+    internal fun rulesOn(percept: PerceptForm): List<CompiledRule> {
+        val predicate = percept.predicate
+        return index.find(predicate.functor, 0, predicate.functor.length)
+            .filter { it.isFor(predicate.negated, predicate.namespace, percept.arity) }
     }
 
-    private fun ordered(operator: Operator, found: Double, wanted: Double): Boolean = when (operator) {
-        Operator.GT -> found > wanted
-        Operator.GE -> found >= wanted
-        Operator.LT -> found < wanted
-        else -> found <= wanted
-    }
+    internal fun rulesThatMeet(percept: PerceptForm): List<CompiledRule> = rulesOn(percept).filter { it.meets(percept) }
 }

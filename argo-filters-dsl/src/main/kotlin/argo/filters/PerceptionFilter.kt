@@ -1,38 +1,54 @@
 package argo.filters
 
 /**
- * One rule of a filter: a percept of this [predicate] that meets all [conditions] is met by the rule.
- *
- * @property conditions may be empty: then the rule meets every percept of the predicate
- */
-data class Rule(val predicate: Predicate, val conditions: List<Condition> = emptyList()) {
-
-    constructor(predicate: String, vararg conditions: Condition) : this(Predicate.of(predicate), conditions.toList())
-
-    /** The rule in words: `distance where argument 0 is not front`. */
-    override fun toString(): String =
-        if (conditions.isEmpty()) "$predicate" else conditions.joinToString(" and ", "$predicate where ")
-}
-
-/**
- * A perception filter: percepts that one of its [rules] meets are dropped, all others are kept.
+ * A perception filter, which decides over percepts by its [rules].
  *
  * Immutable, and safe to share between agents. Two filters are equal if they say the same; the [name] is how a filter is found, not what
  * it does, and has no part in it.
  *
  * @property name what agents call the filter
+ * @property mode what becomes of the percepts that a rule meets
+ * @property onSwitch what becomes of beliefs that this filter hides when an agent changes to it
  */
-class PerceptionFilter(val name: String, rules: List<Rule>) {
+class PerceptionFilter(
+    val name: String,
+    rules: List<Rule>,
+    val mode: Mode = Mode.DROP,
+    val onSwitch: OnSwitch = OnSwitch.FORGET,
+) {
+    /** What becomes of the percepts that one of a filter's rules meets. */
+    enum class Mode {
+        /** They are dropped, and all others are kept: the filters of the paper. */
+        DROP,
+
+        /** They are kept, and all others are dropped. */
+        KEEP,
+    }
+
+    /** What becomes of the beliefs that a filter hides when an agent changes to it. */
+    enum class OnSwitch {
+        /** Jason's belief update deletes them. */
+        FORGET,
+
+        /** They stay as they were at the change. */
+        FREEZE,
+    }
+
     val rules: List<Rule> = java.util.List.copyOf(rules)
 
     constructor(name: String, vararg rules: Rule) : this(name, rules.asList())
 
-    override fun equals(other: Any?): Boolean = other is PerceptionFilter && rules == other.rules
-    override fun hashCode(): Int = rules.hashCode()
+    override fun equals(other: Any?): Boolean =
+        other is PerceptionFilter && mode == other.mode && onSwitch == other.onSwitch && rules == other.rules
+
+    override fun hashCode(): Int = 31 * (31 * mode.hashCode() + onSwitch.hashCode()) + rules.hashCode()
 
     /** The filter in words: `filter frontDistance drops temperature; light; distance where argument 0 is not front`. */
-    override fun toString(): String =
-        if (rules.isEmpty()) "filter $name drops nothing" else rules.joinToString("; ", "filter $name drops ")
+    override fun toString(): String {
+        val verb = if (mode == Mode.DROP) "drops" else "keeps only"
+        val what = if (rules.isEmpty()) "nothing" else rules.joinToString("; ")
+        return "filter $name $verb $what" + if (onSwitch == OnSwitch.FREEZE) ", and freezes what it hides" else ""
+    }
 }
 
 /** Compiles the filter. The matcher is to be made once and used for every percept. */

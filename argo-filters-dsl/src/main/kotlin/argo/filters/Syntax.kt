@@ -8,18 +8,31 @@ internal object Syntax {
     /** Atoms that stand alone: no arguments, annotations or negation. */
     val TRUTH_VALUES = setOf("true", "false")
 
-    /** Words that Jason's parser takes for something else than an atom. */
-    private val RESERVED = setOf("not", "div", "mod", "if", "else", "elif", "for", "while")
-
     fun isFunctor(text: String): Boolean = isAtom(text)
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
-    fun isReserved(text: CharSequence, start: Int, end: Int): Boolean =
-        RESERVED.any { it.length == end - start && text.regionMatches(start, it) }
+    /** Whether a word is one that Jason's parser takes for something else than an atom. */
+    fun isReserved(text: CharSequence, start: Int, end: Int): Boolean = when (end - start) {
+        2 -> isAt(text, start, "if")
+        3 -> isAt(text, start, "not") || isAt(text, start, "div") || isAt(text, start, "mod") || isAt(text, start, "for")
+        4 -> isAt(text, start, "else") || isAt(text, start, "elif")
+        5 -> isAt(text, start, "while")
+        else -> false
+    }
 
-    fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean =
-        TRUTH_VALUES.any { it.length == end - start && text.regionMatches(start, it) }
+    fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean = when (end - start) {
+        4 -> isAt(text, start, "true")
+        5 -> isAt(text, start, "false")
+        else -> false
+    }
+
+    /** The end of the letters, digits and underscores from [start]. */
+    fun wordEnd(text: CharSequence, start: Int, end: Int): Int {
+        var i = start
+        while (i < end && isWordCharacter(text[i])) i++
+        return i
+    }
 
     /** The end of the atom that starts at [start], or -1 if there is none. */
     fun atomEnd(text: CharSequence, start: Int, end: Int): Int {
@@ -40,7 +53,8 @@ internal object Syntax {
         return if (isReserved(text, start, i)) -1 else i
     }
 
-    private fun quotedAtomEnd(text: CharSequence, start: Int, end: Int): Int {
+    /** The end of the quoted atom that starts at [start], or -1 if it is not closed. */
+    fun quotedAtomEnd(text: CharSequence, start: Int, end: Int): Int {
         var i = start + 1
         while (i < end && text[i] != '\'') i++
         return if (i < end) i + 1 else -1
@@ -139,10 +153,9 @@ internal object Syntax {
         return -1
     }
 
-    /** Whether [text] goes on with [word] at [start]. */
-    fun CharSequence.regionMatches(start: Int, word: String): Boolean {
-        if (start + word.length > length) return false
-        for (i in word.indices) if (this[start + i] != word[i]) return false
+    /** Whether [word] stands in [text] at [start]; the text is long enough for it. */
+    fun isAt(text: CharSequence, start: Int, word: String): Boolean {
+        for (i in word.indices) if (text[start + i] != word[i]) return false
         return true
     }
 }

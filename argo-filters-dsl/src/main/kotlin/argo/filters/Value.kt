@@ -76,7 +76,7 @@ sealed interface Value {
         override fun toString(): String = buildString {
             append(predicate)
             if (arguments.isNotEmpty()) arguments.joinTo(this, ",", "(", ")")
-            if (annotations.isNotEmpty()) annotations.joinTo(this, ",", "[", "]")
+            if (annotations.isNotEmpty()) annotations.map(Value::toString).sorted().joinTo(this, ",", "[", "]")
         }
     }
 

@@ -7,24 +7,33 @@ internal class XmlFilterReader(text: String, private val source: String, private
 
     /** @throws FilterException with all problems of the document, in the order of the text */
     fun read(): PerceptionFilter {
-        val rules = tree.root?.let(::filter).orEmpty()
+        val filter = tree.root?.let(::filter)
         tree.problem?.let(problems::add)
-        if (problems.isNotEmpty()) throw FilterException(problems.sortedBy { Position(it.line, it.column) })
-        return PerceptionFilter(name, rules)
+        if (filter == null || problems.isNotEmpty()) throw FilterException(problems.sortedBy { Position(it.line, it.column) })
+        return filter
     }
 
-    private fun filter(root: XmlElement): List<Rule> {
+    private fun filter(root: XmlElement): PerceptionFilter? {
         if (root.name != ROOT) {
             report(root.position, "the root element is <${root.name}>; expected <$ROOT>")
-            if (!root.name.equals(ROOT, ignoreCase = true)) return emptyList()
+            if (!root.name.equals(ROOT, ignoreCase = true)) return null
         }
-        attributes(root)
+        val attributes = attributes(root, KEEP, ON_SWITCH)
         noText(root)
-        return children(root, FILTER).mapNotNull(::rule)
+        val mode = oneOf(attributes[KEEP], MODES) ?: PerceptionFilter.Mode.DROP
+        val onSwitch = oneOf(attributes[ON_SWITCH], ON_SWITCHES) ?: PerceptionFilter.OnSwitch.FORGET
+        return PerceptionFilter(name, children(root, FILTER).mapNotNull(::rule), mode, onSwitch)
+    }
+
+    private fun <T> oneOf(attribute: XmlAttribute?, words: Map<String, T>): T? {
+        if (attribute == null) return null
+        val found = words[attribute.value.trim()]
+        if (found == null) report(attribute.position, "${attribute.name}=\"${attribute.value}\"; expected ${words.keys.joinToString(" or ")}")
+        return found
     }
 
     private fun rule(element: XmlElement): Rule? {
-        attributes(element)
+        val attributes = attributes(element, ARITY, EVERY_MS, DEADBAND)
         noText(element)
         val children = children(element, PREDICATE, PARAMETER, *ANNOTATION)
         val predicate = predicate(element, children.filter { it.name == PREDICATE })
@@ -35,7 +44,36 @@ internal class XmlFilterReader(text: String, private val source: String, private
                 else -> annotation(it)
             }
         }
-        return predicate?.let { Rule(it, conditions) }
+        val arity = wholeNumber(attributes[ARITY], 0)?.toInt()
+        val rate = rate(attributes, children.filter { it.name == PARAMETER })
+        return predicate?.let { Rule(it, conditions, arity, rate) }
+    }
+
+    private fun rate(rule: Map<String, XmlAttribute>, parameters: List<XmlElement>): Rate? {
+        val everyMs = wholeNumber(rule[EVERY_MS], 1)
+        val deadbands = LinkedHashMap<Int?, Deadband>()
+        rule[DEADBAND]?.let { deadband(it, null) }?.let { deadbands[null] = it }
+        for (parameter in parameters) {
+            val attribute = parameter.attributes.find { it.name == DEADBAND } ?: continue
+            val index = parameter.attributes.find { it.name == ID }?.let { indexOf(it.value) } ?: continue
+            if (index in deadbands) report(attribute.position, "a second deadband for the argument $index; expected one")
+            deadband(attribute, index)?.let { deadbands[index] = it }
+        }
+        return if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands.values.toSet())
+    }
+
+    private fun deadband(attribute: XmlAttribute, index: Int?): Deadband? {
+        val width = Value.ofOrNull(attribute.value) as? Value.Number
+        if (width != null && width.value > 0 && width.value.isFinite()) return Deadband(index, width.value)
+        report(attribute.position, "the deadband '${attribute.value}'; expected a number above 0, by which the argument must move")
+        return null
+    }
+
+    private fun wholeNumber(attribute: XmlAttribute?, least: Int): Long? {
+        if (attribute == null) return null
+        val number = indexOf(attribute.value)?.takeIf { it >= least }
+        if (number == null) report(attribute.position, "${attribute.name}=\"${attribute.value}\"; expected a whole number from $least")
+        return number?.toLong()
     }
 
     private fun predicate(rule: XmlElement, found: List<XmlElement>): Predicate? {
@@ -62,9 +100,10 @@ internal class XmlFilterReader(text: String, private val source: String, private
     }
 
     private fun argument(element: XmlElement): Condition? {
-        val attributes = attributes(element, ID, OPERATOR)
+        val attributes = attributes(element, ID, OPERATOR, DEADBAND)
         children(element)
         val index = index(element, attributes[ID])
+        if (DEADBAND in attributes && OPERATOR !in attributes && element.text.isEmpty()) return null
         val test = test(element, operator(attributes[OPERATOR]))
         return if (index == null || test == null) null else Condition.Argument(index, test)
     }
@@ -74,11 +113,13 @@ internal class XmlFilterReader(text: String, private val source: String, private
             report(element.position, "the <$PARAMETER> has no id; expected id=\"0\" for the first argument, id=\"1\" for the second and so on")
             return null
         }
-        val written = id.value.trim()
-        val index = written.takeIf { it.isNotEmpty() && it.all { digit -> digit in '0'..'9' } }?.toIntOrNull()
+        val index = indexOf(id.value)
         if (index == null) report(id.position, "the id '${id.value}'; expected a whole number from 0, the number of the argument")
         return index
     }
+
+    private fun indexOf(written: String): Int? =
+        written.trim().takeIf { it.isNotEmpty() && it.all { digit -> digit in '0'..'9' } }?.toIntOrNull()
 
     private fun annotation(element: XmlElement): Condition? {
         val attributes = attributes(element, NAME, OPERATOR)
@@ -110,20 +151,19 @@ internal class XmlFilterReader(text: String, private val source: String, private
         }
     }
 
-    private fun test(element: XmlElement, operator: Operator?): Test? {
+    private fun test(element: XmlElement, operator: String?): Test? {
         val text = element.text
         if (text.isEmpty()) {
             if (isWhole(element)) report(element.position, "the <${element.name}> is empty; expected the value to compare with")
             return null
         }
-        val value = reporting(element.textPosition, "") { Value.of(text) } ?: return null
-        return operator?.let { reporting(element.textPosition, "") { Test.Compare(it, value) } }
+        return operator?.let { reporting(element.textPosition, "") { TestFormat.test(it, text) } }
     }
 
-    private fun operator(attribute: XmlAttribute?): Operator? {
-        if (attribute == null) return Operator.EQ
-        val operator = Operator.named(attribute.value.trim())
-        if (operator == null) report(attribute.position, "the operator '${attribute.value}'; expected ${Operator.NAMES}")
+    private fun operator(attribute: XmlAttribute?): String? {
+        if (attribute == null) return Operator.EQ.name
+        val operator = TestFormat.operator(attribute.value)
+        if (operator == null) report(attribute.position, "the operator '${attribute.value}'; expected ${TestFormat.NAMES}")
         return operator
     }
 
@@ -168,9 +208,17 @@ internal class XmlFilterReader(text: String, private val source: String, private
         const val PREDICATE = "predicate"
         const val PARAMETER = "parameter"
         const val LIMIT = "limit"
+        const val KEEP = "keep"
+        const val ON_SWITCH = "onSwitch"
+        const val ARITY = "arity"
+        const val EVERY_MS = "everyMs"
+        const val DEADBAND = "deadband"
         const val ID = "id"
         const val NAME = "name"
         const val OPERATOR = "operator"
+
+        val MODES = mapOf("true" to PerceptionFilter.Mode.KEEP, "false" to PerceptionFilter.Mode.DROP)
+        val ON_SWITCHES = mapOf("forget" to PerceptionFilter.OnSwitch.FORGET, "freeze" to PerceptionFilter.OnSwitch.FREEZE)
 
         /** The second is how files of earlier versions spell it. */
         val ANNOTATION = arrayOf("annotation", "anotation")

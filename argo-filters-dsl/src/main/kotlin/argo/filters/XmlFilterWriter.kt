@@ -13,14 +13,28 @@ internal class XmlFilterWriter {
 
     fun write(filter: PerceptionFilter): String {
         xml.indentString = "  "
-        element("PerceptionFilter") { filter.rules.forEach(::rule) }
+        element("PerceptionFilter") {
+            if (filter.mode == PerceptionFilter.Mode.KEEP) attribute("keep", "true")
+            if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) attribute("onSwitch", "freeze")
+            filter.rules.forEach(::rule)
+        }
         xml.close()
         return "<?xml version=\"1.0\"?>\n" + text.trim() + "\n"
     }
 
     private fun rule(rule: Rule) = element("filter") {
+        rule.arity?.let { attribute("arity", it.toString()) }
+        rule.rate?.everyMs?.let { attribute("everyMs", it.toString()) }
+        val (all, some) = rule.rate?.deadbands.orEmpty().partition { it.argument == null }
+        all.forEach { attribute("deadband", Value.Number(it.width).toString()) }
         element("predicate") { text(rule.predicate.toString()) }
         rule.conditions.forEach(::condition)
+        some.forEach(::deadband)
+    }
+
+    private fun deadband(deadband: Deadband) = element("parameter") {
+        attribute("id", deadband.argument.toString())
+        attribute("deadband", Value.Number(deadband.width).toString())
     }
 
     private fun condition(condition: Condition) = when (condition) {
@@ -36,12 +50,10 @@ internal class XmlFilterWriter {
         if (single != null) test(single) else condition.tests.forEach { element("limit") { test(it) } }
     }
 
-    private fun test(test: Test, otherAttributes: () -> Unit = {}) = when (test) {
-        is Test.Compare -> {
-            attribute("operator", test.operator.name)
-            otherAttributes()
-            text(test.value.toString())
-        }
+    private fun test(test: Test, otherAttributes: () -> Unit = {}) {
+        attribute("operator", TestFormat.operator(test))
+        otherAttributes()
+        text(TestFormat.value(test))
     }
 
     private fun attribute(name: String, value: String) = xml.attribute(null, name, null, requireXml(value))

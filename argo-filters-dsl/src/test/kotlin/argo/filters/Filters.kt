@@ -13,6 +13,8 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.numericDouble
+import io.kotest.property.arbitrary.orNull
+import io.kotest.property.arbitrary.set
 import io.kotest.property.arbitrary.string
 
 /** A filter whose rules stand in XML between the root's tags. */
@@ -55,14 +57,33 @@ val comparisons: Arb<Test> = Arb.enum<Operator>().flatMap { operator ->
     values.map { Test.Compare(operator, it) }
 }
 
-val conditions: Arb<Condition> = Arb.choice(
-    Arb.bind(Arb.int(0..2), comparisons, Condition::Argument),
-    Arb.bind(predicates, Arb.list(comparisons, 0..2)) { name, tests -> Condition.Annotation(name, tests) },
+val tests: Arb<Test> = Arb.choice(
+    comparisons,
+    comparisons,
+    Arb.set(values(), 1..3).map { Test.OneOf(it) },
+    Arb.element("front", "f.*|b.*", "-?\\d+", "\"[^\"]*\"", ".*[(\\[].*", "a\nb|<&>", "(?i)FRONT", "[ ]x").map { Test.Matches(it) },
 )
 
-val rules: Arb<Rule> = Arb.bind(predicates, Arb.list(conditions, 0..2)) { predicate, conditions -> Rule(predicate, conditions) }
+val conditions: Arb<Condition> = Arb.choice(
+    Arb.bind(Arb.int(0..2), tests, Condition::Argument),
+    Arb.bind(predicates, Arb.list(tests, 0..2)) { name, tests -> Condition.Annotation(name, tests) },
+)
 
-val filters: Arb<PerceptionFilter> = Arb.list(rules, 0..6).map { PerceptionFilter("generated", it) }
+val rates: Arb<Rate> = Arb.bind(Arb.int(1..2_000).orNull(), Arb.set(Arb.int(0..2).orNull(), 0..2), Arb.element(0.5, 1.0, 1e6)) { everyMs, arguments, width ->
+    val deadbands = arguments.map { Deadband(it, width) }.toSet()
+    Rate(if (deadbands.isEmpty()) (everyMs ?: 1).toLong() else everyMs?.toLong(), deadbands)
+}
+
+/** Rules without rates, which decide over each percept by itself. */
+val timelessRules: Arb<Rule> = Arb.bind(predicates, Arb.list(conditions, 0..2), Arb.int(0..3).orNull(0.7)) { predicate, conditions, arity ->
+    Rule(predicate, conditions, arity)
+}
+
+val rules: Arb<Rule> = Arb.bind(timelessRules, rates.orNull(0.7)) { rule, rate -> rule.copy(rate = rate) }
+
+val filters: Arb<PerceptionFilter> = Arb.bind(Arb.list(rules, 0..6), Arb.enum<PerceptionFilter.Mode>(), Arb.enum<PerceptionFilter.OnSwitch>()) { rules, mode, onSwitch ->
+    PerceptionFilter("generated", rules, mode, onSwitch)
+}
 
 /** The parts of a percept. Its annotations are structures, in their order. */
 data class Percept(val predicate: Predicate, val arguments: List<Value>, val annotations: List<Value>)

@@ -59,6 +59,12 @@ class PerceptMatcherSpec : FreeSpec({
             Case(parameter("BE", "1"), listOf("d(1)"), listOf("d(0)")),
             Case(parameter("S", "1"), listOf("d(0)"), listOf("d(1)")),
             Case(parameter("SE", "1"), listOf("d(1)"), listOf("d(2)")),
+            Case(parameter("IN", "[front, 1.0, \"a,b\", f(x), [y]]"), listOf("d(front)", "d(1)", "d(\"a,b\")", "d(f(x))", "d([y])"), listOf("d(back)", "d(2)", "d(f(y))", "d(y)", "d([front,1])", "d")),
+            Case(parameter("IN", "front, back"), listOf("d(front)", "d(back)"), listOf("d(left)")),
+            Case(parameter("MATCHES", "fr.*|[0-9]+"), listOf("d(front)", "d( fr )", "d(36.0)", "d(007)"), listOf("d(\"front\")", "d(a_front)", "d(36.5)", "d(-1)", "d(X)", "d")),
+            Case(parameter("MATCHES", "\"(?i)hi.*\""), listOf("d(\"HI there\")", "d(\"hi\\n\\\"you\")"), listOf("d(hi)")),
+            Case(parameter("MATCHES", "pos\\(1,.*\\)"), listOf("d(pos( 1 , 2 ))"), listOf("d(pos(2,1))")),
+            Case("<annotation name='source' operator='MATCHES'>b.*</annotation>", listOf("d[source(bob)]"), listOf("d[source(alice)]")),
             Case("<annotation name='q' operator='LT'>0.5</annotation>", listOf("d(f,3)[q(0.4),source(x)]", "d[source(x),q(0.1)]", "d[q(9),q(0)]"), listOf("d(f,3)[q(0.5)]", "d(f,3)", "d[q]", "d[r(0.4)]", "d[~q(0.4)]", "d(q(0.4))")),
             Case("<anotation name='q'><limit operator='GT'>1</limit><limit operator='LT'>9</limit></anotation>", listOf("d[q(5)]"), listOf("d[q(1)]", "d[q(0),q(10)]")),
             Case("<anotation name='q' operator='GT'><limit>1</limit></anotation>", listOf("d[q(5)]"), listOf("d[q(1)]")),
@@ -80,6 +86,48 @@ class PerceptMatcherSpec : FreeSpec({
                 decides(matcher, percept, false)
             }
         }
+    }
+
+    "a rule with an arity meets percepts of that arity alone" {
+        fun rule(arity: Int) = xml("<filter arity='$arity'><predicate>d</predicate></filter>").matcher()
+        decides(rule(0), "d", true)
+        decides(rule(0), "d[x(1)]", true)
+        decides(rule(0), "d(1)", false)
+        decides(rule(2), "d(1,f(2,3))", true)
+        decides(rule(2), "d([1,2])", false)
+        decides(rule(2), "d(1,2,3)", false)
+    }
+
+    "a filter that keeps drops everything that no rule meets" {
+        val front = "<filter><predicate>dist</predicate>${parameter("EQ", "f")}</filter><filter><predicate>~open</predicate></filter>"
+        val matcher = XmlFilters.read("<PerceptionFilter keep='true'>$front</PerceptionFilter>", "front.xml").matcher()
+        for (percept in listOf("dist(f,3)", "~open(door)", " dist(f)[x]")) decides(matcher, percept, false)
+        for (percept in listOf("dist(b,3)", "~dist(f,3)", "light(f,3)", "open(door)", "dist", "x::dist(f,3)", "true", "'dist'(f)")) decides(matcher, percept, true)
+        for (text in listOf("not", "not(1)", "dist(f", "light(", "1", "", "true(1)")) matcher.drops(text) shouldBe false
+    }
+
+    "a percept may stand anywhere in a text" {
+        val frame = "light(b,40);dist(f,123);dist(b,7);"
+        val matcher = rule("dist", parameter("EQ", "f"))
+        matcher.drops(frame, 12, 23) shouldBe true
+        matcher.drops(frame, 24, 33) shouldBe false
+        matcher.drops(frame, 0, 11) shouldBe false
+        matcher.drops(frame, 12, 22) shouldBe false
+    }
+
+    "a pattern cannot stall the agent" {
+        val matcher = rule("d", parameter("MATCHES", "\"(a|a|aa)*b\""))
+        matcher.drops("d(\"" + "a".repeat(50_000) + "\")") shouldBe false
+    }
+
+    "a large filter decides as a small one" {
+        val rules = (0 until 1_000).map { Rule("sensor$it", Condition.Argument(0, Test.Compare(Operator.LT, Value.of("$it")))) }
+        val matcher = PerceptionFilter("large", rules).matcher()
+        for (number in 0 until 1_000) {
+            matcher.drops("sensor$number(${number - 1})") shouldBe true
+            matcher.drops("sensor$number($number)") shouldBe false
+        }
+        matcher.drops("sensor1000(0)") shouldBe false
     }
 
     "two rules on one predicate both count" {

@@ -55,6 +55,20 @@ class XmlRefusalSpec : FreeSpec({
             Refusal("<filter><predicate>d</predicate><anotation name='q'>¦<limit operator='GT'/></anotation></filter>", "the <limit> is empty"),
             Refusal("<filter><predicate>d</predicate><anotation name='q' operator='GT'><limit ¦operator='LT'>1</limit></anotation></filter>", "a second operator"),
             Refusal("<filter><predicate>d</predicate><annotation name='q'>¦5<limit operator='LT'>1</limit></annotation></filter>", "the text '5' in <annotation>"),
+            Refusal("<filter ¦arity='-1'><predicate>d</predicate></filter>", "arity=\"-1\"; expected a whole number from 0"),
+            Refusal("<filter ¦everyMs='0'><predicate>d</predicate></filter>", "everyMs=\"0\"; expected a whole number from 1"),
+            Refusal("<filter ¦everyMs='1.5'><predicate>d</predicate></filter>", "everyMs=\"1.5\""),
+            Refusal("<filter ¦deadband='0'><predicate>d</predicate></filter>", "the deadband '0'; expected a number above 0"),
+            Refusal("<filter><predicate>d</predicate><parameter id='1' ¦deadband='wide'/></filter>", "the deadband 'wide'"),
+            Refusal("<filter><predicate>d</predicate><parameter id='1' deadband='1'/><parameter id='1' ¦deadband='2'/></filter>", "a second deadband"),
+            Refusal("<filter><predicate>d</predicate>¦<parameter deadband='1'/></filter>", "has no id"),
+            Refusal("<filter><predicate>d</predicate>¦<parameter id='1' operator='EQ' deadband='1'/></filter>", "the <parameter> is empty"),
+            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='MATCHES'>¦(a</parameter></filter>", "'(a' is not a regular expression"),
+            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='MATCHES'>¦(?=a)</parameter></filter>", "is not a regular expression in RE2's syntax"),
+            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='MATCHES'>¦((a{100}){100}){100}</parameter></filter>", "repeat more than"),
+            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='E'>¦fr.*</parameter></filter>", "for a regular expression the operator is MATCHES"),
+            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='IN'>¦[]</parameter></filter>", "IN needs at least one value"),
+            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='IN'>¦front back</parameter></filter>", "is not a list of values"),
             Refusal("<filter><predicate>d</predicate><annotation name='q'><limit ¦id='0'>1</limit></annotation></filter>", "the attribute 'id' on <limit>"),
         ).forEach { refusal ->
             (refusal.text.replace("\n", "⏎").replace("\r", "")) {
@@ -83,6 +97,11 @@ class XmlRefusalSpec : FreeSpec({
         }
     }
 
+    "words on the root that it does not know" {
+        problems("<PerceptionFilter keep='yes'/>").single().toString() shouldBe "f.xml:1:19: keep=\"yes\"; expected true or false"
+        problems("<PerceptionFilter onSwitch='Freeze'/>").single().message shouldBe "onSwitch=\"Freeze\"; expected forget or freeze"
+    }
+
     "a wrong root" - {
         "is named" {
             problems("<PerceptionFilters/>").single().toString() shouldBe "f.xml:1:1: the root element is <PerceptionFilters>; expected <PerceptionFilter>"
@@ -94,16 +113,16 @@ class XmlRefusalSpec : FreeSpec({
 
     "all problems of a file are reported at once, in the order of the text" {
         val document = """
-            <PerceptionFilter>
+            <PerceptionFilter onSwitch="never">
               <filter>
-                <parameter id="x" operator="??">Front</parameter>
+                <parameter id="x" operator="NE">Front</parameter>
               </filter>
               <filtr/>
               <filter><predicate>a</predicate><parameter operator="GT" id="0">big</parameter></filter>
             </PerceptionFilter
         """.trimIndent()
         val refused = shouldThrow<FilterException> { XmlFilters.read(document, "f.xml") }
-        refused.problems.map { it.line to it.column } shouldBe listOf(2 to 3, 3 to 16, 3 to 23, 3 to 37, 5 to 3, 6 to 67, 7 to 19)
+        refused.problems.map { it.line to it.column } shouldBe listOf(1 to 19, 2 to 3, 3 to 16, 3 to 37, 5 to 3, 6 to 67, 7 to 19)
         refused.message!!.lines() shouldBe refused.problems.map { "f.xml:${it.line}:${it.column}: ${it.message}" }
     }
 

@@ -1,0 +1,75 @@
+package argo.filters
+
+/**
+ * One rule of a filter: a percept of this [predicate] and [arity] that meets all [conditions] is met by the rule.
+ *
+ * @property conditions may be empty: then the rule meets every percept of the predicate
+ * @property arity the number of arguments that the percept must have; null: any
+ * @property rate whether percepts are held back in time rather than dropped for good; null: they are not
+ */
+data class Rule(
+    val predicate: Predicate,
+    val conditions: List<Condition> = emptyList(),
+    val arity: Int? = null,
+    val rate: Rate? = null,
+) {
+    constructor(predicate: String, vararg conditions: Condition) : this(Predicate.of(predicate), conditions.toList())
+
+    init {
+        require(arity == null || arity >= 0) { "a percept cannot have $arity arguments" }
+    }
+
+    /** The rule in words: `distance where argument 0 is not front`. */
+    override fun toString(): String {
+        val parts = listOfNotNull(arity?.let { "there are $it arguments" }) + conditions + listOfNotNull(rate)
+        return if (parts.isEmpty()) "$predicate" else parts.joinToString(" and ", "$predicate where ")
+    }
+}
+
+/**
+ * Holds percepts back that come too soon or differ too little from the one that was let through last.
+ *
+ * It counts for each percept up to its numeric arguments: `dist(f,1)` and `dist(f,2)` are one, `dist(f,1)` and `dist(b,1)` are two. A percept
+ * is held back while the interval has not ended *and* no number has moved as far as its deadband. What is held back is not lost: it is
+ * delivered when the interval ends; where only deadbands are given, [SETTLING_MS] after it was first held back.
+ *
+ * Only a [FilterSession] knows the time, so only there percepts are held back.
+ *
+ * @property everyMs the interval in milliseconds in which at most one percept is let through; null: none
+ * @property deadbands by how much numbers must move to be let through at once
+ * @throws IllegalArgumentException if there is neither an interval nor a deadband, if one argument has two, or if the interval is
+ * not at least 1 ms
+ */
+data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptySet()) {
+    init {
+        require(everyMs != null || deadbands.isNotEmpty()) { "a rate needs an interval or a deadband" }
+        require(deadbands.distinctBy(Deadband::argument).size == deadbands.size) { "an argument has two deadbands" }
+        require(everyMs == null || everyMs >= 1) { "an interval of $everyMs ms holds nothing back; expected at least 1" }
+    }
+
+    override fun toString(): String = (
+        listOfNotNull(everyMs?.let { "the last one was less than $it ms ago" }) + deadbands
+        ).joinToString(" and ")
+
+    companion object {
+        /** After how many milliseconds a percept is delivered that a deadband alone has held back. */
+        const val SETTLING_MS: Long = 1_000
+    }
+}
+
+/**
+ * How far a number must move.
+ *
+ * @property argument which argument, counted from 0; null: each argument that is a number
+ * @property width a percept whose number is less than this away from the one that was let through last is held back
+ * @throws IllegalArgumentException if [width] is not a finite number above 0, or [argument] is negative
+ */
+data class Deadband(val argument: Int?, val width: Double) {
+    init {
+        argument?.let(::requireIndex)
+        require(width > 0 && width.isFinite()) { "a deadband of $width holds nothing back; expected a number above 0" }
+    }
+
+    override fun toString(): String =
+        (if (argument == null) "no number has" else "argument $argument has not") + " moved by ${Value.Number(width)}"
+}

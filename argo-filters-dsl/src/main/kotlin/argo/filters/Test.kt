@@ -1,0 +1,68 @@
+package argo.filters
+
+/** How a condition compares a term with a value. The names are those of the filter files. */
+enum class Operator(internal val words: String, internal val ordering: Boolean) {
+    EQ("is", false),
+    NE("is not", false),
+    GT("is greater than", true),
+    GE("is at least", true),
+    LT("is less than", true),
+    LE("is at most", true),
+}
+
+/**
+ * A test of one term.
+ *
+ * Every test is false for a term that is not ground and plain: variables, expressions, plans.
+ */
+sealed interface Test {
+
+    /**
+     * Compares the term with [value]. The orderings hold only for numbers.
+     *
+     * @throws IllegalArgumentException if [operator] is an ordering and [value] is not a number
+     */
+    data class Compare(val operator: Operator, val value: Value) : Test {
+        init {
+            require(!operator.ordering || value is Value.Number) { "$operator compares numbers, and '$value' is not one" }
+        }
+
+        override fun toString(): String = "${operator.words} $value"
+    }
+
+    /**
+     * Holds for a term that equals one of [values]; their order does not matter.
+     *
+     * @throws IllegalArgumentException if there is no value
+     */
+    data class OneOf(val values: Set<Value>) : Test {
+        init {
+            require(values.isNotEmpty()) { "IN needs at least one value" }
+        }
+
+        override fun toString(): String = values.joinToString(", ", "is one of ")
+    }
+
+    /**
+     * Holds for a term whose whole text matches the regular expression [pattern]. The text is the one that [Value.toString] gives: strings
+     * have their quotes, structures no blanks.
+     *
+     * Matching takes time linear in the length of the text, whatever the pattern: it is RE2's syntax, which has no look-around and no
+     * back references.
+     *
+     * @throws IllegalArgumentException if [pattern] is no such expression, or is too large
+     */
+    data class Matches(val pattern: String) : Test {
+        init {
+            require(pattern.isNotEmpty() && pattern == pattern.trim()) {
+                "the pattern '$pattern' is empty or begins or ends with a blank, which a file cannot hold there; [ ] matches one"
+            }
+        }
+
+        private val compiled = LinearPattern(pattern)
+
+        internal fun matches(text: String): Boolean = compiled.matches(text)
+
+        override fun toString(): String = "matches $pattern"
+    }
+}
