@@ -26,6 +26,13 @@ import jason.asSyntax.Trigger
  */
 fun PerceptMatcher.drops(percept: Literal): Boolean = LiteralForm.of(percept)?.let(::drops) ?: false
 
+/** Why the filter keeps or drops [percept]. */
+fun PerceptMatcher.explain(percept: Literal): Explanation =
+    LiteralForm.of(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept.toString(), filter)
+
+/** A session over percepts that are Jason literals, as they come from a Jason environment; without a filter at first. */
+fun literalSession(): FilterSession<Literal> = FilterSession({ LiteralForm.of(it) }, { matcher, percept -> matcher.drops(percept) })
+
 /** A percept that is a Jason literal. */
 internal class LiteralForm private constructor(private val literal: Literal, override val predicate: Predicate) : PerceptForm {
     override val arity: Int

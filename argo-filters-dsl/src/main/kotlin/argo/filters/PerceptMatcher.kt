@@ -50,14 +50,18 @@ class PerceptMatcher internal constructor(
         return !drops
     }
 
+    /** Why the filter keeps or drops the percept that [percept] is the text of. */
+    fun explain(percept: CharSequence): Explanation =
+        TextForm.of(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept.toString(), filter)
+
     /** Truth values stand alone. */
     private fun isWritable(text: CharSequence, functor: Int, functorEnd: Int, end: Int, negated: Boolean) =
         !Syntax.isTruthValue(text, functor, functorEnd) || !negated && Syntax.skipBlanks(text, functorEnd, end) == end
 
-    internal fun drops(percept: PerceptForm): Boolean {
-        val met = rulesThatMeet(percept)
-        return if (drops) met.any { it.rate == null } else met.isEmpty()
-    }
+    internal fun drops(percept: PerceptForm): Boolean = drops(rulesThatMeet(percept))
+
+    /** Whether a percept that [met] just these rules is dropped for good. */
+    internal fun drops(met: List<CompiledRule>): Boolean = if (drops) met.any { it.rate == null } else met.isEmpty()
 
     internal fun rulesOn(percept: PerceptForm): List<CompiledRule> {
         val predicate = percept.predicate
