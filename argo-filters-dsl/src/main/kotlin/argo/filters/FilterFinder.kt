@@ -3,14 +3,15 @@ package argo.filters
 import java.nio.file.Path
 
 /**
- * Finds filters by name: in the files of [projectDirectory], in those of `filters/` under it and in `filters/` on the class path of
- * [classLoader], in this order.
+ * Finds filters by name: among those that [FilterProvider]s on the class path of [classLoader] offer, then in the files of
+ * [projectDirectory], in those of `filters/` under it and in `filters/` on the class path, in this order.
  *
- * A name may hold folders (`night/dark`) and `.xml` may be left off. It may not lead out of those places: no absolute paths, no `..`, no
- * backslashes, no links that end elsewhere.
+ * Files are XML (`.xml`) or JSON (`.json`), and a name may leave that off; then XML comes first. A name may hold folders (`night/dark`). It
+ * may not lead out of those places: no absolute paths, no `..`, no backslashes, no links that end elsewhere.
  */
 class FilterFinder(projectDirectory: Path, classLoader: ClassLoader) {
     private val places = listOf(
+        ProvidedFilters(classLoader),
         FilterDirectory(projectDirectory, projectDirectory, foreignFiles = true),
         FilterDirectory(projectDirectory.resolve(FOLDER), projectDirectory, foreignFiles = false),
         FilterResources(classLoader, FOLDER),
@@ -19,17 +20,19 @@ class FilterFinder(projectDirectory: Path, classLoader: ClassLoader) {
     /**
      * The filter called [name], read anew at each call.
      *
-     * @throws FilterNotFoundException if there is none; the message says where it was looked for and which filters there are
+     * @throws FilterNotFoundException if there is none, or more than one provider offers it; the message says where it was looked for and
+     * which filters there are
      * @throws FilterException if its text is refused
      * @throws java.io.IOException if its file cannot be read
+     * @throws java.util.ServiceConfigurationError if a provider cannot be made
      */
     fun find(name: String): PerceptionFilter {
-        val bare = name.removeSuffix(EXTENSION)
-        requireInside(name, bare)
-        return places.firstNotNullOfOrNull { it.find(bare) } ?: throw FilterNotFoundException(notFound(name))
+        requireInside(name)
+        return places.firstNotNullOfOrNull { it.find(name) } ?: throw FilterNotFoundException(notFound(name))
     }
 
-    private fun requireInside(name: String, bare: String) {
+    private fun requireInside(name: String) {
+        val bare = FilterFormat.bareName(name)
         val problem = when {
             bare.isBlank() -> "it is empty"
             bare.any { it == '\\' || it.isISOControl() } -> "it holds a backslash or a control character"
@@ -48,9 +51,8 @@ class FilterFinder(projectDirectory: Path, classLoader: ClassLoader) {
         return if (names.isEmpty()) "There are no filters in these places." else "There are these filters: ${names.joinToString(", ")}."
     }
 
-    internal companion object {
-        const val EXTENSION = ".xml"
-        private const val FOLDER = "filters"
-        private val DRIVE = Regex("[A-Za-z]:")
+    private companion object {
+        const val FOLDER = "filters"
+        val DRIVE = Regex("[A-Za-z]:")
     }
 }

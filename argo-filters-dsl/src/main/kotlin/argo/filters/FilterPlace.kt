@@ -8,44 +8,64 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.SimpleFileVisitor
 import java.nio.file.attribute.BasicFileAttributes
-import kotlin.io.path.extension
+import java.util.ServiceLoader
 import kotlin.io.path.inputStream
 import kotlin.io.path.invariantSeparatorsPathString
 import kotlin.io.path.isRegularFile
+import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.toPath
 
 /** Somewhere filters may be. `toString` tells a person where. */
 internal interface FilterPlace {
-    /** The filter called [name], which has no extension and does not lead out of the place, or null. */
+    /** The filter called [name], which does not lead out of the place, or null. */
     fun find(name: String): PerceptionFilter?
 
     /** The names of the filters that are there, for messages; a place that cannot be listed has none. */
     fun names(): List<String>
 }
 
+/** The filters that services offer. */
+internal class ProvidedFilters(classLoader: ClassLoader) : FilterPlace {
+    private val providers = ServiceLoader.load(FilterProvider::class.java, classLoader)
+
+    override fun find(name: String): PerceptionFilter? {
+        val found = providers.flatMap { provider -> provider.filters.filter { it.name == name }.map { provider to it } }
+        if (found.map { it.second }.distinct().size > 1) {
+            val owners = found.joinToString(" and ") { it.first.javaClass.name }
+            throw FilterNotFoundException("The filter '$name' is offered by $owners, and not the same by both; give one of them another name.")
+        }
+        return found.firstOrNull()?.second
+    }
+
+    override fun names(): List<String> = providers.flatMap { provider -> provider.filters.map(PerceptionFilter::name) }
+
+    override fun toString(): String = "the filters of ${FilterProvider::class.java.name} services"
+}
+
 /**
  * A directory with filter files. Files that are links are followed as long as they stay inside [boundary].
  *
- * @param foreignFiles whether the directory is likely to hold XML files that are no filters, which [names] then leaves out
+ * @param foreignFiles whether the directory is likely to hold files that are no filters, which [names] then leaves out
  */
 internal class FilterDirectory(private val directory: Path, private val boundary: Path, private val foreignFiles: Boolean) : FilterPlace {
 
     override fun find(name: String): PerceptionFilter? {
-        val file = directory.resolve(name + FilterFinder.EXTENSION)
-        if (!file.isRegularFile()) return null
+        val (fileName, format) = FilterFormat.candidates(name).find { (it, _) -> directory.resolve(it).isRegularFile() } ?: return null
+        val file = directory.resolve(fileName)
         val real = file.toRealPath()
         if (!real.startsWith(boundary.toRealPath())) {
             throw FilterNotFoundException("The filter '$name' is the file $file, which is a link that leads out of $boundary to $real; copy it there instead.")
         }
-        return real.inputStream().use { XmlFilters.read(it, file.toString(), name) }
+        return real.inputStream().use { format.read(it, file.toString(), FilterFormat.bareName(name)) }
     }
 
-    override fun names(): List<String> = namesUnder(directory, if (foreignFiles) 1 else DEPTH).filter { !foreignFiles || isFilter(it) }
+    override fun names(): List<String> =
+        filesUnder(directory, if (foreignFiles) 1 else DEPTH).filter { !foreignFiles || isFilter(it) }.map(FilterFormat::bareName)
 
     /** Whether a file looks like a filter. One that cannot be read is left in the list, since it is not known to be anything else. */
-    private fun isFilter(name: String): Boolean = try {
-        "<PerceptionFilter" in directory.resolve(name + FilterFinder.EXTENSION).readText(Charsets.ISO_8859_1)
+    private fun isFilter(fileName: String): Boolean = try {
+        FilterFormat.of(fileName)?.isLikely(directory.resolve(fileName).readText(Charsets.ISO_8859_1)) == true
     } catch (_: IOException) {
         true
     }
@@ -56,27 +76,26 @@ internal class FilterDirectory(private val directory: Path, private val boundary
 /** A folder on the class path. */
 internal class FilterResources(private val classLoader: ClassLoader, private val folder: String) : FilterPlace {
 
-    override fun find(name: String): PerceptionFilter? {
-        val path = "$folder/$name${FilterFinder.EXTENSION}"
-        val url = classLoader.getResource(path) ?: return null
-        return open(url).use { XmlFilters.read(it, url.toString(), name) }
+    override fun find(name: String): PerceptionFilter? = FilterFormat.candidates(name).firstNotNullOfOrNull { (fileName, format) ->
+        val url = classLoader.getResource("$folder/$fileName")
+        url?.let { open(it).use { input -> format.read(input, "$url", FilterFormat.bareName(name)) } }
     }
 
-    override fun names(): List<String> = classLoader.getResources(folder).asSequence().flatMap(::names).toList()
+    override fun names(): List<String> = classLoader.getResources(folder).asSequence().flatMap(::names).map(FilterFormat::bareName).toList()
 
     private fun names(url: URL): List<String> = when (url.protocol) {
-        "file" -> namesUnder(url.toURI().toPath(), DEPTH)
-        "jar" -> namesInJar(url)
+        "file" -> filesUnder(url.toURI().toPath(), DEPTH)
+        "jar" -> filesInJar(url)
         else -> emptyList()
     }
 
-    private fun namesInJar(url: URL): List<String> {
+    private fun filesInJar(url: URL): List<String> {
         val connection = url.openConnection() as JarURLConnection
         connection.useCaches = false
         return connection.jarFile.use { jar ->
             jar.entries().asSequence().map { it.name }
-                .filter { it.startsWith("$folder/") && it.endsWith(FilterFinder.EXTENSION) }
-                .map { it.removePrefix("$folder/").removeSuffix(FilterFinder.EXTENSION) }
+                .filter { it.startsWith("$folder/") && FilterFormat.of(it) != null }
+                .map { it.removePrefix("$folder/") }
                 .toList()
         }
     }
@@ -90,18 +109,17 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
 /** How deep folders of filters are listed. */
 private const val DEPTH = 8
 
-private fun namesUnder(directory: Path, depth: Int): List<String> {
-    val names = ArrayList<String>()
+/** The filter files under [directory], relative to it; none if it is no directory. */
+private fun filesUnder(directory: Path, depth: Int): List<String> {
+    val files = ArrayList<String>()
     val collector = object : SimpleFileVisitor<Path>() {
         override fun visitFile(file: Path, attributes: BasicFileAttributes): FileVisitResult {
-            if (file.extension == "xml" && file.isRegularFile()) names += nameOf(directory.relativize(file))
+            if (FilterFormat.of(file.name) != null && file.isRegularFile()) files += directory.relativize(file).invariantSeparatorsPathString
             return FileVisitResult.CONTINUE
         }
 
         override fun visitFileFailed(file: Path, cause: IOException) = FileVisitResult.CONTINUE
     }
     Files.walkFileTree(directory, emptySet(), depth, collector)
-    return names
+    return files
 }
-
-private fun nameOf(file: Path) = file.invariantSeparatorsPathString.removeSuffix(FilterFinder.EXTENSION)

@@ -1,9 +1,6 @@
 package argo.filters
 
-import java.nio.ByteBuffer
-import java.nio.CharBuffer
 import java.nio.charset.Charset
-import java.nio.charset.CodingErrorAction
 
 /**
  * Decodes an XML document's bytes as its byte-order mark or its declaration says; UTF-8 where there is neither.
@@ -13,17 +10,7 @@ import java.nio.charset.CodingErrorAction
 internal class XmlDecoder(private val source: String) {
 
     /** @throws FilterException if the encoding is unknown or the bytes are not in it */
-    fun decode(bytes: ByteArray): String {
-        val charset = charset(bytes)
-        val chars = CharBuffer.allocate(bytes.size + 1)
-        val decoder = charset.newDecoder()
-            .onMalformedInput(CodingErrorAction.REPORT)
-            .onUnmappableCharacter(CodingErrorAction.REPORT)
-        val result = decoder.decode(ByteBuffer.wrap(bytes), chars, true)
-        val text = chars.flip().toString().removePrefix("\uFEFF")
-        if (result.isError) refuse(SourceText(text).end, "a byte that is not $charset, which the document's encoding is")
-        return text
-    }
+    fun decode(bytes: ByteArray): String = decodeStrictly(bytes, charset(bytes), source)
 
     private fun charset(bytes: ByteArray): Charset = when {
         bytes.startsWith(0xEF, 0xBB, 0xBF) -> Charsets.UTF_8
@@ -35,14 +22,13 @@ internal class XmlDecoder(private val source: String) {
     private fun declared(bytes: ByteArray): Charset {
         val start = String(bytes, 0, minOf(bytes.size, DECLARATION_LENGTH), Charsets.ISO_8859_1)
         val encoding = DECLARATION.find(start)?.groupValues?.get(1) ?: return Charsets.UTF_8
-        if (!isSupported(encoding)) refuse(Position(1, 1), "the encoding '$encoding', which is unknown here; UTF-8 is a good choice")
+        if (!isSupported(encoding)) {
+            throw FilterException(listOf(Problem(source, 1, 1, "the encoding '$encoding', which is unknown here; UTF-8 is a good choice")))
+        }
         return Charset.forName(encoding)
     }
 
     private fun isSupported(encoding: String) = CHARSET_NAME.matches(encoding) && Charset.isSupported(encoding)
-
-    private fun refuse(at: Position, message: String): Nothing =
-        throw FilterException(listOf(Problem(source, at.line, at.column, message)))
 
     private fun ByteArray.startsWith(vararg start: Int) =
         size >= start.size && start.indices.all { this[it] == start[it].toByte() }

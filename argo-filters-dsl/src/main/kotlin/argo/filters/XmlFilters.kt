@@ -4,6 +4,8 @@ import java.io.InputStream
 
 /** Filters in XML files. */
 object XmlFilters {
+    internal const val EXTENSION = ".xml"
+
     /**
      * Reads a filter.
      *
@@ -13,11 +15,11 @@ object XmlFilters {
      * @throws FilterException with all problems of the text, if there are any
      * @throws java.io.IOException if [input] cannot be read
      */
-    fun read(input: InputStream, source: String, name: String = nameOf(source)): PerceptionFilter =
+    fun read(input: InputStream, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         read(XmlDecoder(source).decode(input.readBytes()), source, name)
 
     /** As the other form, from text that has been decoded. */
-    fun read(input: String, source: String, name: String = nameOf(source)): PerceptionFilter =
+    fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         XmlFilterReader(input.removePrefix("\uFEFF"), source, name).read()
 
     /**
@@ -26,6 +28,8 @@ object XmlFilters {
      * @throws IllegalArgumentException if a functor or a string of the filter holds a character that XML has no way to write
      */
     fun write(filter: PerceptionFilter): String = XmlFilterWriter().write(filter)
-
-    private fun nameOf(source: String) = source.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".xml")
 }
+
+/** What a filter is called whose text comes from [source]. */
+internal fun nameOf(source: String, extension: String): String =
+    source.substringAfterLast('/').substringAfterLast('\\').removeSuffix(extension)

@@ -1,0 +1,18 @@
+package argo.filters
+
+/**
+ * Offers filters to agents by name.
+ *
+ * A project that writes its filters in Kotlin implements this and names the class in `META-INF/services/argo.filters.FilterProvider`;
+ * [FilterFinder] finds it with `java.util.ServiceLoader`. The class needs a public constructor without arguments.
+ *
+ * ```kotlin
+ * class RobotFilters : FilterProvider {
+ *     override val filters = listOf(frontDistance, nearFront)
+ * }
+ * ```
+ */
+interface FilterProvider {
+    /** The filters; an agent asks for one by its [PerceptionFilter.name]. */
+    val filters: Collection<PerceptionFilter>
+}
