@@ -66,7 +66,18 @@ class LineScheduleSpec : FunSpec({
         val asked = schedule.wroteRequest(17, 0, 0)
         schedule.nanosUntilAction(61, asked) shouldBe 50 * MILLI
         schedule.answered(asked + 20 * MILLI)
-        schedule.nanosUntilAction(61, asked + 20 * MILLI) shouldBe 10 * MILLI
+        schedule.nanosUntilAction(61, asked + 20 * MILLI) shouldBe 0
+    }
+
+    test("after an answer the board has time for the action that it got meanwhile, and needs none if it got no action") {
+        val schedule = schedule()
+        val asked = schedule.wroteRequest(17, 0, 0)
+        val sent = schedule.wroteAction(11, asked, asked)
+        schedule.answered(sent)
+        schedule.nanosUntilAction(11, sent) shouldBe 10 * MILLI
+        val again = schedule.wroteRequest(17, sent + 20 * MILLI, sent + 20 * MILLI)
+        schedule.answered(again)
+        schedule.nanosUntilAction(11, again) shouldBe 0
     }
 
     test("bytes that arrive say that the board is still busy") {
