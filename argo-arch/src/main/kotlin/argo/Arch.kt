@@ -1,10 +1,8 @@
 package argo
 
 import jason.architecture.AgArch
-import jason.asSemantics.Event
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
-import jason.bb.BeliefBase
 import javino.PortException
 import javino.PortTimeoutException
 import java.util.logging.Level
@@ -52,7 +50,7 @@ open class Arch : AgArch() {
         policy = sensingPolicy()
         waker = Waker(this)
         reader = PerceptReader { log.warning(it) }
-        handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, ::perceptEventsWait) else EveryHandOver { log.warning(it) }
+        handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), ::applySensing)
     }
@@ -143,9 +141,6 @@ open class Arch : AgArch() {
 
     private fun read(texts: List<String>): List<Literal> = texts.filterNot(filter::drops).flatMap(reader::read)
 
-    /** Whether percept events wait in Jason's queue. */
-    private fun perceptEventsWait(): Boolean = ts.c.events.any(::isPerceptEvent)
-
     override fun canSleep(): Boolean = super.canSleep() && !handOver.isReady() && !states.hasNews() && !filterIsNew
 
     /** Gives up all ports and threads. Never waits for the line. */
@@ -184,6 +179,3 @@ open class Arch : AgArch() {
         private const val NANOS_PER_MS = 1_000_000L
     }
 }
-
-private fun isPerceptEvent(event: Event): Boolean =
-    event.isExternal && event.trigger.isUpdate && event.trigger.literal.hasSource(BeliefBase.APercept)

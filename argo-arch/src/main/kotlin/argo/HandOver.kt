@@ -31,17 +31,20 @@ internal interface HandOver {
  * Without (1) events pile up, since Jason handles one a cycle; without (2) commands do, since the line is slower than the
  * agent. Waiting for all commands would starve the sensing of a plan that loops on `argo.act`.
  */
-internal class FreshHandOver(private val commands: CommandLedger, private val perceptEventsWait: () -> Boolean) : HandOver {
+internal class FreshHandOver(private val commands: CommandLedger, private val events: PerceptEvents) : HandOver {
     private val newest = AtomicReference<Snapshot?>()
     private var commandsToAwait = 0L
 
     override fun put(snapshot: Snapshot) = newest.set(snapshot)
 
-    override fun isReady() = newest.get() != null && commands.allDoneUpTo(commandsToAwait) && !perceptEventsWait()
+    override fun isReady() = newest.get() != null && commands.allDoneUpTo(commandsToAwait) && !events.wait()
 
     override fun take(): Snapshot? {
         if (!isReady()) return null
-        return newest.getAndSet(null)?.also { commandsToAwait = commands.lastIssued() }
+        return newest.getAndSet(null)?.also {
+            commandsToAwait = commands.lastIssued()
+            events.handedOver()
+        }
     }
 
     override fun clear() = newest.set(null)

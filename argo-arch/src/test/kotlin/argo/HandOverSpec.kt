@@ -6,13 +6,18 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import jason.asSemantics.Event
+import jason.asSemantics.Intention
+import jason.asSyntax.ASSyntax
 
 class HandOverSpec : FunSpec({
+    val noEvents = PerceptEvents { emptyList() }
+    fun percept(trigger: String) = Event(ASSyntax.parseTrigger(trigger), Intention.EmptyInt)
     fun snapshot(n: Long) = Snapshot(listOf("n($n)"), ActiveFilter.NONE, emptyList(), n)
 
     context("fresh") {
         test("gives the newest snapshot, once") {
-            val handOver = FreshHandOver(CommandLedger()) { false }
+            val handOver = FreshHandOver(CommandLedger(), noEvents)
             handOver.take() shouldBe null
             handOver.put(snapshot(1))
             handOver.put(snapshot(2))
@@ -22,18 +27,33 @@ class HandOverSpec : FunSpec({
         }
 
         test("waits while percept events of the one before are in the queue") {
-            var events = true
-            val handOver = FreshHandOver(CommandLedger()) { events }
+            val queue = ArrayDeque<Event>()
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
             handOver.put(snapshot(1))
-            handOver.isReady() shouldBe false
-            handOver.take() shouldBe null
-            events = false
             handOver.take()?.receivedNanos shouldBe 1
+            queue += listOf(percept("+dist(f,1)[source(percept)]"), percept("-dist(f,2)[source(percept)]"))
+            handOver.put(snapshot(2))
+            handOver.isReady() shouldBe false
+            queue.removeFirst()
+            handOver.take() shouldBe null
+            queue += percept("+weather(rain)[source(percept)]") // of a later perception, not of the snapshot
+            queue.removeFirst()
+            handOver.take()?.receivedNanos shouldBe 2
+        }
+
+        test("other events than those of percepts are nothing to wait for") {
+            val queue = ArrayDeque<Event>()
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            handOver.put(snapshot(1))
+            handOver.take()
+            queue += listOf(percept("+!go"), percept("+told(x)[source(bob)]"))
+            handOver.put(snapshot(2))
+            handOver.take()?.receivedNanos shouldBe 2
         }
 
         test("waits for the commands issued before the last hand-over and for no others") {
             val ledger = CommandLedger()
-            val handOver = FreshHandOver(ledger) { false }
+            val handOver = FreshHandOver(ledger, noEvents)
             val first = ledger.issue()
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1 // the first hand-over has none before it
@@ -50,7 +70,7 @@ class HandOverSpec : FunSpec({
 
         test("a plan that always has a command on its way does not starve it") {
             val ledger = CommandLedger()
-            val handOver = FreshHandOver(ledger) { false }
+            val handOver = FreshHandOver(ledger, noEvents)
             var taken = 0
             var onItsWay = ledger.issue()
             repeat(100) { n ->
@@ -64,7 +84,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("what is cleared is never taken") {
-            val handOver = FreshHandOver(CommandLedger()) { false }
+            val handOver = FreshHandOver(CommandLedger(), noEvents)
             handOver.put(snapshot(1))
             handOver.clear()
             handOver.take() shouldBe null
