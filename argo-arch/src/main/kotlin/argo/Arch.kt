@@ -89,8 +89,8 @@ open class Arch : AgArch() {
     internal fun choosePort(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
         ports.choose(term, name, options, outcome)
 
-    /** Closes all ports. */
-    internal fun closePorts() = ports.closeAll()
+    /** Closes all ports; [closed] is called by another thread. */
+    internal fun closePorts(closed: () -> Unit) = ports.closeAll(closed)
 
     /** Whether a port is in use. */
     internal fun hasPort() = ports.current != null

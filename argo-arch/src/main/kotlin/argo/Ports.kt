@@ -13,7 +13,8 @@ import kotlin.concurrent.withLock
 /**
  * The ports that one agent holds open, and the one it uses now.
  *
- * Links stay open until [closeAll], since opening a port resets most boards. Safe for use by several threads.
+ * Links stay open until [closeAll], since opening a port resets most boards. What a driver may take its time for, opening and
+ * closing, is done by a thread of this class's own. Safe for use by several threads.
  *
  * @param owner the agent's name: what a second agent is told that asks for the same port
  * @param settle is called after each change of the port in use
@@ -47,10 +48,11 @@ internal class Ports(
      *
      * @param term the port as the agent calls it
      * @param options how to use it, or null for what the agent said of it last
-     * @param outcome is called once by another thread, with null or with why the port in use is still the one before
+     * @param outcome is called once by another thread, with null or with why the port in use is still the one before; never once
+     * the agent is being stopped
      */
     fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) {
-        opener.execute { outcome(tryToChoose(term, name, options)) }
+        later { outcome(tryToChoose(term, name, options)) }
     }
 
     private fun tryToChoose(term: Term, name: String, options: PortOptions?): Failure? = try {
@@ -103,19 +105,34 @@ internal class Ports(
         return held
     }
 
-    /** Closes all ports; none is in use afterwards, and nothing is believed of them. */
-    fun closeAll() {
+    /**
+     * Closes all ports, on another thread; none is in use afterwards, and nothing is believed of them.
+     * @param closed is called by that thread
+     */
+    fun closeAll(closed: () -> Unit) = later {
+        closeNow()
+        closed()
+    }
+
+    /** Does [work] on the thread for it, unless the agent is being stopped. */
+    private fun later(work: () -> Unit) = lock.withLock { if (!stopped) opener.execute(work) }
+
+    private fun closeNow() {
         current = null
         all().forEach(::forget)
         states.clear()
         settle()
     }
 
-    /** [closeAll] for good: what is being opened now is closed at once. Never waits for the line. May be called twice. */
+    /** [closeAll] for good: what is being opened now is closed at once. May be called twice. */
     fun stop() {
-        lock.withLock { stopped = true }
-        opener.shutdownNow()
-        closeAll()
+        lock.withLock {
+            if (stopped) return
+            stopped = true
+            opener.queue.clear()
+            opener.execute(::closeNow)
+            opener.shutdown()
+        }
     }
 
     companion object {

@@ -29,12 +29,8 @@ open class port : BoardAction("argo.port", 1..2) {
         val name = portName(call.args[0])
         val options = call.args.getOrNull(1)?.let(PortOptions::of)
         val outcome = call.suspendIntention()
-        if (name == "none") {
-            arch.closePorts()
-            outcome(null)
-        } else {
-            arch.choosePort(portTerm(call.args[0], name), name, options, outcome)
-        }
+        if (name == "none") arch.closePorts { outcome(null) }
+        else arch.choosePort(portTerm(call.args[0], name), name, options, outcome)
     }
 }
 
