@@ -81,7 +81,7 @@ class CourtesySpec : FunSpec({
     val orders = Arb.list(Arb.int(0..600), 0..25)
 
     test("a field board loses no message, whatever comes when") {
-        checkAll(600, bauds, loops, answers, intervals, orders) { baud, loop, answer, interval, times ->
+        checkAll(400, bauds, loops, answers, intervals, orders) { baud, loop, answer, interval, times ->
             val longest = if (loop == 0L) 150 else 50 // no link can help a board whose receive buffer is shorter than one message
             val exchange = Exchange(baud, loop, answer, interval, times.mapIndexed { i, at -> Order(at, 2 + i * 37 % longest) })
             exchange.runUntil(6_000 * MILLI)

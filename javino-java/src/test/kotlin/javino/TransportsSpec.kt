@@ -1,0 +1,104 @@
+package javino
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+import java.net.URLClassLoader
+import java.nio.file.Files
+
+/** A scheme that a program adds: its lines lead nowhere. */
+class NowhereProvider : TransportProvider {
+    override fun scheme() = "nowhere"
+
+    override fun open(address: String, line: LineSettings): Transport = MemoryLine.unlimited("nowhere:$address", line).computer()
+
+    override fun ports() = listOf("nowhere:here")
+}
+
+/** A board that a program adds: it echoes. */
+class EchoBoard : SimulatedBoard {
+    override fun run(line: Transport) {
+        val bytes = ByteArray(64)
+        while (true) {
+            val count = line.read(bytes, 0, bytes.size, 1_000)
+            line.write(bytes, 0, count, 1_000)
+        }
+    }
+}
+
+class TransportsSpec : FunSpec({
+    val line = LineSettings.defaults()
+
+    test("a scheme that nobody offers is refused with those there are") {
+        val refusal = shouldThrow<NoSuchPortException> { Transports.open("warp:9", line) }
+        refusal.port() shouldBe "warp:9"
+        refusal.message shouldContain "\"warp\""
+        refusal.message shouldContain "serial, sim"
+    }
+
+    test("a serial device may be named with its scheme") {
+        val missing = "/dev/there-is-no-such-port"
+        shouldThrow<NoSuchPortException> { Transports.open("serial:$missing", line) }.message shouldContain missing
+    }
+
+    test("providers and boards are found as services of the class loader that the thread has") {
+        withServices(
+            TransportProvider::class.java.name to NowhereProvider::class.java.name,
+            SimulatedBoard::class.java.name to EchoBoard::class.java.name,
+        ) {
+            Transports.open("nowhere:there", line).use { it.name() shouldBe "nowhere:there" }
+            Transports.ports() shouldContain "nowhere:here"
+            Transports.ports() shouldContain "sim:echoboard"
+            Transports.open("sim:echoboard", line).use { computer ->
+                computer.write("hi".toByteArray(), 0, 2, 1_000)
+                computer.readFully(2).decodeToString() shouldBe "hi"
+            }
+        }
+    }
+
+    test("names of simulated boards are their own canonical names") {
+        Transports.canonicalName("sim:robot") shouldBe "sim:robot"
+        Transports.canonicalName("SIM:robot") shouldBe "sim:robot"
+    }
+
+    test("a name that cannot be opened still has a canonical name") {
+        Transports.canonicalName("warp:9") shouldBe "warp:9"
+        Transports.canonicalName("") shouldBe ""
+    }
+
+    test("two names of one device have one canonical name") {
+        val directory = Files.createTempDirectory("javino")
+        val device = Files.createFile(directory.resolve("device"))
+        val link = Files.createSymbolicLink(directory.resolve("link"), device)
+        val linkToLink = Files.createSymbolicLink(directory.resolve("link2"), link)
+        for (name in listOf(device, link, linkToLink)) {
+            Transports.canonicalName(name.toString()) shouldBe "serial:" + device.toRealPath()
+        }
+        directory.toFile().deleteRecursively()
+    }
+})
+
+/** Does work on a thread whose class loader finds these services. */
+private fun withServices(vararg services: Pair<String, String>, work: () -> Unit) {
+    val directory = Files.createTempDirectory("services")
+    for ((service, implementation) in services) {
+        val file = directory.resolve("META-INF/services/$service")
+        Files.createDirectories(file.parent)
+        Files.writeString(file, implementation)
+    }
+    val thread = Thread.currentThread()
+    val before = thread.contextClassLoader
+    URLClassLoader(arrayOf(directory.toUri().toURL()), TransportsSpec::class.java.classLoader).use { loader ->
+        thread.contextClassLoader = loader
+        try {
+            work()
+        } finally {
+            thread.contextClassLoader = before
+            SimulatedBoards.unplug("echoboard")
+        }
+    }
+    File(directory.toString()).deleteRecursively()
+}
