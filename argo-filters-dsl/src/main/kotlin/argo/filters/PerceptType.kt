@@ -1,0 +1,63 @@
+package argo.filters
+
+import kotlin.reflect.KProperty
+
+/**
+ * A kind of percepts, with the names and types of its arguments in their order.
+ *
+ * ```kotlin
+ * object Distance : PerceptType("distance") {
+ *     val side by atom()      // argument 0
+ *     val cm by number()      // argument 1
+ * }
+ * ```
+ *
+ * Conditions on a declared argument are checked by the compiler: `side gt 3` does not compile.
+ *
+ * @param predicate the functor, as in `distance` or `~open`
+ * @throws IllegalArgumentException if [predicate] is none
+ */
+@FilterDsl
+abstract class PerceptType(predicate: String) {
+    /** What percepts of this type are called. */
+    val predicate: Predicate = Predicate.of(predicate)
+
+    private var declared = 0
+
+    /** The next argument is an atom. */
+    protected fun atom(): Declared<AtomArgument> = Declared(AtomArgument(declared++))
+
+    /** The next argument is a number. */
+    protected fun number(): Declared<NumberArgument> = Declared(NumberArgument(declared++))
+
+    /** The next argument is a string. */
+    protected fun string(): Declared<StringArgument> = Declared(StringArgument(declared++))
+
+    /** The next argument is any term: a structure, a list, or now one thing and now another. */
+    protected fun term(): Declared<TermArgument> = Declared(TermArgument(declared++))
+}
+
+/** The declaration of an argument, which a property is delegated to. */
+class Declared<A : TypedArgument> internal constructor(private val argument: A) {
+    /** The argument that was declared. */
+    operator fun getValue(type: PerceptType, property: KProperty<*>): A = argument
+}
+
+/**
+ * An argument of a [PerceptType].
+ *
+ * @property index which it is, counted from 0
+ */
+sealed class TypedArgument(val index: Int)
+
+/** An argument that is an atom. */
+class AtomArgument internal constructor(index: Int) : TypedArgument(index)
+
+/** An argument that is a number. */
+class NumberArgument internal constructor(index: Int) : TypedArgument(index)
+
+/** An argument that is a string. */
+class StringArgument internal constructor(index: Int) : TypedArgument(index)
+
+/** An argument that is any term. */
+class TermArgument internal constructor(index: Int) : TypedArgument(index)
