@@ -1,0 +1,135 @@
+#include "Javino.h"
+
+#include "javino_literal.h"
+
+/** Messages that one run() handles, so that a flood cannot keep the sketch from the rest of its loop(). */
+static const uint8_t MESSAGES_PER_RUN = 8;
+
+JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size)
+    : act(board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), waiting_(false) {
+  javino_board_init(&board_, memory, size, write, this);
+}
+
+uint16_t JavinoBoard::clock() {
+  return static_cast<uint16_t>(millis());
+}
+
+void JavinoBoard::readSerial() {
+  uint16_t now = clock();
+  while (javino_link_ready(&board_.link, now) && stream_.available() > 0)
+    javino_link_receive(&board_.link, static_cast<uint8_t>(stream_.read()), now);
+}
+
+void JavinoBoard::write(void *board, uint8_t byte) {
+  JavinoBoard *self = static_cast<JavinoBoard *>(board);
+  self->stream_.write(byte);
+  /* The port's receive buffer is short, and a write may have waited. */
+  self->readSerial();
+}
+
+void JavinoBoard::supervise(JavinoBoard &board) {
+  if (javino_link_lost(&board.board_.link, board.silence_ms_, millis()))
+    board.lost_();
+}
+
+javino_event JavinoBoard::next() {
+  readSerial();
+  javino_event event = javino_link_poll(&board_.link, clock());
+  if (supervise_)
+    supervise_(*this);
+  return event;
+}
+
+bool JavinoBoard::availableMsg() {
+  waiting_ = false;
+  return next() != JAVINO_NOTHING;
+}
+
+void JavinoBoard::run() {
+  for (uint8_t i = 0; i < MESSAGES_PER_RUN; i++) {
+    if (!waiting_ && next() == JAVINO_NOTHING)
+      return;
+    if (board_.link.event == JAVINO_REQUEST) {
+      if (perceive_)
+        perceive_();
+      sendPercepts();
+    } else if (!carryOutAction()) {
+      return;
+    }
+  }
+}
+
+/**
+ * Carries out the action in hand; false if it has to wait.
+ *
+ * In version 1 the size may have been damaged. What is left of a longer action is none, mostly: its brackets
+ * are open. Where it can be one, what follows decides.
+ */
+bool JavinoBoard::carryOutAction() {
+  const javino_frame &frame = board_.link.frame;
+  javino_follows follows = JAVINO_FOLLOWS_HEADER;
+  readSerial();
+  if (frame.version == 1)
+    follows = javino_decoder_follows(&board_.link.decoder, clock());
+  JavinoActions::Outcome outcome =
+      act.carryOut(reinterpret_cast<const char *>(frame.payload), frame.length, follows == JAVINO_FOLLOWS_HEADER);
+  waiting_ = outcome == JavinoActions::UNCERTAIN && follows == JAVINO_FOLLOWS_UNKNOWN;
+  if (waiting_)
+    return false;
+  if (outcome != JavinoActions::DONE)
+    refuse();
+  return true;
+}
+
+String JavinoBoard::getMsg() const {
+  String text;
+  if (board_.link.event == JAVINO_REQUEST)
+    return String(F("getPercepts"));
+  if (board_.link.event == JAVINO_ACTION) {
+    text.reserve(board_.link.frame.length);
+    for (uint8_t i = 0; i < board_.link.frame.length; i++)
+      text += static_cast<char>(board_.link.frame.payload[i]);
+  }
+  return text;
+}
+
+bool JavinoBoard::requestAction(const char *text) const {
+  return board_.link.event == JAVINO_ACTION && strlen(text) == board_.link.frame.length &&
+         memcmp(text, board_.link.frame.payload, board_.link.frame.length) == 0;
+}
+
+bool JavinoBoard::addPercept(const char *text) {
+  const char *functor = *text == '~' ? text + 1 : text; /* A negation is not part of it. */
+  if (!javino_board_wants(&board_, functor, javino_word(functor, JAVINO_MAX_PAYLOAD)))
+    return true;
+  javino_percept_text(&board_, text);
+  return javino_percept_end(&board_);
+}
+
+bool JavinoBoard::addPercept(const __FlashStringHelper *text) {
+  return addPercept(String(text));
+}
+
+void JavinoBoard::term(char value) {
+  char text[] = {value, 0};
+  term(text);
+}
+
+void JavinoBoard::term(double value) {
+  if (value != value) {
+    term("nan");
+    return;
+  }
+  bool negative = value < 0;
+  double rounded = (negative ? -value : value) + 0.005;
+  if (rounded >= 4294967040.0) {
+    term(negative ? "negative_infinity" : "infinity");
+    return;
+  }
+  uint32_t whole = static_cast<uint32_t>(rounded);
+  uint8_t hundredths = static_cast<uint8_t>((rounded - whole) * 100);
+  javino_percept_number(&board_, whole, negative);
+  javino_percept_put(&board_, '.');
+  javino_percept_put(&board_, static_cast<char>('0' + hundredths / 10));
+  javino_percept_put(&board_, static_cast<char>('0' + hundredths % 10));
+}

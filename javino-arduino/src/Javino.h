@@ -1,0 +1,265 @@
+/**
+ * @file
+ * The Javino protocol for Arduino: an agent asks this board for percepts and has it carry out actions.
+ *
+ *     #include <Javino.h>
+ *
+ *     Javino javino;
+ *
+ *     void ledOn() { digitalWrite(LED_BUILTIN, HIGH); }
+ *     void look() { javino.percept("light", analogRead(A0)); }
+ *
+ *     void setup() {
+ *       pinMode(LED_BUILTIN, OUTPUT);
+ *       javino.act["ledOn"] = ledOn;
+ *       javino.perceive(look);
+ *       javino.start(9600);
+ *     }
+ *
+ *     void loop() { javino.run(); }
+ */
+#ifndef JAVINO_H
+#define JAVINO_H
+
+#include <Arduino.h>
+
+#include "JavinoActions.h"
+#include "JavinoArguments.h"
+#include "javino_core.h"
+#include "javino_board.h"
+
+#ifndef JAVINO_BYTES
+#if defined(RAMEND) && RAMEND < 0x0900
+/* 2 KiB of RAM: room for the longest frame received and, besides a request, for an answer of 255 bytes. */
+#define JAVINO_BYTES 368
+#else
+#define JAVINO_BYTES 640
+#endif
+#endif
+
+/**
+ * A board on a line. Use Javino, or JavinoSized for another amount of memory.
+ *
+ * Nothing is called from an interrupt, and nothing waits but a write to a line whose buffer is full; what
+ * arrives meanwhile is kept.
+ */
+class JavinoBoard {
+public:
+  /** Called to write percepts, or when the link is lost. */
+  typedef void (*Callback)();
+
+  /**
+   * Opens the line, if the board's stream is a port that can be, and begins the conversation.
+   *
+   * @param baud  9600 and 115200 are common; the far end must use the same
+   */
+  void start(unsigned long baud = 9600) {
+    /* Serial by name, so that the compiler works out its settings for a constant rate. */
+    if (begin_)
+      begin_(stream_, baud);
+    else
+      Serial.begin(baud);
+    javino_link_timeout(&board_.link, JAVINO_TIMEOUT_MS(baud));
+  }
+
+  /** Takes what has arrived. run() and availableMsg() do so too, so a sketch without serialEvent() works. */
+  void readSerial();
+
+  /** @name Callbacks */
+  ///@{
+
+  /**
+   * Handles what has arrived: answers requests for percepts, carries out actions, reports a lost link. An
+   * action that the board does not know is refused or, in version 1, ignored. Call it in every loop().
+   */
+  void run();
+
+  /** Has percepts written by this function whenever they are asked for. It calls percept() or addPercept(). */
+  void perceive(Callback write) { perceive_ = write; }
+
+  /** `act["ledOn"] = ledOn;` has the function called for the action of exactly this text. */
+  JavinoActions act;
+
+  /**
+   * Has the function called for an action, with its arguments.
+   *
+   * @param name      the functor, which is not copied
+   * @param function  `void`; or `bool`, where false refuses the action because of its arguments; or without
+   *                  parameters, and then an action with arguments is refused
+   * @return false if there is no memory left for it
+   */
+  bool onAction(const char *name, void (*function)(const JavinoArguments &)) {
+    return act.add(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments);
+  }
+  bool onAction(const char *name, bool (*function)(const JavinoArguments &)) {
+    return act.add(name, reinterpret_cast<Callback>(function), JavinoActions::askWithArguments);
+  }
+  bool onAction(const char *name, Callback function) { return act.add(name, function); }
+
+  /**
+   * Has the function called when nothing valid has arrived for so long, so that motors stop when the computer
+   * has died. Called once, and again only after something has arrived.
+   *
+   * @param ms  milliseconds; 0: never
+   */
+  void onLinkLost(unsigned long ms, Callback function) {
+    silence_ms_ = ms;
+    lost_ = function;
+    supervise_ = ms && function ? supervise : NULL;
+  }
+  ///@}
+
+  /** @name Percepts */
+  ///@{
+
+  /**
+   * Writes one percept of the answer: `percept("dist", "front", 30)` is dist(front,30).
+   *
+   * @param functor  an atom
+   * @param terms    whole numbers; numbers with decimals, of which two are written; true and false; text,
+   *                 which becomes an atom where it is one and otherwise a string
+   * @return false if it will not be sent, being longer than a frame, or because the memory is full and nobody
+   *         has asked
+   */
+  template <typename... Terms> bool percept(const char *functor, Terms... terms) {
+    if (!javino_percept_begin(&board_, functor))
+      return true;
+    char before = '(';
+    const bool each[] = {true, (javino_percept_put(&board_, before), before = ',', term(terms), true)...};
+    (void)each;
+    if (sizeof...(terms))
+      javino_percept_put(&board_, ')');
+    return javino_percept_end(&board_);
+  }
+
+  /** Writes one percept as it is, without the `;` after it. @return as percept() */
+  bool addPercept(const char *text);
+  bool addPercept(const String &text) { return addPercept(text.c_str()); }
+  bool addPercept(const __FlashStringHelper *text);
+
+  /** Whether the request in hand asks for percepts of this functor; spares reading a sensor. */
+  bool wants(const char *functor) const { return javino_board_wants(&board_, functor, strlen(functor)); }
+
+  /** Sends the percepts as the answer. run() does so by itself after perceive()'s function. */
+  void sendPercepts() { javino_board_answer(&board_); }
+
+  /** Forgets the percepts that have been written. */
+  void clearPercepts() { javino_board_clear(&board_); }
+  ///@}
+
+  /** @name Messages one by one, in place of run() */
+  ///@{
+
+  /** Looks for the next message. The one before is over: an action counts as carried out. */
+  bool availableMsg();
+
+  /** The message's text: an action, or getPercepts for a request. Empty if there is none. Uses the heap. */
+  String getMsg() const;
+
+  /** Whether the message asks for percepts. */
+  bool requestPercepts() const { return board_.link.event == JAVINO_REQUEST; }
+
+  /** Whether the message is the action of this text. */
+  bool requestAction(const char *text) const;
+  bool requestAction(const String &text) const { return requestAction(text.c_str()); }
+
+  /** Refuses the message: the action is unknown or malformed. */
+  void refuse() { javino_link_finish(&board_.link, false, clock()); }
+
+  /**
+   * Sends a message, at once or as an answer: percepts, each with a `;` after it.
+   *
+   * @return false if a percept in it is longer than version 1 can send
+   */
+  bool sendMsg(const char *text) { return javino_board_send(&board_, text, strlen(text)); }
+  bool sendMsg(const String &text) { return javino_board_send(&board_, text.c_str(), text.length()); }
+  ///@}
+
+  /** @name As earlier libraries spelt them */
+  ///@{
+  bool availablemsg() { return availableMsg(); }
+  String getmsg() const { return getMsg(); }
+  bool sendmsg(const String &text) { return sendMsg(text); }
+  ///@}
+
+protected:
+  typedef void (*Begin)(Stream &port, unsigned long baud);
+
+  /** A board on this stream, which begin opens; null: it is Serial. The memory is aligned for pointers. */
+  JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size);
+
+  template <typename Port> static void begin(Stream &port, unsigned long baud) {
+    static_cast<Port &>(port).begin(baud);
+  }
+
+  /** For a stream that is open. */
+  static void open(Stream &, unsigned long) {}
+
+private:
+  JavinoBoard(const JavinoBoard &);
+  JavinoBoard &operator=(const JavinoBoard &);
+
+  static void write(void *board, uint8_t byte);
+  static void supervise(JavinoBoard &board);
+
+  /** What the core reckons time by. */
+  static JAVINO_OUTLINE uint16_t clock();
+
+  javino_event next();
+  bool carryOutAction();
+
+  void term(bool value) { javino_percept_text(&board_, value ? "true" : "false"); }
+  void term(char value);
+  void term(signed char value) { term(static_cast<long>(value)); }
+  void term(unsigned char value) { term(static_cast<unsigned long>(value)); }
+  void term(short value) { term(static_cast<long>(value)); }
+  void term(unsigned short value) { term(static_cast<unsigned long>(value)); }
+  void term(int value) { term(static_cast<long>(value)); }
+  void term(unsigned int value) { term(static_cast<unsigned long>(value)); }
+  void term(long value) {
+    javino_percept_number(&board_, value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value), value < 0);
+  }
+  void term(unsigned long value) { javino_percept_number(&board_, static_cast<uint32_t>(value), false); }
+  void term(double value);
+  void term(float value) { term(static_cast<double>(value)); }
+  void term(const char *value) { javino_percept_term(&board_, value); }
+  void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
+
+  Stream &stream_;
+  Begin begin_;
+  Callback perceive_;
+  void (*supervise_)(JavinoBoard &); /* A sketch that does not supervise its link is spared the code. */
+  Callback lost_;                    /* Set together with supervise_, and so is the time. */
+  unsigned long silence_ms_;
+  bool waiting_;
+  javino_board board_;
+};
+
+/**
+ * A board with this many bytes of memory, for what arrives, for an answer and for the actions' table. At least
+ * JAVINO_MEMORY_MIN; a message that is longer than what is left is not received.
+ */
+template <uint16_t Bytes> class JavinoSized : public JavinoBoard {
+public:
+  /** On Serial. */
+  JavinoSized() : JavinoBoard(Serial, NULL, memory_, Bytes) {}
+
+  /** On a port that start() opens, such as Serial1 or a SoftwareSerial. */
+  template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, begin<Port>, memory_, Bytes) {}
+
+  /** On a stream that the sketch opens. */
+  explicit JavinoSized(Stream &stream) : JavinoBoard(stream, open, memory_, Bytes) {}
+
+private:
+  static_assert(Bytes >= JAVINO_MEMORY_MIN, "JavinoSized: too few bytes");
+  alignas(void *) uint8_t memory_[Bytes];
+};
+
+/** A board on Serial, or on another port or stream given to it. */
+class Javino : public JavinoSized<JAVINO_BYTES> {
+public:
+  Javino() {}
+  template <typename Port> explicit Javino(Port &port) : JavinoSized<JAVINO_BYTES>(port) {}
+};
+
+#endif

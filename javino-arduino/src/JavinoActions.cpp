@@ -1,0 +1,62 @@
+#include "JavinoActions.h"
+
+#include "javino_literal.h"
+
+bool JavinoActions::add(const char *name, Function function, Caller caller) {
+  if (!function)
+    return false;
+  Action *action = static_cast<Action *>(javino_board_take(&memory_, sizeof(Action)));
+  if (!action) {
+    full_ = true;
+    return false;
+  }
+  action->name = name;
+  action->function = function;
+  action->caller = caller;
+  /* The newest comes first, so it takes the place of an older one of the same name. */
+  first_ = action;
+  count_++;
+  return true;
+}
+
+/** Carries an action out, unless it is not certain that the text is whole and more of it could follow. */
+JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length, bool certain) const {
+  const Action *found = NULL;
+  const Action *action = first_;
+  for (uint8_t i = count_; i > 0; i--, action++) {
+    if (strncmp(action->name, text, length) != 0)
+      continue;
+    bool longer = action->name[length];
+    if (!certain && (longer || action->caller))
+      return UNCERTAIN;
+    if (!longer && !found)
+      found = action;
+  }
+  if (!found && reader_)
+    found = reader_(*this, text, length);
+  if (!found)
+    return REFUSED;
+  if (found->caller)
+    return found->caller(found->function, text, length) ? DONE : REFUSED;
+  found->function();
+  return DONE;
+}
+
+const JavinoActions::Action *JavinoActions::findByFunctor(const JavinoActions &actions, const char *text,
+                                                          uint8_t length) {
+  uint8_t n = javino_functor(text, length);
+  const Action *action = actions.first_;
+  for (uint8_t i = actions.count_; n && i > 0; i--, action++)
+    if (action->caller && strncmp(action->name, text, n) == 0 && !action->name[n])
+      return action;
+  return NULL;
+}
+
+bool JavinoActions::callWithArguments(Function function, const char *text, uint8_t length) {
+  reinterpret_cast<void (*)(const JavinoArguments &)>(function)(JavinoArguments(text, length));
+  return true;
+}
+
+bool JavinoActions::askWithArguments(Function function, const char *text, uint8_t length) {
+  return reinterpret_cast<bool (*)(const JavinoArguments &)>(function)(JavinoArguments(text, length));
+}

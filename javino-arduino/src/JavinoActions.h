@@ -1,0 +1,99 @@
+#ifndef JAVINO_ACTIONS_H
+#define JAVINO_ACTIONS_H
+
+#include <Arduino.h>
+#include <string.h>
+
+#include "JavinoArguments.h"
+#include "javino_board.h"
+
+/**
+ * The actions that a board knows, by name. They lie in the board's memory, six bytes each on AVR; nothing is
+ * allocated for them but where a name is a String. A name that is not a String is not copied, so it must last.
+ */
+class JavinoActions {
+public:
+  /** An action without arguments. */
+  typedef void (*Function)();
+
+  /** `act["ledOn"]`: the place of one action. */
+  class Place {
+  public:
+    Place(JavinoActions &actions, const char *name) : actions_(actions), name_(name) {}
+
+    /** Has the function called for the action whose whole text is the name. */
+    void operator=(Function function) { actions_.add(name_, function); }
+
+    /** Carries the action out, if there is one of that name. */
+    void operator()() const { actions_.carryOut(name_, static_cast<uint8_t>(strlen(name_)), true); }
+
+  private:
+    JavinoActions &actions_;
+    const char *name_;
+  };
+
+  /** The same, for a name that does not last. */
+  class NamedPlace {
+  public:
+    NamedPlace(JavinoActions &actions, const String &name) : actions_(actions), name_(name) {}
+    void operator=(Function function) { actions_.add(strdup(name_.c_str()), function); }
+    void operator()() const { Place(actions_, name_.c_str())(); }
+
+  private:
+    JavinoActions &actions_;
+    const String &name_;
+  };
+
+  explicit JavinoActions(javino_board &memory) : memory_(memory), first_(NULL), reader_(NULL), count_(0), full_(false) {}
+
+  Place operator[](const char *name) { return Place(*this, name); }
+  NamedPlace operator[](const String &name) { return NamedPlace(*this, name); }
+
+  /** How many actions there are. */
+  uint8_t count() const { return count_; }
+
+  /** Whether an action has been left out because the memory was full; JavinoSized has more. */
+  bool full() const { return full_; }
+
+private:
+  friend class JavinoBoard;
+
+  /** Calls a function that takes arguments. False: it refuses the text. */
+  typedef bool (*Caller)(Function function, const char *text, uint8_t length);
+
+  struct Action {
+    const char *name;
+    Function function;
+    Caller caller; /* null where the function takes no arguments */
+  };
+
+  enum Outcome : uint8_t {
+    DONE,
+    REFUSED,  /* there is no such action, or its arguments are wrong */
+    UNCERTAIN /* a longer text that begins with this one could be for another action */
+  };
+
+  JavinoActions(const JavinoActions &);
+  JavinoActions &operator=(const JavinoActions &);
+
+  JAVINO_OUTLINE bool add(const char *name, Function function, Caller caller = NULL);
+  bool addWithArguments(const char *name, Function function, Caller caller) {
+    reader_ = findByFunctor;
+    return add(name, function, caller);
+  }
+  Outcome carryOut(const char *text, uint8_t length, bool certain) const;
+
+  static const Action *findByFunctor(const JavinoActions &actions, const char *text, uint8_t length);
+
+  static bool callWithArguments(Function function, const char *text, uint8_t length);
+  static bool askWithArguments(Function function, const char *text, uint8_t length);
+
+  javino_board &memory_;
+  Action *first_;
+  /* Set with the first action that takes arguments, so that other sketches are spared the code. */
+  const Action *(*reader_)(const JavinoActions &actions, const char *text, uint8_t length);
+  uint8_t count_;
+  bool full_;
+};
+
+#endif

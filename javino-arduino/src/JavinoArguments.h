@@ -1,0 +1,46 @@
+#ifndef JAVINO_ARGUMENTS_H
+#define JAVINO_ARGUMENTS_H
+
+#include <Arduino.h>
+
+/**
+ * The arguments of an action, in the order the agent wrote them: in `move(left, 30)` argument 0 is the atom
+ * `left` and argument 1 the number 30. Good only while the action's function runs.
+ */
+class JavinoArguments {
+public:
+  /** Reads the arguments of a literal that is well formed; the text is not copied. */
+  JavinoArguments(const char *literal, uint8_t length) : literal_(literal), length_(length) {}
+
+  /** How many there are. */
+  uint8_t count() const;
+
+  /** Whether there is such an argument and it is a whole number that a long holds. */
+  bool isNumber(uint8_t index) const;
+
+  /** The whole number, or otherwise where there is none. */
+  long number(uint8_t index, long otherwise = 0) const;
+
+  /** The number with decimals, or otherwise where there is none. */
+  double decimal(uint8_t index, double otherwise = 0) const;
+
+  /** Whether the argument is this atom or string. */
+  bool is(uint8_t index, const char *text) const;
+
+  /**
+   * Copies an argument, a string without its quotes, and ends it with a zero.
+   *
+   * @param size  bytes that to holds; what does not fit is cut off
+   * @return the bytes that the whole argument has, without the zero; 0 if there is none
+   */
+  size_t copy(uint8_t index, char *to, size_t size) const;
+
+  /** The argument's text, a string without its quotes. Uses the heap, as every String does. */
+  String text(uint8_t index) const;
+
+private:
+  const char *literal_;
+  uint8_t length_;
+};
+
+#endif

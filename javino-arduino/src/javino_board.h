@@ -1,0 +1,103 @@
+/**
+ * @file
+ * A board: a link, and the percepts that it answers with when it is asked for them.
+ *
+ * An answer is one message: percepts with a `;` after each. It is built in the memory that the link receives
+ * into, behind what has been received. What does not fit goes out ahead, in version 2 as fragments of the
+ * message, in version 1 as messages of whole percepts.
+ */
+#ifndef JAVINO_BOARD_H
+#define JAVINO_BOARD_H
+
+#include "javino_core.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Bytes of a board's memory that always remain for an answer. */
+#define JAVINO_TEXT_MIN 64
+/** Bytes of memory with which a board receives every possible frame. */
+#define JAVINO_MEMORY (JAVINO_WINDOW + JAVINO_TEXT_MIN)
+/** The least memory, in bytes, that a board works with. */
+#define JAVINO_MEMORY_MIN 160
+
+/** A board. The members are private but for link, on which javino_link_receive and so on are called. */
+typedef struct {
+    char *text;
+    uint16_t memory; /* bytes */
+    uint8_t room;    /* bytes for text; 0: none has been begun */
+    uint8_t length;  /* bytes of text */
+    uint8_t whole;   /* bytes of whole percepts in it */
+    bool overlong;   /* the percept that is being written does not fit */
+    bool open;       /* fragments have gone out, but not the last */
+    javino_link link;
+} javino_board;
+
+/**
+ * Prepares a board.
+ *
+ * @param memory   belongs to the board from now on
+ * @param size     its bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are
+ *                 not received; what is above serves long answers and what arrives meanwhile.
+ * @param write    as for javino_link_init
+ * @param context  handed to write
+ */
+void javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context);
+
+/**
+ * Takes bytes away from the end of the memory.
+ *
+ * @return the bytes, or NULL if too few would be left or percepts are being written
+ */
+void *javino_board_take(javino_board *board, uint16_t size);
+
+/** @return whether the request in hand asks for percepts of this functor. Without a request: true. */
+bool javino_board_wants(const javino_board *board, const char *functor, size_t length);
+
+/**
+ * Begins a percept with its functor, which must be an atom.
+ *
+ * @return whether it is wanted; if not, write nothing and do not end it
+ */
+bool javino_percept_begin(javino_board *board, const char *functor);
+
+/** Writes one character as it is. */
+void javino_percept_put(javino_board *board, char c);
+
+/** Writes text as it is. */
+void javino_percept_text(javino_board *board, const char *text);
+
+/** Writes a whole number. */
+void javino_percept_number(javino_board *board, uint32_t magnitude, bool negative);
+
+/** Writes text as an atom where it is one (front), otherwise as a string ("hi, you"). */
+void javino_percept_term(javino_board *board, const char *text);
+
+/**
+ * Ends a percept.
+ *
+ * @return whether it will be sent. Not if it is longer than a frame of version 1, or if no request is in hand
+ *         and the memory is full.
+ */
+bool javino_percept_end(javino_board *board);
+
+/** Sends the percepts written so far, be there none, as the answer. */
+void javino_board_answer(javino_board *board);
+
+/** Forgets the percepts written so far. */
+void javino_board_clear(javino_board *board);
+
+/**
+ * Sends a message of any length: in version 2 in as many fragments as it takes; in version 1, where it is
+ * longer than one frame, as messages of whole percepts. Counts as an answer to the request in hand.
+ *
+ * @return whether all of it has been sent; a percept longer than a frame of version 1 cannot be
+ */
+bool javino_board_send(javino_board *board, const char *text, size_t length);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,332 @@
+#include "javino_core.h"
+
+#include <string.h>
+
+#define HEADER 6 /* bytes of preamble and size */
+#define CRC 4
+/* Version 2 has two digits more in front of its payload, and four behind it. */
+#define FRONT(version) (uint8_t)(HEADER - 2 + 2 * (version))
+#define AROUND(version) (uint8_t)(HEADER * (version))
+#define NO_DIGIT 16
+
+/* A repeated action is an echo of the last one only for so long: a far end that was started anew may come to
+ * the same sequence number with an action of its own. */
+#define REPEAT_MS 3000
+
+/* ---- Hex and CRC ---- */
+
+static uint8_t digit_value(uint8_t c)
+{
+    if (c >= '0' && c <= '9')
+        return (uint8_t)(c - '0');
+    c |= 0x20;
+    return c >= 'a' && c <= 'f' ? (uint8_t)(c - ('a' - 10)) : NO_DIGIT;
+}
+
+JAVINO_OUTLINE uint16_t javino_crc16(uint16_t crc, uint8_t byte)
+{
+    /* The polynomial division of a whole byte, done at once. */
+    crc = (uint16_t)(crc << 8 | crc >> 8) ^ byte;
+    crc ^= (uint8_t)crc >> 4;
+    crc ^= (uint16_t)(crc << 12);
+    crc ^= (uint16_t)((crc & 0xFFu) << 5);
+    return crc;
+}
+
+/* ---- Decoder ---- */
+
+/* Whether more than so many milliseconds have passed. Not if was is in the future: a byte may have come while
+ * the caller's now was growing old. */
+static JAVINO_OUTLINE bool passed(uint16_t now, uint16_t was, uint16_t ms)
+{
+    now -= was;
+    return now > ms && now < 0x8000u;
+}
+
+/* Prepares a decoder that is all zero. */
+static JAVINO_OUTLINE void set_up(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
+{
+    decoder->bytes = bytes;
+    decoder->size = size;
+    decoder->timeout_ms = timeout_ms;
+    decoder->read.clean = true;
+}
+
+void javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
+{
+    memset(decoder, 0, sizeof *decoder);
+    set_up(decoder, bytes, size, timeout_ms);
+}
+
+/* Notes a silence after the last byte. While a frame is in hand there can be a second one; then the first
+ * counts, since what lies before it has been waiting longer. */
+static JAVINO_OUTLINE void note_silence(javino_decoder *d, uint16_t now_ms)
+{
+    if (!d->gap && passed(now_ms, d->last_ms, d->timeout_ms))
+        d->gap = d->end;
+}
+
+bool javino_decoder_ready(javino_decoder *decoder, uint16_t now_ms)
+{
+    note_silence(decoder, now_ms);
+    return decoder->end < decoder->size;
+}
+
+void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms)
+{
+    decoder->bytes[decoder->end++] = byte;
+    decoder->last_ms = now_ms;
+}
+
+/* Reads the next byte of a frame; false if it cannot stand there. */
+static JAVINO_OUTLINE bool read_byte(javino_decoder *d, uint8_t c)
+{
+    javino_frame *f = &d->read;
+    uint16_t position = d->position;
+    uint8_t value = digit_value(c);
+    if (position < 3)
+        return c == 'f';
+    if (position == 3) {
+        f->crc = JAVINO_CRC_START;
+        f->control = 0;
+        f->version = 'f' - c;
+        return c == 'e' || c == 'd';
+    }
+    if (position < FRONT(f->version)) {
+        uint8_t *two = position < HEADER ? &f->length : &f->control;
+        *two = (uint8_t)(*two << 4) | value;
+        if (value == NO_DIGIT)
+            return false;
+        d->whole = f->length + AROUND(f->version);
+    } else if (f->version == 2 && position >= d->whole - CRC) {
+        uint8_t expected = f->crc >> 12;
+        f->crc = (uint16_t)(f->crc << 4) | expected;
+        return value == expected;
+    }
+    f->crc = javino_crc16(f->crc, c);
+    return true;
+}
+
+/* Reads on as far as the bytes go. FOLLOWS_HEADER: a whole frame or, behind a frame that is held, a header or
+ * silence; FOLLOWS_OTHER: the bytes make no frame; FOLLOWS_UNKNOWN: there are no more yet. */
+static JAVINO_OUTLINE javino_follows read_on(javino_decoder *d, const uint8_t *p)
+{
+    uint16_t stop = d->gap ? d->gap : d->end;
+    while (d->position < HEADER || (!d->held && d->position < d->whole)) {
+        uint16_t next = d->held + d->position;
+        if (d->position >= HEADER && d->whole > d->size - HEADER)
+            return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with what follows it. */
+        if (next == stop)
+            return !d->gap ? JAVINO_FOLLOWS_UNKNOWN : d->position ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_HEADER;
+        if (!read_byte(d, p[next]))
+            return JAVINO_FOLLOWS_OTHER;
+        d->position++;
+    }
+    return JAVINO_FOLLOWS_HEADER;
+}
+
+JAVINO_OUTLINE bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame *frame)
+{
+    javino_decoder *d = decoder;
+    const uint8_t *p = d->bytes;
+    bool found = false;
+    note_silence(d, now_ms);
+    while (d->end) {
+        javino_follows read = read_on(d, p);
+        uint16_t step = d->held;
+        found = read == JAVINO_FOLLOWS_HEADER && !step;
+        if (found || read == JAVINO_FOLLOWS_UNKNOWN)
+            break;
+        d->held = 0;
+        d->read.clean = true;
+        if (read == JAVINO_FOLLOWS_OTHER) {
+            d->position = 0;
+            d->read.clean = false;
+            step = 1;
+        }
+        p += step;
+        d->end -= step;
+        if (d->gap) {
+            d->gap -= step;
+            if (!d->gap)
+                d->read.clean = true;
+        }
+    }
+    if (p != d->bytes)
+        memmove(d->bytes, p, d->end);
+    if (found) {
+        d->held = d->whole;
+        d->position = 0;
+        d->read.payload = d->bytes + FRONT(d->read.version);
+        *frame = d->read;
+    }
+    return found;
+}
+
+javino_follows javino_decoder_follows(javino_decoder *decoder, uint16_t now_ms)
+{
+    javino_follows read = read_on(decoder, decoder->bytes);
+    if (read == JAVINO_FOLLOWS_UNKNOWN && passed(now_ms, decoder->last_ms, decoder->timeout_ms / 16))
+        return decoder->position ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_HEADER;
+    return read;
+}
+
+/* ---- Encoder ---- */
+
+JAVINO_OUTLINE void javino_encoder_put(javino_encoder *encoder, uint8_t byte)
+{
+    encoder->crc = javino_crc16(encoder->crc, byte);
+    encoder->write(encoder->context, byte);
+}
+
+/* Two hex digits, of which ten is this letter. */
+static void put_digits(javino_encoder *e, uint8_t value, uint8_t ten)
+{
+    uint8_t i;
+    for (i = 0; i < 2; i++) {
+        uint8_t digit = value >> 4;
+        javino_encoder_put(e, (uint8_t)(digit + (digit < 10 ? '0' : ten - 10)));
+        value = (uint8_t)(value << 4);
+    }
+}
+
+void javino_encoder_begin(javino_encoder *encoder, uint8_t version, uint8_t control, uint8_t length)
+{
+    encoder->version = version;
+    put_digits(encoder, 0xFF, 'a');
+    put_digits(encoder, version == 2 ? 0xFD : 0xFE, 'a');
+    encoder->crc = JAVINO_CRC_START;
+    put_digits(encoder, length, 'A');
+    if (version == 2)
+        put_digits(encoder, control, 'A');
+}
+
+void javino_encoder_end(javino_encoder *encoder)
+{
+    uint16_t crc = encoder->crc;
+    if (encoder->version == 2) {
+        put_digits(encoder, (uint8_t)(crc >> 8), 'A');
+        put_digits(encoder, (uint8_t)crc, 'A');
+    }
+}
+
+/* ---- Link ---- */
+
+void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
+{
+    memset(link, 0, sizeof *link);
+    set_up(&link->decoder, (uint8_t *)bytes, size, 100);
+    link->encoder.write = write;
+    link->encoder.context = context;
+    link->frame.version = 1;
+    link->heard = true;
+}
+
+void javino_link_timeout(javino_link *link, uint16_t timeout_ms)
+{
+    link->decoder.timeout_ms = timeout_ms;
+}
+
+bool javino_link_ready(javino_link *link, uint16_t now_ms)
+{
+    return javino_decoder_ready(&link->decoder, now_ms);
+}
+
+void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms)
+{
+    javino_decoder_put(&link->decoder, byte, now_ms);
+}
+
+static void send_frame(javino_link *l, uint8_t control, const char *text, uint8_t length)
+{
+    javino_encoder_begin(&l->encoder, l->frame.version, control, length);
+    while (length--)
+        javino_encoder_put(&l->encoder, (uint8_t)*text++);
+    javino_encoder_end(&l->encoder);
+}
+
+JAVINO_OUTLINE void javino_link_send(javino_link *link, uint8_t flags, const char *text, uint8_t length)
+{
+    link->answered = true;
+    send_frame(link, flags | link->sequence, text, length);
+    link->sequence = (link->sequence + 1) & JAVINO_SEQUENCE;
+}
+
+static void acknowledge(javino_link *l, uint8_t outcome)
+{
+    if (l->frame.control & JAVINO_ACK_WANTED)
+        send_frame(l, outcome | (l->frame.control & JAVINO_SEQUENCE), NULL, 0);
+}
+
+static bool is_request(const javino_frame *f)
+{
+    const uint8_t n = JAVINO_REQUEST_LENGTH;
+    return f->length >= n && memcmp(f->payload, "getPercepts", n) == 0 && (f->length == n || f->payload[n] == '(');
+}
+
+/* What the frame that has just arrived means to the program. */
+static javino_event meaning(javino_link *l)
+{
+    const javino_frame *f = &l->frame;
+    if (f->control & (JAVINO_ACK | JAVINO_REFUSAL))
+        return JAVINO_NOTHING;
+    if (f->version == 2) {
+        bool fragment = l->fragments;
+        l->version2 = true;
+        l->fragments = f->control & JAVINO_MORE;
+        if (fragment || l->fragments) {
+            /* No message to a board is that long, and a part of one must not be taken for an action. */
+            acknowledge(l, JAVINO_REFUSAL);
+            return JAVINO_NOTHING;
+        }
+    }
+    if (is_request(f))
+        return JAVINO_REQUEST;
+    if (f->version == 1)
+        /* Among the ruins of a version 2 frame, what looks like version 1 may have been its payload. */
+        return l->version2 && !f->clean ? JAVINO_NOTHING : JAVINO_ACTION;
+    if (!l->acted_outcome || f->crc != l->acted_crc || ((f->control ^ l->acted_control) & JAVINO_SEQUENCE))
+        return JAVINO_ACTION;
+    acknowledge(l, l->acted_outcome);
+    return JAVINO_NOTHING;
+}
+
+JAVINO_OUTLINE void javino_link_finish(javino_link *link, bool done, uint16_t now_ms)
+{
+    uint8_t outcome = done ? JAVINO_ACK : JAVINO_REFUSAL;
+    if (link->event == JAVINO_NOTHING)
+        return;
+    if (link->event == JAVINO_ACTION && link->frame.version == 2) {
+        link->acted_ms = now_ms;
+        link->acted_crc = link->frame.crc;
+        link->acted_control = link->frame.control;
+        link->acted_outcome = outcome;
+    }
+    link->event = JAVINO_NOTHING;
+    acknowledge(link, outcome);
+}
+
+javino_event javino_link_poll(javino_link *link, uint16_t now_ms)
+{
+    javino_link_finish(link, true, now_ms);
+    if (passed(now_ms, link->acted_ms, REPEAT_MS))
+        link->acted_outcome = 0;
+    while (link->event == JAVINO_NOTHING && javino_decoder_next(&link->decoder, now_ms, &link->frame)) {
+        link->heard = true;
+        link->answered = false;
+        link->event = meaning(link);
+    }
+    return link->event;
+}
+
+bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
+{
+    if (link->heard) {
+        link->heard = link->lost = false;
+        link->since_ms = now_ms;
+    }
+    if (link->lost || now_ms - link->since_ms <= silence_ms)
+        return false;
+    link->lost = true;
+    return true;
+}
