@@ -1,0 +1,64 @@
+package javino
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.int
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import java.nio.file.Path
+import java.util.HexFormat
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.readText
+
+/** The vectors that the board's library passes too: what the two ends must agree on, byte for byte. */
+class VectorsSpec : FunSpec({
+    val vectors = Json.parseToJsonElement(Path.of("../javino-arduino/vectors/javino-vectors.json").readText()).jsonObject
+    val encode = vectors.cases("encode").filter { it["version"].number() == 1 }
+    val decode = vectors.cases("decode").filter { JsonArray(listOf(vectors1)) in it["receivers"].items() }
+
+    test("there are vectors of both kinds for version 1") {
+        encode.size shouldBeGreaterThan 5
+        decode.size shouldBeGreaterThan 20
+    }
+
+    for (case in encode) test(case["name"].text()) {
+        Frame.of(case["hex"].bytes()).toBytes() shouldBe case["frame"].bytes()
+    }
+
+    for (case in decode) test("decode: ${case["name"].text()}") {
+        val frames = ArrayList<Frame>()
+        val decoder = FrameDecoder(millis(case["timeoutMs"].number()), frames::add)
+        var now = 0L
+        for (chunk in case["chunks"].items().map { it.jsonObject }) {
+            now += millis(chunk.getValue("gapMs").number())
+            decoder.idle(now)
+            chunk.getValue("hex").bytes().let { decoder.accept(it, 0, it.size, now) }
+            chunk["delivered"]?.let { frames.size shouldBe it.number() }
+        }
+        decoder.idle(now + millis(case["endGapMs"].number()))
+        frames.map { hex(it.payload()) } shouldBe case["messages"].items().map { it.jsonObject.getValue("hex").text() }
+    }
+})
+
+private val vectors1 = Json.parseToJsonElement("1")
+
+private typealias Case = Map<String, JsonElement>
+
+private fun Case.cases(kind: String): List<Case> = getValue(kind).jsonArray.map { it.jsonObject }
+
+private fun JsonElement?.number(): Int = checkNotNull(this).jsonPrimitive.int
+
+private fun JsonElement?.text(): String = checkNotNull(this).jsonPrimitive.content
+
+private fun JsonElement?.items(): List<JsonElement> = checkNotNull(this).jsonArray
+
+private fun JsonElement?.bytes(): ByteArray = HexFormat.of().parseHex(text())
+
+private fun hex(bytes: ByteArray) = HexFormat.of().formatHex(bytes)
+
+private fun millis(ms: Int) = TimeUnit.MILLISECONDS.toNanos(ms.toLong())
