@@ -1,5 +1,6 @@
 package argo
 
+import argo.filters.PerceptionFilter
 import jason.architecture.AgArch
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
@@ -23,18 +24,14 @@ import java.util.logging.Logger
  */
 open class Arch : AgArch() {
     private lateinit var log: Logger
-    private lateinit var reader: PerceptReader
+    private lateinit var board: BoardPercepts
     private lateinit var handOver: HandOver
     private lateinit var states: PortStates
     private lateinit var ports: Ports
     private lateinit var waker: Waker
     private lateinit var policy: SensingPolicy
     private val commands = CommandLedger()
-    private val environment = EnvironmentPercepts()
-
-    @Volatile
-    private var filter = ActiveFilter.NONE
-    private var filterIsNew = false
+    private val environment = EnvironmentPercepts(nowMs = ::steadyMs)
 
     @Volatile
     private var perceiving = false
@@ -49,7 +46,7 @@ open class Arch : AgArch() {
         log = Logger.getLogger("${Arch::class.java.name}.$agName")
         policy = sensingPolicy()
         waker = Waker(this)
-        reader = PerceptReader { log.warning(it) }
+        board = BoardPercepts(PerceptReader { log.warning(it) }, log, ::steadyMs)
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), ::applySensing)
@@ -67,11 +64,14 @@ open class Arch : AgArch() {
         }
     }
 
-    /** Perceives through [filter] from the next perception on. Called by the agent's thread. */
-    internal fun perceiveThrough(filter: ActiveFilter) {
-        this.filter = filter
-        filterIsNew = true
+    /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
+    internal fun perceiveThrough(filter: PerceptionFilter?) {
+        board.switchTo(filter)
+        environment.switchTo(filter)
     }
+
+    /** Why the active filter does with [percept] what it does. */
+    internal fun explain(percept: Literal): String = board.explain(percept)
 
     /** Starts or stops perceiving. */
     internal fun perceive(open: Boolean) {
@@ -123,11 +123,12 @@ open class Arch : AgArch() {
     override fun perceive(): MutableCollection<Literal>? {
         val environmentNews = environment.update(super.perceive())
         if (policy == SensingPolicy.IN_CYCLE) senseInCycle()
-        val snapshot = handOver.take()
-        if (snapshot != null) sensed = if (snapshot.filter === filter) snapshot.percepts else read(snapshot.texts)
-        if (!environmentNews && snapshot == null && !states.hasNews() && !filterIsNew) return null
-        filterIsNew = false
-        return (environment.through(filter) + sensed + states.beliefs()).toMutableList()
+        if (perceiving) board.due()?.let(handOver::put)
+        val snapshot = handOver.take()?.let(board::current)
+        if (snapshot != null) sensed = snapshot.percepts
+        listOfNotNull(environment.dueInMs(), board.dueInMs()).minOrNull()?.let(waker::wakeIn)
+        if (!environmentNews && snapshot == null && !states.hasNews()) return null
+        return (environment.percepts + sensed + states.beliefs()).toMutableList()
     }
 
     private fun senseInCycle() {
@@ -136,12 +137,11 @@ open class Arch : AgArch() {
         if (start - (lastInCycle ?: (start - Long.MAX_VALUE / 2)) < intervalMs * NANOS_PER_MS) return
         lastInCycle = start
         port.sensing.exchange()
-        waker.wakeIn(intervalMs) // an agent that has nothing else to do must perceive again
+        waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
     }
 
-    private fun read(texts: List<String>): List<Literal> = texts.filterNot(filter::drops).flatMap(reader::read)
-
-    override fun canSleep(): Boolean = super.canSleep() && !handOver.isReady() && !states.hasNews() && !filterIsNew
+    override fun canSleep(): Boolean =
+        super.canSleep() && !handOver.isReady() && !states.hasNews() && !environment.isWaiting() && !(perceiving && board.dueInMs() == 0L)
 
     /** Gives up all ports and threads. Never waits for the line. */
     override fun stop() {
@@ -157,9 +157,7 @@ open class Arch : AgArch() {
 
     private inner class Listener : SensingListener {
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
-            val through = filter
-            val texts = perceptsOf(message)
-            val snapshot = Snapshot(texts, through, texts.filterNot(through::drops).flatMap(reader::read), receivedNanos)
+            val snapshot = board.snapshot(message, receivedNanos)
             if (port !== ports.current || !perceiving) return
             handOver.put(snapshot)
             port.terms.forEach { states.set(it, PortStatus.ON) }

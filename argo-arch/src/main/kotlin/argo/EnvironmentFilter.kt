@@ -1,5 +1,6 @@
 package argo
 
+import argo.filters.PerceptionFilter
 import jason.architecture.AgArch
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
@@ -9,25 +10,22 @@ import jason.asSyntax.Literal
  * agent's architectures when the agent chooses a filter for the first time.
  */
 internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<Literal>) : AgArch() {
-    private val environment = EnvironmentPercepts(perceivedSoFar)
+    private val environment = EnvironmentPercepts(perceivedSoFar, ::steadyMs)
+    private val waker = Waker(this)
 
-    private var filter = ActiveFilter.NONE
-    private var filterIsNew = false
+    /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
+    fun perceiveThrough(filter: PerceptionFilter?) = environment.switchTo(filter)
 
-    /** Perceives through [filter] from the next perception on. Called by the agent's thread. */
-    fun perceiveThrough(filter: ActiveFilter) {
-        this.filter = filter
-        filterIsNew = true
-    }
+    /** Why the active filter does with [percept] what it does. */
+    fun explain(percept: Literal): String = environment.explain(percept)
 
     override fun perceive(): MutableCollection<Literal>? {
-        val news = environment.update(super.perceive())
-        if (!news && !filterIsNew) return null
-        filterIsNew = false
-        return environment.through(filter).toMutableList()
+        val isNew = environment.update(super.perceive())
+        environment.dueInMs()?.let(waker::wakeIn)
+        return if (isNew) environment.percepts.toMutableList() else null
     }
 
-    override fun canSleep(): Boolean = !filterIsNew && super.canSleep()
+    override fun canSleep(): Boolean = !environment.isWaiting() && super.canSleep()
 
     companion object {
         /** Puts a filter in front of the agent of [ts], which must not have one. Called by the agent's thread. */
@@ -38,3 +36,6 @@ internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<
         }
     }
 }
+
+/** Milliseconds of a clock that never goes back. */
+internal fun steadyMs(): Long = System.nanoTime() / 1_000_000

@@ -4,6 +4,7 @@ import jason.architecture.AgArch
 import jason.asSemantics.Agent
 import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicLong
 
 /**
  * Wakes an agent that sleeps or is about to.
@@ -15,8 +16,17 @@ internal class Waker(private val arch: AgArch) {
     /** Wakes the agent now and again until [seen]; [seen] is asked by other threads. */
     fun wake(seen: () -> Boolean) = wake(FIRST_REPEAT_MS, seen)
 
-    /** Wakes the agent once, in [delayMs] ms. */
-    fun wakeIn(delayMs: Int) = later(delayMs.toLong()) { arch.firstAgArch.wakeUpSense() }
+    private val nextWake = AtomicLong(Long.MAX_VALUE)
+
+    /** Wakes the agent in [delayMs] ms, unless it will be woken earlier anyway. */
+    fun wakeIn(delayMs: Long) {
+        val at = steadyMs() + delayMs
+        if (nextWake.getAndUpdate { minOf(it, at) } <= at) return
+        later(delayMs) {
+            nextWake.compareAndSet(at, Long.MAX_VALUE)
+            wake(FIRST_REPEAT_MS) { steadyMs() > at }
+        }
+    }
 
     private fun wake(repeatMs: Long, seen: () -> Boolean) {
         if (!arch.isRunning) return

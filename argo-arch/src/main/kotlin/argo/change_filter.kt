@@ -7,6 +7,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import java.io.IOException
+import java.util.ServiceConfigurationError
 
 /**
  * The internal action `argo.change_filter(F)`: the active filter from the next perception on. F is an atom or a string, the
@@ -20,8 +21,8 @@ import java.io.IOException
 open class change_filter : BoardAction("argo.change_filter", 1..1) {
     override fun run(call: Call) {
         val filter = when (val name = filterName(call.args[0])) {
-            "none" -> ActiveFilter.NONE
-            else -> ActiveFilter.of(find(call, name))
+            "none" -> null
+            else -> find(call, name)
         }
         val archs = architectures(call.ts)
         val arch = archs.filterIsInstance<Arch>().firstOrNull()
@@ -36,6 +37,8 @@ open class change_filter : BoardAction("argo.change_filter", 1..1) {
         throw call.failure("no_such_filter", missing.message.orEmpty())
     } catch (refused: FilterException) {
         throw call.failure("bad_filter", refused.message.orEmpty())
+    } catch (broken: ServiceConfigurationError) {
+        throw call.failure("bad_filter", "a filter provider on the class path cannot be used: ${broken.message}")
     } catch (unreadable: IOException) {
         throw call.failure("bad_filter", "the filter $name cannot be read: $unreadable")
     }

@@ -23,3 +23,7 @@ class change_filter : argo.change_filter()
 /** `.filter(…)`: see [argo.change_filter]. */
 @Suppress("ClassName")
 class filter : argo.change_filter()
+
+/** `.explain(…)`: see [argo.explain]. */
+@Suppress("ClassName")
+class explain : argo.explain()

@@ -7,6 +7,8 @@ import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.FakeBoard
+import java.util.logging.Level
+import java.util.logging.Logger
 
 private const val LIMIT_MS = 20_000
 
@@ -82,6 +84,46 @@ class FilteringSpec : FunSpec({
                 eventually({ mas.beliefs("bob") }) { "dist(f,9)" in mas.beliefs("bob") && "dist(f,1)" !in mas.beliefs("bob") }
             }
         }
+    }
+
+    test("a value that a rate holds back reaches the agent in the end, though the board says nothing new") {
+        FakeBoard.plugIn("robot").use { board ->
+            val answers = ArrayDeque(listOf("temp(1);", "temp(2);", "temp(3);"))
+            board.whenAsked("getPercepts").answer { if (answers.size > 1) answers.removeFirst() else answers.first() }
+            TestMas().use { mas ->
+                mas.filter("calm", "<filter everyMs=\"300\"><predicate>temp</predicate></filter>")
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.port("sim:robot"); argo.limit(5); argo.change_filter(calm); argo.percepts(open).
+                    +temp(1) <- argo.act(first).
+                    +temp(2) <- argo.act(never).
+                    +temp(3) <- argo.act(last).
+                """)
+                board.awaitMessage("first", LIMIT_MS)
+                board.awaitMessage("last", LIMIT_MS) // and temp(2) was never let through: the board is strict
+            }
+        }
+    }
+
+    test("an agent can ask why a percept is dropped, and a log level tells it too") {
+        val logger = Logger.getLogger("argo.Arch.bob").apply { level = Level.FINE }
+        FakeBoard.plugIn("robot").use { board ->
+            board.whenAsked("getPercepts").answer("dist(f,1);light(f,2);")
+            TestMas().use { mas ->
+                mas.filter("onlyFront", onlyFront)
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.explain(light(f,2),A); .print("first ", A); argo.change_filter(onlyFront); argo.explain(dist(b,3),B); .print("then ", B);
+                               argo.port("sim:robot"); argo.limit(5); argo.percepts(open).
+                    +dist(f,1) <- argo.act(ok).
+                """)
+                board.awaitMessage("ok", LIMIT_MS)
+                mas.log shouldContain "first light(f,2) is kept: there is no filter"
+                mas.log shouldContain "then dist(b,3) is dropped by filter onlyFront: rule 2 meets it"
+                mas.log shouldContain "FINE argo.Arch.bob: light(f,2) is dropped by filter onlyFront: rule 1 meets it"
+            }
+        }
+        logger.level = null
     }
 
     test("an agent with a board believes its environment's percepts beside the board's") {

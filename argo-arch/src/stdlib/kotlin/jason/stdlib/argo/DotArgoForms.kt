@@ -23,3 +23,7 @@ class change_filter : argo.change_filter()
 /** `.argo.filter(…)`: see [argo.change_filter]. */
 @Suppress("ClassName")
 class filter : argo.change_filter()
+
+/** `.argo.explain(…)`: see [argo.explain]. */
+@Suppress("ClassName")
+class explain : argo.explain()

@@ -1,0 +1,81 @@
+package argo
+
+import argo.filters.Explanation
+import argo.filters.FilterSession
+import argo.filters.PerceptionFilter
+import jason.asSyntax.Literal
+import java.util.concurrent.locks.ReentrantLock
+import java.util.logging.Level
+import java.util.logging.Logger
+import kotlin.concurrent.withLock
+
+/**
+ * Turns what a board says into what its agent perceives: through the active filter, and what that keeps through [reader].
+ *
+ * Safe for use by several threads: the sensing thread does the work, so that the agent's has little left to do.
+ *
+ * @param log is told at level FINE why a percept is dropped
+ * @param nowMs a clock in ms that never goes back
+ */
+internal class BoardPercepts(private val reader: PerceptReader, private val log: Logger, private val nowMs: () -> Long) {
+    private val lock = ReentrantLock()
+    private val session = FilterSession.ofTexts()
+    private var filterVersion = 0L
+    private var newest: Snapshot? = null
+
+    @Volatile
+    private var dueMs: Long? = null
+
+    /** Perceives through [filter] from now on; null: everything. */
+    fun switchTo(filter: PerceptionFilter?) = lock.withLock {
+        session.switchTo(filter)
+        dueMs = session.nextDueMs
+        filterVersion++
+    }
+
+    /** What the agent perceives of a [message] whose last byte came at [receivedNanos] by [System.nanoTime]. */
+    fun snapshot(message: String, receivedNanos: Long): Snapshot {
+        val texts = perceptsOf(message)
+        return lock.withLock { snapshot(texts, receivedNanos) }
+    }
+
+    /** [snapshot] as it is with the filter that is active now. */
+    fun current(snapshot: Snapshot): Snapshot = lock.withLock {
+        if (snapshot.filterVersion == filterVersion) snapshot else snapshot(snapshot.texts, snapshot.receivedNanos)
+    }
+
+    private fun snapshot(texts: List<String>, receivedNanos: Long): Snapshot {
+        explainTo(log, texts)
+        val kept = session.perceive(texts, nowMs())
+        return remember(Snapshot(texts, filterVersion, kept.flatMap(reader::read), receivedNanos))
+    }
+
+    private fun explainTo(log: Logger, texts: List<String>) {
+        if (!log.isLoggable(Level.FINE) || session.filter == null) return
+        texts.map { session.explain(it, nowMs()) }.filter { it.outcome != Explanation.Outcome.KEPT }.forEach { log.fine("$it") }
+    }
+
+    /** In how many ms a percept that the filter holds back is due; null if none is held back. */
+    fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
+
+    /** The newest snapshot with the held-back percepts that are due now; null if none is, or a message is being read anyway. */
+    fun due(): Snapshot? {
+        if (dueInMs() != 0L || !lock.tryLock()) return null
+        try {
+            val last = newest ?: return null
+            val kept = session.due(nowMs()) ?: return null
+            return remember(Snapshot(last.texts, filterVersion, kept.flatMap(reader::read), last.receivedNanos))
+        } finally {
+            lock.unlock()
+        }
+    }
+
+    private fun remember(snapshot: Snapshot): Snapshot {
+        newest = snapshot
+        dueMs = session.nextDueMs
+        return snapshot
+    }
+
+    /** Why the active filter does with [percept] what it does. */
+    fun explain(percept: Literal): String = lock.withLock { session.explain("$percept", nowMs()).toString() }
+}
