@@ -114,8 +114,7 @@ open class Arch : AgArch() {
 
     private fun applySensing() {
         val current = ports.current
-        val threaded = policy != SensingPolicy.IN_CYCLE
-        ports.all().forEach { it.sensing.set(threaded && perceiving && it === current, intervalMs) }
+        if (policy != SensingPolicy.IN_CYCLE) ports.all().forEach { it.sensing.set(perceiving && it === current, intervalMs) }
         handOver.clear()
     }
 

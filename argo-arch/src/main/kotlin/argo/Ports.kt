@@ -95,7 +95,7 @@ internal class Ports(
 
     /** [port] cannot be used any more, for the reason given; nothing new if it has been given up already. */
     fun lost(port: OpenPort, trouble: PortException) {
-        if (forget(port)) port.terms.forEach { states.set(it, PortStatus.OFF, trouble.message) }
+        if (forget(port) && !lock.withLock { stopped }) port.terms.forEach { states.set(it, PortStatus.OFF, trouble.message) }
     }
 
     /** Gives [port] up and returns whether it had still been held. */

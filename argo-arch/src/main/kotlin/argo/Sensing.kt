@@ -22,8 +22,9 @@ internal interface SensingListener {
 }
 
 /**
- * Asks one board for its percepts, or listens to it, on a thread of its own, while the agent wants to perceive it.
- * The thread starts when sensing is first turned on and ends with [close] or the port.
+ * Asks one board for its percepts, or listens to it, on a thread of its own, while the agent wants to perceive it. In between it
+ * watches the line, so that a cable that is pulled is noticed whether or not the agent perceives or acts.
+ * The thread starts when [set] is first called and ends with [close] or the port.
  */
 internal class Sensing(private val port: OpenPort, owner: String, private val listener: SensingListener) {
     private val lock = ReentrantLock()
@@ -46,7 +47,7 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
         this.on = on
         intervalNanos = TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong())
         changed.signalAll()
-        if (on && !closed) thread.value
+        if (!closed) thread.value
     }
 
     /** Ends the thread; the link must be closed as well. May be called twice. */
@@ -58,35 +59,49 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
 
     private fun run() {
         try {
-            while (awaitTurn()) if (!exchange()) return
+            while (!isClosed()) if (!(if (awaitTurn()) exchange() else watch())) return
         } catch (_: InterruptedException) {
             // close() ends this thread
         }
     }
 
-    /** Waits until sensing is on and the next request is due; false when it is over. */
+    private fun isClosed() = lock.withLock { closed }
+
+    /** Waits until the next request is due; false if there is time to watch the line before it. */
     private fun awaitTurn(): Boolean = lock.withLock {
-        while (!closed) {
+        while (on && !closed) {
             val wait = nanosUntilDue(System.nanoTime())
-            if (!on) changed.await()
-            else if (wait > 0) changed.awaitNanos(wait)
-            else {
+            if (wait > WATCH_NANOS) return false
+            if (wait <= 0) {
                 lastStart = System.nanoTime()
                 return true
             }
+            changed.awaitNanos(wait)
         }
         false
     }
 
+    /** What a board that is asked says meanwhile is dropped; one that speaks unasked may have been opened since this began. */
+    private fun watch(): Boolean = using {
+        val message = port.link.heard(WATCH_MS)
+        if (message != null && port.options.listens && lock.withLock { on }) listener.received(port, message, System.nanoTime())
+    }
+
+    /** A board that speaks unasked is listened to all the time: it knows itself how often it has something to say. */
     private fun nanosUntilDue(now: Long): Long =
-        maxOf(lastStart?.let { it + intervalNanos - now } ?: 0, quietUntil?.let { it - now } ?: 0)
+        if (port.options.listens) 0 else maxOf(lastStart?.let { it + intervalNanos - now } ?: 0, quietUntil?.let { it - now } ?: 0)
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
-    fun exchange(): Boolean = try {
+    fun exchange(): Boolean = using {
         port.link.next(port.options)?.let {
             listener.received(port, it, System.nanoTime())
             quietUntil = System.nanoTime() + graceNanos
         }
+    }
+
+    /** Does [work] with the line; false when the port is lost. */
+    private fun using(work: () -> Unit): Boolean = try {
+        work()
         true
     } catch (silence: PortTimeoutException) {
         listener.unanswered(port, silence)
@@ -98,16 +113,24 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
         listener.lost(port, PortFaultException(port.link.port(), "sensing ended: $unforeseen", unforeseen))
         false
     }
+
+    private companion object {
+        /** How long a device may be gone before it is noticed, in ms, while nothing is asked of it. */
+        const val WATCH_MS = 100
+        const val WATCH_NANOS = WATCH_MS * 1_000_000L
+    }
 }
 
 /** The board's next message: the answer to a request, or what it says unasked; null when a board that speaks unasked is silent. */
 internal fun Link.next(options: PortOptions): String? =
-    if (!options.listens) request(PERCEPTS_REQUEST, options.timeoutMs)
-    else try {
-        listen(options.timeoutMs)
-    } catch (_: PortTimeoutException) {
-        null // such a board speaks when it has something to say
-    }
+    if (options.listens) heard(options.timeoutMs) else request(PERCEPTS_REQUEST, options.timeoutMs)
+
+/** What the board says unasked within [timeoutMs] ms, or null. */
+private fun Link.heard(timeoutMs: Int): String? = try {
+    listen(timeoutMs)
+} catch (_: PortTimeoutException) {
+    null // it speaks when it has something to say
+}
 
 /** The message that asks a board for its percepts. */
 internal const val PERCEPTS_REQUEST = "getPercepts"

@@ -106,10 +106,10 @@ class FilteringSpec : FunSpec({
     }
 
     test("an agent can ask why a percept is dropped, and a log level tells it too") {
-        val logger = Logger.getLogger("argo.Arch.bob").apply { level = Level.FINE }
         FakeBoard.plugIn("robot").use { board ->
             board.whenAsked("getPercepts").answer("dist(f,1);light(f,2);")
             TestMas().use { mas ->
+                val logger = Logger.getLogger("argo.Arch.bob").apply { level = Level.FINE }
                 mas.filter("onlyFront", onlyFront)
                 mas.agent("bob", """
                     !start.
@@ -121,9 +121,9 @@ class FilteringSpec : FunSpec({
                 mas.log shouldContain "first light(f,2) is kept: there is no filter"
                 mas.log shouldContain "then dist(b,3) is dropped by filter onlyFront: rule 2 meets it"
                 mas.log shouldContain "FINE argo.Arch.bob: light(f,2) is dropped by filter onlyFront: rule 1 meets it"
+                logger.level = null
             }
         }
-        logger.level = null
     }
 
     test("an agent with a board believes its environment's percepts beside the board's") {

@@ -117,17 +117,35 @@ class PerceivingSpec : FunSpec({
         }
     }
 
+    test("a pulled cable is noticed by an agent that neither perceives nor acts, on each of its ports") {
+        FakeBoard.plugIn("left").use { left ->
+            FakeBoard.plugIn("right").use { right ->
+                TestMas().use { mas ->
+                    mas.agent("bob", "!start.\n+!start <- argo.port(\"sim:left\"); argo.port(\"sim:right\"); +ready.")
+                    eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
+                    left.unplug()
+                    eventually({ mas.beliefs("bob") }) { "port(\"sim:left\",off)" in mas.beliefs("bob") }
+                    mas.beliefs("bob") shouldContain "port(\"sim:right\",on)"
+                    right.unplug()
+                    eventually({ mas.beliefs("bob") }) { "port(\"sim:right\",off)" in mas.beliefs("bob") }
+                }
+            }
+        }
+    }
+
     test("a board that speaks unasked is listened to and never asked") {
         FakeBoard.plugIn("talker").use { board ->
             TestMas().use { mas ->
                 mas.agent("bob", """
                     !start.
-                    +!start <- argo.port("sim:talker", [mode(listen), boot(0)]); argo.limit(0); argo.percepts(open).
+                    +!start <- argo.port("sim:talker", [mode(listen), boot(0)]); argo.limit(60000); argo.percepts(open); argo.act(listening).
                     +button(N) <- argo.act(pressed(N)).
                 """)
-                board.awaitOpen(LIMIT_MS)
+                board.awaitMessage("listening", LIMIT_MS)
                 board.send("button(7);")
                 board.awaitMessage("pressed(7)", LIMIT_MS)
+                board.send("button(8);")
+                board.awaitMessage("pressed(8)", LIMIT_MS)
                 board.received() shouldNotContain "getPercepts"
             }
         }

@@ -80,7 +80,8 @@ class TestMas : AutoCloseable {
         mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toSet()
 
     override fun close() {
-        mas.finish(0, false, 0)
+        mas.finish(0, false, 0) // on a thread of its own
+        eventually({ mas.ags.keys }) { mas.ags.isEmpty() }
         Logger.getLogger("").removeHandler(handler)
         Files.walk(directory).use { files -> files.sorted(Comparator.reverseOrder()).forEach(Files::delete) }
     }
