@@ -37,6 +37,7 @@ final class BoardSocket {
         Run run = current;
         if (run != null) {
             run.line.unplug();
+            run.thread.interrupt();
         }
     }
 
@@ -48,19 +49,20 @@ final class BoardSocket {
             this.line = line;
             thread = new Thread(this, "board " + port);
             thread.setDaemon(true);
-            line.whenGone(thread::interrupt);
         }
 
         @Override
         public void run() {
+            String end = "the board's program ended";
             try {
                 board.run(line.board());
-                line.unplug("the board's program ended");
             } catch (PortGoneException | InterruptedException e) {
-                line.unplug("the board's program ended");
-            } catch (PortException | RuntimeException e) {
+                end = "the board's program ended with its line"; // the usual way
+            } catch (PortException | RuntimeException | Error e) {
                 LOG.log(System.Logger.Level.ERROR, "the program of " + port + " failed", e);
-                line.unplug("the board's program failed with " + e);
+                end = "the board's program failed with " + e;
+            } finally {
+                line.closeBoard(end);
             }
         }
 
@@ -69,6 +71,7 @@ final class BoardSocket {
             if (!line.isGone()) {
                 throw new PortBusyException(port, "another part of this program");
             }
+            thread.interrupt(); // it has had its time to read what was sent before the port was closed
             try {
                 thread.join(LAST_RUN_MILLIS);
             } catch (InterruptedException e) {

@@ -45,6 +45,15 @@ final class MemoryDirection {
         return taken;
     }
 
+    boolean isEmpty() {
+        return count == 0;
+    }
+
+    /** Takes all bytes off the line. */
+    void clear() {
+        count = 0;
+    }
+
     /** Nanoseconds until the next byte arrives; {@link Long#MAX_VALUE} when none is on its way. */
     long nanosUntilReady(long now) {
         return count == 0 ? Long.MAX_VALUE : Math.max(1, readyAt[first] - now);

@@ -9,7 +9,8 @@ import java.util.concurrent.locks.ReentrantLock;
  * <p>It carries bytes at once, or gives every byte its time at the line's rate, in both directions independently. Like a driver it holds
  * up to {@value #CAPACITY} bytes a direction that the far end has not read; a write beyond them waits.
  *
- * <p>When one end is closed, or the line is unplugged, it is gone for both, with what was still on it. All methods are safe on any thread.
+ * <p>When one end is closed the other may read what was still on its way to it; then the line is gone for both. When it is unplugged it is
+ * gone for both at once. All methods are safe on any thread.
  */
 public final class MemoryLine {
     /** Bytes a direction that the line holds unread. */
@@ -22,9 +23,8 @@ public final class MemoryLine {
     private final String name;
     private final LineSettings line;
     private final LineClock clock;
-    private final Transport computer;
-    private final Transport board;
-    private Runnable whenGone = () -> { };
+    private final End computer;
+    private final End board;
     private String end; // why the line is gone; null while it is there
 
     private MemoryLine(String name, LineSettings line, long byteNanos, LineClock clock) {
@@ -67,29 +67,30 @@ public final class MemoryLine {
         return board;
     }
 
-    /** Pulls the plug: both ends are gone from now on. */
+    /** Pulls the plug: both ends are gone from now on, and so are the bytes on the line. */
     public void unplug() {
-        unplug("it was unplugged");
+        end("it was unplugged", computer.in, board.in);
     }
 
-    /** Ends the line; {@code why} completes the sentence "port x is gone: ...". Only the first reason counts. */
-    void unplug(String why) {
+    /** Closes the board's end; {@code why} completes the sentence "port x is gone: ...". */
+    void closeBoard(String why) {
+        end(why, board.in);
+    }
+
+    /** Ends the line and empties the directions that nobody reads any more. Only the first reason counts. */
+    private void end(String why, MemoryDirection... emptied) {
         lock.lock();
         try {
-            if (end != null) {
-                return;
+            if (end == null) {
+                end = why;
             }
-            end = why;
+            for (MemoryDirection direction : emptied) {
+                direction.clear();
+            }
             changed.signalAll();
         } finally {
             lock.unlock();
         }
-        whenGone.run();
-    }
-
-    /** Has {@code action} run once, by the thread that ends the line. To be called before the line is used. */
-    void whenGone(Runnable action) {
-        whenGone = action;
     }
 
     boolean isGone() {
@@ -101,7 +102,7 @@ public final class MemoryLine {
         }
     }
 
-    private void requirePlugged() throws PortGoneException {
+    private void requireLine() throws PortGoneException {
         if (end != null) {
             throw new PortGoneException(name, "port " + name + " is gone: " + end);
         }
@@ -112,7 +113,7 @@ public final class MemoryLine {
             clock.await(changed, nanos);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            requirePlugged();
+            requireLine();
             throw new PortInterruptedException(name);
         }
     }
@@ -142,12 +143,14 @@ public final class MemoryLine {
             lock.lock();
             try {
                 while (true) {
-                    requirePlugged();
                     long now = clock.nanos();
                     int count = in.take(b, off, len, now);
                     if (count > 0) {
                         changed.signalAll();
                         return count;
+                    }
+                    if (in.isEmpty()) {
+                        requireLine();
                     }
                     if (deadline - now <= 0) {
                         return 0;
@@ -166,7 +169,7 @@ public final class MemoryLine {
             lock.lock();
             try {
                 while (true) {
-                    requirePlugged();
+                    requireLine();
                     long now = clock.nanos();
                     int count = out.put(b, off + written, len - written, now);
                     written += count;
@@ -189,7 +192,7 @@ public final class MemoryLine {
 
         @Override
         public void close() {
-            unplug("it was closed");
+            end("it was closed", in);
         }
     }
 }

@@ -10,6 +10,9 @@ import java.util.Set;
 
 /** Says to a person why a serial device cannot be opened, and what to do. */
 final class SerialPortErrors {
+    /** Groups that nobody joins for the sake of a board. */
+    private static final Set<String> SYSTEM_GROUPS = Set.of("root", "wheel");
+
     private SerialPortErrors() {}
 
     /**
@@ -67,10 +70,11 @@ final class SerialPortErrors {
 
     /** What lets a user open a device that belongs to {@code group} and has {@code permissions}. */
     static String permissionRemedy(String path, String group, Set<PosixFilePermission> permissions) {
-        if (permissions.contains(PosixFilePermission.GROUP_READ) && permissions.contains(PosixFilePermission.GROUP_WRITE)) {
+        boolean groupMay = permissions.containsAll(Set.of(PosixFilePermission.GROUP_READ, PosixFilePermission.GROUP_WRITE));
+        if (groupMay && !SYSTEM_GROUPS.contains(group)) {
             return path + " is for the group " + group + ": run \"sudo usermod -aG " + group + " $USER\", then log out and in again";
         }
-        return "not even the group of " + path + " may: run \"sudo chmod a+rw " + path + "\"";
+        return path + " is for its owner alone: run \"sudo chmod a+rw " + path + "\"";
     }
 
     /** The exception for a machine on which jSerialComm's native library cannot be loaded. */

@@ -16,6 +16,9 @@ final class SerialTransport implements Transport {
     private static final long SLICE_NANOS = SLICE_MILLIS * NANOS_PER_MILLI;
     /** How often the driver is asked when less than a slice is left. */
     private static final long POLL_NANOS = 250_000L;
+    /** How long what was written may be on its way out of the driver, which drops it when it closes the port. */
+    private static final long LINGER_NANOS = 20 * NANOS_PER_MILLI;
+    private static final long LONGEST_LINGER_NANOS = 250 * NANOS_PER_MILLI;
 
     /** jSerialComm keeps the error code of a failed opening in one place for the whole program. */
     private static final ReentrantLock OPENING = new ReentrantLock();
@@ -26,6 +29,7 @@ final class SerialTransport implements Transport {
     private final LineSettings line;
     private final TimedWriter writer;
     private final AtomicBoolean closed = new AtomicBoolean();
+    private volatile long lingerUntil = System.nanoTime();
     private volatile boolean gone;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
@@ -127,7 +131,7 @@ final class SerialTransport implements Transport {
         long deadline = System.nanoTime() + timeoutMillis * NANOS_PER_MILLI;
         try {
             switch (writer.write(b, off, len, deadline)) {
-                case WRITTEN -> { }
+                case WRITTEN -> lingerUntil = System.nanoTime() + LINGER_NANOS;
                 case TOO_LATE -> throw new PortTimeoutException(name, "port " + name + " did not take " + len + " bytes within "
                         + timeoutMillis + " ms; the device does not read");
                 default -> throw broken();
@@ -140,15 +144,21 @@ final class SerialTransport implements Transport {
 
     private void requireOpen() throws PortGoneException {
         if (closed.get() || gone) {
-            throw broken();
+            throw noLine();
         }
     }
 
     /** What is to be thrown when the driver reports an error: on an open line that means that the device is not there any more. */
     private PortGoneException broken() {
-        gone = true;
+        if (!closed.get()) {
+            gone = true;
+        }
+        return noLine();
+    }
+
+    private PortGoneException noLine() {
         return new PortGoneException(name, "port " + name + " is gone: "
-                + (closed.get() ? "it was closed" : "its device was unplugged, or the far end closed"));
+                + (gone ? "its device was unplugged, or the far end closed" : "it was closed"));
     }
 
     @Override
@@ -158,11 +168,26 @@ final class SerialTransport implements Transport {
         }
         writer.close();
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
+        linger();
         reading.lock();
         try {
             port.closePort(); // ends a write that waits
         } finally {
             reading.unlock();
+        }
+    }
+
+    /** Waits until what was written has left the driver, but not for a device that takes no more. */
+    private void linger() {
+        boolean interrupted = Thread.interrupted(); // a thread that is interrupted closes the port with the same care
+        long deadline = System.nanoTime() + LONGEST_LINGER_NANOS;
+        long now = System.nanoTime();
+        while (!gone && deadline - now > 0 && (lingerUntil - now > 0 || port.bytesAwaitingWrite() > 0)) {
+            LockSupport.parkNanos(POLL_NANOS);
+            now = System.nanoTime();
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
         }
     }
 }
