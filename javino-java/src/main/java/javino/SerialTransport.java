@@ -17,7 +17,7 @@ final class SerialTransport implements Transport {
     /** How often the driver is asked when less than a slice is left. */
     private static final long POLL_NANOS = 250_000L;
     /** How long what was written may be on its way out of the driver, which drops it when it closes the port. */
-    private static final long LINGER_NANOS = 20 * NANOS_PER_MILLI;
+    private static final long LINGER_NANOS = 100 * NANOS_PER_MILLI;
     private static final long LONGEST_LINGER_NANOS = 250 * NANOS_PER_MILLI;
 
     /** jSerialComm keeps the error code of a failed opening in one place for the whole program. */

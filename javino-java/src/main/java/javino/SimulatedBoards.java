@@ -3,7 +3,6 @@ package javino;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.TreeMap;
@@ -19,7 +18,6 @@ public final class SimulatedBoards {
     /** The scheme of their ports. */
     public static final String SCHEME = "sim";
 
-    private static final System.Logger LOG = System.getLogger(SimulatedBoards.class.getName());
     private static final ReentrantLock TABLE = new ReentrantLock(); // guards the two below; not held while a board is opened
     private static final Map<String, BoardSocket> SOCKETS = new TreeMap<>();
     private static final Set<Class<?>> SERVICES_SEEN = new HashSet<>();
@@ -96,24 +94,13 @@ public final class SimulatedBoards {
     }
 
     private static void plugInServices() {
-        plugInServices(ServiceLoader.load(SimulatedBoard.class)); // as the thread sees them: a Jason project's own classes
-        plugInServices(ServiceLoader.load(SimulatedBoard.class, SimulatedBoard.class.getClassLoader()));
-    }
-
-    private static void plugInServices(ServiceLoader<SimulatedBoard> boards) {
-        boards.stream().forEach(service -> {
+        for (ServiceLoader.Provider<SimulatedBoard> service : Services.providers(SimulatedBoard.class)) {
             if (SERVICES_SEEN.add(service.type())) {
-                plugInService(service);
+                SimulatedBoard board = Services.make(service);
+                if (board != null) {
+                    SOCKETS.putIfAbsent(board.name(), new BoardSocket(portName(board.name()), board));
+                }
             }
-        });
-    }
-
-    private static void plugInService(ServiceLoader.Provider<SimulatedBoard> service) {
-        try {
-            SimulatedBoard board = service.get();
-            SOCKETS.putIfAbsent(board.name(), new BoardSocket(portName(board.name()), board));
-        } catch (ServiceConfigurationError e) {
-            LOG.log(System.Logger.Level.WARNING, "the simulated board " + service.type().getName() + " cannot be used", e);
         }
     }
 }

@@ -63,9 +63,12 @@ public final class Transports {
         for (TransportProvider builtIn : List.of(new SerialTransportProvider(), new SimTransportProvider())) {
             providers.put(builtIn.scheme(), builtIn);
         }
-        ServiceLoader.load(TransportProvider.class).forEach(found -> providers.putIfAbsent(found.scheme(), found));
-        ServiceLoader.load(TransportProvider.class, TransportProvider.class.getClassLoader())
-                .forEach(found -> providers.putIfAbsent(found.scheme(), found));
+        for (ServiceLoader.Provider<TransportProvider> service : Services.providers(TransportProvider.class)) {
+            TransportProvider found = Services.make(service);
+            if (found != null) {
+                providers.putIfAbsent(found.scheme(), found);
+            }
+        }
         return providers;
     }
 }

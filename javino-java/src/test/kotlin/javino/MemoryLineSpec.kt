@@ -61,6 +61,24 @@ class MemoryLineSpec : FunSpec({
         line.board().available() shouldBe 4096
     }
 
+    test("what was on its way when an end was closed arrives in its time, and then the line is gone") {
+        val line = MemoryLine.paced("line", settings, JumpingClock())
+        line.board().write(ByteArray(2), 0, 2, 0)
+        line.computer().write(ByteArray(3), 0, 3, 0)
+        line.computer().close()
+        shouldThrow<PortGoneException> { line.computer().read(ByteArray(8), 0, 8, 1_000) }
+        shouldThrow<PortGoneException> { line.board().write(ByteArray(1), 0, 1, 1_000) }
+        repeat(3) { line.board().read(ByteArray(8), 0, 8, 1_000) shouldBe 1 }
+        shouldThrow<PortGoneException> { line.board().read(ByteArray(8), 0, 8, 1_000) }.message shouldContain "closed"
+    }
+
+    test("what was on its way when the plug was pulled is lost") {
+        val line = MemoryLine.unlimited("line", settings, JumpingClock())
+        line.computer().write(ByteArray(3), 0, 3, 0)
+        line.unplug()
+        shouldThrow<PortGoneException> { line.board().read(ByteArray(8), 0, 8, 1_000) }.message shouldContain "unplugged"
+    }
+
     test("a board whose program ended is told of as the reason") {
         SimulatedBoards.plugIn("ending") { }
         try {

@@ -3,6 +3,7 @@ package javino
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -75,6 +76,17 @@ class SerialLineSpec : FunSpec({
             Link.open(terminals.computer, settings, "the test").close()
         }
         link.close()
+    }
+
+    onTerminals("what was written right before a port is closed is not dropped with it") { terminals ->
+        val bytes = ByteArray(200)
+        SerialTransport.open(terminals.board, settings.line()).use { end ->
+            val arrived = (1..20).count {
+                SerialTransport.open(terminals.computer, settings.line()).use { it.write(bytes, 0, bytes.size, LONG_MILLIS) }
+                end.read(bytes, 0, bytes.size, 1_000) > 0
+            }
+            arrived shouldBeGreaterThan 17 // a machine that is very busy moves the bytes later than any closing can wait for
+        }
     }
 
     onTerminals("opening and closing fifty times leaves no thread and no descriptor behind", withProc) { terminals ->

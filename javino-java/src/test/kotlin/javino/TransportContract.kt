@@ -113,15 +113,6 @@ internal abstract class TransportContract(available: Enabled, open: () -> Line) 
         reader.failure().shouldBeInstanceOf<PortGoneException>().message shouldContain "closed"
     }
 
-    contract("what was written before closing arrives, and then the line is gone") {
-        val reader = async { computer.read(ByteArray(8), 0, 8, LONG_MILLIS) }
-        val bytes = ByteArray(200) { it.toByte() }
-        computer.write(bytes, 0, bytes.size, LONG_MILLIS)
-        computer.close()
-        board.readFully(200) shouldBe bytes
-        reader.failure().shouldBeInstanceOf<PortGoneException>()
-    }
-
     contract("after closing, which may be done twice, reads and writes throw") {
         computer.close()
         computer.close()

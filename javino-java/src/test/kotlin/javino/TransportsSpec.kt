@@ -18,8 +18,21 @@ class NowhereProvider : TransportProvider {
     override fun ports() = listOf("nowhere:here")
 }
 
+/** A scheme whose provider cannot be made. */
+class UnusableProvider : TransportProvider {
+    init {
+        error("not today")
+    }
+
+    override fun scheme() = "unusable"
+
+    override fun open(address: String, line: LineSettings): Transport = error("never made")
+
+    override fun ports() = listOf<String>()
+}
+
 /** A board that a program adds: it echoes. */
-class EchoBoard : SimulatedBoard {
+open class EchoBoard : SimulatedBoard {
     override fun run(line: Transport) {
         val bytes = ByteArray(64)
         while (true) {
@@ -28,6 +41,9 @@ class EchoBoard : SimulatedBoard {
         }
     }
 }
+
+/** Another one. */
+class ParrotBoard : EchoBoard()
 
 class TransportsSpec : FunSpec({
     val line = LineSettings.defaults()
@@ -56,6 +72,16 @@ class TransportsSpec : FunSpec({
                 computer.write("hi".toByteArray(), 0, 2, 1_000)
                 computer.readFully(2).decodeToString() shouldBe "hi"
             }
+        }
+    }
+
+    test("a service that cannot be loaded leaves the others") {
+        withServices(
+            TransportProvider::class.java.name to "no.such.Provider\n${UnusableProvider::class.java.name}\n${NowhereProvider::class.java.name}",
+            SimulatedBoard::class.java.name to "no.such.Board\n${ParrotBoard::class.java.name}",
+        ) {
+            Transports.open("nowhere:there", line).use { it.name() shouldBe "nowhere:there" }
+            Transports.ports() shouldContain "sim:parrotboard"
         }
     }
 
@@ -97,7 +123,7 @@ private fun withServices(vararg services: Pair<String, String>, work: () -> Unit
             work()
         } finally {
             thread.contextClassLoader = before
-            SimulatedBoards.unplug("echoboard")
+            listOf("echoboard", "parrotboard").forEach(SimulatedBoards::unplug)
         }
     }
     File(directory.toString()).deleteRecursively()

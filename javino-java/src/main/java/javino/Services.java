@@ -1,0 +1,54 @@
+package javino;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+
+/**
+ * Finds services as the calling thread sees them, and as this library does: in a Jason project the two may differ. A service that cannot be
+ * loaded costs a warning and leaves the others.
+ */
+final class Services {
+    private static final System.Logger LOG = System.getLogger(Services.class.getName());
+
+    private Services() {}
+
+    /** The providers of {@code service}, without making any; one that both class loaders see comes twice. */
+    static <T> List<ServiceLoader.Provider<T>> providers(Class<T> service) {
+        List<ServiceLoader.Provider<T>> found = new ArrayList<>();
+        addAll(found, ServiceLoader.load(service), service);
+        addAll(found, ServiceLoader.load(service, service.getClassLoader()), service);
+        return found;
+    }
+
+    private static <T> void addAll(List<ServiceLoader.Provider<T>> found, ServiceLoader<T> loader, Class<T> service) {
+        Iterator<ServiceLoader.Provider<T>> providers = loader.stream().iterator();
+        boolean more = true;
+        while (more) {
+            try {
+                more = providers.hasNext();
+                if (more) {
+                    found.add(providers.next());
+                }
+            } catch (ServiceConfigurationError e) {
+                warn(service, e); // the loader goes on with the next one
+            }
+        }
+    }
+
+    /** Makes what {@code provider} provides; null if that fails. */
+    static <T> T make(ServiceLoader.Provider<T> provider) {
+        try {
+            return provider.get();
+        } catch (ServiceConfigurationError e) {
+            warn(provider.type(), e);
+            return null;
+        }
+    }
+
+    private static void warn(Class<?> service, ServiceConfigurationError e) {
+        LOG.log(System.Logger.Level.WARNING, "a " + service.getName() + " cannot be used", e);
+    }
+}

@@ -1,0 +1,36 @@
+/**
+ * Messages between a program and a microcontroller board, over a serial line, in version 1 of the Javino protocol.
+ *
+ * <p>{@link javino.Link} is the way in: it opens a port for one owner, asks the board that is there until it answers, and exchanges messages
+ * at the pace of the line. {@link javino.Javino} is the classic interface on top of it. Below it a {@link javino.Transport} moves bytes, and
+ * {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
+ *
+ * <pre>
+ * board --bytes--&gt; Transport --&gt; FrameDecoder --&gt; Link --messages--&gt; program
+ * board &lt;--bytes-- Transport &lt;-- Frame &lt;-------- Link &lt;--messages-- program
+ * </pre>
+ *
+ * <p>{@link javino.Transports} finds a transport by the port's name: a serial device ({@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}), a
+ * {@link javino.SimulatedBoard} of this program ({@code sim:robot}), or what a {@link javino.TransportProvider} adds.
+ * {@link javino.FakeBoard} is a simulated board for tests.
+ *
+ * <table>
+ *   <caption>What is thrown. All are {@link javino.PortException}s, which know the port's name</caption>
+ *   <tr><th>exception</th><th>thrown when</th><th>by</th><th>then the port</th></tr>
+ *   <tr><td>{@link javino.NoSuchPortException}</td><td>there is no such port or scheme; lists those there are</td><td>opening</td>
+ *     <td>is not open</td></tr>
+ *   <tr><td>{@link javino.PortBusyException}</td><td>someone has it: {@link javino.PortBusyException#owner()}</td><td>opening</td>
+ *     <td>is not open</td></tr>
+ *   <tr><td>{@link javino.PortPermissionException}</td><td>this user may not open it; says how to change that</td><td>opening</td>
+ *     <td>is not open</td></tr>
+ *   <tr><td>{@link javino.PortFaultException}</td><td>the driver refuses for another reason; carries its code</td><td>opening</td>
+ *     <td>is not open</td></tr>
+ *   <tr><td>{@link javino.PortTimeoutException}</td><td>what was asked for did not happen in time</td><td>reading, writing</td>
+ *     <td>can be used on</td></tr>
+ *   <tr><td>{@link javino.PortInterruptedException}</td><td>the calling thread was interrupted</td><td>any call that waits</td>
+ *     <td>can be used on</td></tr>
+ *   <tr><td>{@link javino.PortGoneException}</td><td>it was closed, or its device is not there any more</td><td>reading, writing</td>
+ *     <td>can be opened anew when the device is back</td></tr>
+ * </table>
+ */
+package javino;
