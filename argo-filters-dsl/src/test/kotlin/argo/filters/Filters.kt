@@ -14,7 +14,6 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.arbitrary.orNull
-import io.kotest.property.arbitrary.set
 import io.kotest.property.arbitrary.string
 
 /** A filter whose rules stand in XML between the root's tags. */
@@ -60,7 +59,7 @@ val comparisons: Arb<Test> = Arb.enum<Operator>().flatMap { operator ->
 val tests: Arb<Test> = Arb.choice(
     comparisons,
     comparisons,
-    Arb.set(values(), 1..3).map { Test.OneOf(it) },
+    Arb.list(values(), 1..3).map { Test.OneOf(it.toSet()) },
     Arb.element("front", "f.*|b.*", "-?\\d+", "\"[^\"]*\"", ".*[(\\[].*", "a\nb|<&>", "(?i)FRONT", "[ ]x").map { Test.Matches(it) },
 )
 
@@ -69,8 +68,8 @@ val conditions: Arb<Condition> = Arb.choice(
     Arb.bind(predicates, Arb.list(tests, 0..2)) { name, tests -> Condition.Annotation(name, tests) },
 )
 
-val rates: Arb<Rate> = Arb.bind(Arb.int(1..2_000).orNull(), Arb.set(Arb.int(0..2).orNull(), 0..2), Arb.element(0.5, 1.0, 1e6)) { everyMs, arguments, width ->
-    val deadbands = arguments.map { Deadband(it, width) }.toSet()
+val rates: Arb<Rate> = Arb.bind(Arb.int(1..2_000).orNull(), Arb.list(Arb.int(0..2).orNull(), 0..2), Arb.element(0.5, 1.0, 1e6)) { everyMs, arguments, width ->
+    val deadbands = arguments.toSet().map { Deadband(it, width) }.toSet()
     Rate(if (deadbands.isEmpty()) (everyMs ?: 1).toLong() else everyMs?.toLong(), deadbands)
 }
 
