@@ -5,6 +5,7 @@ internal class RuleIndex(rules: List<Rule>) {
     private val functors: Array<String?>
     private val rulesOf: Array<Array<CompiledRule>>
     private val mask: Int
+    private val shift: Int
 
     init {
         val byFunctor = rules.groupBy { it.predicate.functor }
@@ -12,6 +13,7 @@ internal class RuleIndex(rules: List<Rule>) {
         functors = arrayOfNulls(size)
         rulesOf = Array(size) { emptyArray() }
         mask = size - 1
+        shift = Integer.numberOfLeadingZeros(mask)
         byFunctor.forEach { (functor, rules) ->
             var slot = slot(functor.hashCode())
             while (functors[slot] != null) slot = slot + 1 and mask
@@ -32,11 +34,12 @@ internal class RuleIndex(rules: List<Rule>) {
         }
     }
 
-    private fun slot(hash: Int) = (hash xor (hash ushr HASH_SHIFT)) and mask
+    /** The high bits of a product with the golden ratio: names that are numbered one after the other spread over the whole table. */
+    private fun slot(hash: Int) = (hash * GOLDEN_RATIO) ushr shift
 
     private companion object {
         const val SPACE = 4
-        const val HASH_SHIFT = 16
+        const val GOLDEN_RATIO = -0x61c88647
         val NO_RULES = emptyArray<CompiledRule>()
     }
 }
