@@ -6,10 +6,6 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe
 import org.jetbrains.kotlin.cli.common.ExitCode
-import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
-import java.io.ByteArrayOutputStream
-import java.io.File
-import java.io.PrintStream
 
 /** Statements of filters that make sense: they must compile, or the test of the others would prove nothing. */
 private val SENSE = listOf(
@@ -50,37 +46,14 @@ object Distance : PerceptType("distance") {
 }
 """
 
-/** What the compiler says to [statements], each in a function on a line of its own. */
-private class Compilation(directory: File, statements: List<String>) {
-    private val messages = ByteArrayOutputStream()
-    private val firstLine = DECLARATIONS.lines().size + 1
-
-    val exit: ExitCode
-
-    init {
-        val source = directory.resolve("Snippets.kt")
-        val functions = statements.mapIndexed { number, statement -> "fun snippet$number() { $statement }" }
-        source.writeText((listOf(DECLARATIONS) + functions).joinToString("\n"))
-        exit = K2JVMCompiler().exec(
-            PrintStream(messages), "-no-stdlib", "-no-reflect", "-classpath", classPath(), "-jvm-target", "17", "-d", directory.resolve("out").path, source.path,
-        )
-    }
-
-    fun errors(statement: Int): List<String> = "$messages".lines().filter { "Snippets.kt:${firstLine + statement}:" in it && "error:" in it }
-
-    override fun toString() = "$messages"
-
-    private fun classPath() = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
-}
-
 class TypeSafetySpec : FreeSpec({
     "what makes sense compiles" {
-        val compilation = Compilation(tempdir(), SENSE.map { it.second })
+        val compilation = Compilation(tempdir(), SENSE.map { it.second }, DECLARATIONS)
         withClue(compilation) { compilation.exit shouldBe ExitCode.OK }
     }
 
     "what makes no sense does not compile" - {
-        val compilation = Compilation(tempdir(), NO_SENSE.map { it.second })
+        val compilation = Compilation(tempdir(), NO_SENSE.map { it.second }, DECLARATIONS)
         NO_SENSE.forEachIndexed { number, (what, _) ->
             what { withClue(compilation) { compilation.errors(number).shouldNotBeEmpty() } }
         }
