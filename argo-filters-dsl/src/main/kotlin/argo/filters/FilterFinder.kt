@@ -6,6 +6,8 @@ import java.nio.file.Path
  * Finds filters by name: among those that [FilterProvider]s on the class path of [classLoader] offer, then in the files of
  * [projectDirectory], in those of `filters/` under it and in `filters/` on the class path, in this order.
  *
+ * Safe for use by several threads at once.
+ *
  * Files are XML (`.xml`) or JSON (`.json`), and a name may leave that off; then XML comes first. A name may hold folders (`night/dark`). It
  * may not lead out of those places: no absolute paths, no `..`, no backslashes, no links that end elsewhere.
  */
@@ -35,8 +37,8 @@ class FilterFinder(projectDirectory: Path, classLoader: ClassLoader) {
         val bare = FilterFormat.bareName(name)
         val problem = when {
             bare.isBlank() -> "it is empty"
-            bare.any { it == '\\' || it.isISOControl() } -> "it holds a backslash or a control character"
-            bare.startsWith('/') || DRIVE.matchesAt(bare, 0) -> "it is an absolute path"
+            bare.any { it in FOREIGN || it.isISOControl() } -> "it holds a control character or one of $FOREIGN"
+            bare.startsWith('/') -> "it is an absolute path"
             bare.split('/').any { it.isEmpty() || it == "." || it == ".." } -> "it holds '..', '.' or nothing between slashes"
             else -> return
         }
@@ -53,6 +55,8 @@ class FilterFinder(projectDirectory: Path, classLoader: ClassLoader) {
 
     private companion object {
         const val FOLDER = "filters"
-        val DRIVE = Regex("[A-Za-z]:")
+
+        /** What file names cannot hold on one system or another. */
+        const val FOREIGN = "\\:*?\"<>|"
     }
 }

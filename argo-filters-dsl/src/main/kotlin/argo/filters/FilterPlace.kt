@@ -26,8 +26,10 @@ internal interface FilterPlace {
 }
 
 /** The filters that services offer. */
-internal class ProvidedFilters(classLoader: ClassLoader) : FilterPlace {
-    private val providers = ServiceLoader.load(FilterProvider::class.java, classLoader)
+internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
+    /** Loaded anew each time, since a loader is not safe for several agents at once. */
+    private val providers: ServiceLoader<FilterProvider>
+        get() = ServiceLoader.load(FilterProvider::class.java, classLoader)
 
     override fun find(name: String): PerceptionFilter? {
         val found = providers.flatMap { provider -> provider.filters.filter { it.name == name }.map { provider to it } }

@@ -41,12 +41,12 @@ class FilterSession<P : Any> internal constructor(private val formOf: (P) -> Per
      * What the agent perceives when the board sends [percepts], its whole picture of the world, at [nowMs].
      *
      * For a percept that is held back the one that was let through last stands in the result, so that the agent goes on believing it.
-     * The order is that of [percepts]; frozen percepts follow. Text that is not a percept is kept.
+     * The order is that of [percepts]; frozen percepts follow. Text that is not a percept is kept. The result cannot be changed.
      */
     fun perceive(percepts: List<P>, nowMs: Long): List<P> {
         nextDueMs = null
-        snapshot = percepts
-        delivered = decide(percepts, nowMs)
+        delivered = java.util.List.copyOf(decide(percepts, nowMs))
+        snapshot = if (nextDueMs == null) emptyList() else java.util.List.copyOf(percepts)
         return delivered
     }
 

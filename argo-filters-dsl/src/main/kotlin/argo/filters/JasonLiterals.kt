@@ -1,4 +1,4 @@
-/** The one place of this module that knows Jason's terms. */
+/** What filters see of Jason's terms. */
 @file:JvmName("JasonLiterals")
 
 package argo.filters
@@ -63,8 +63,8 @@ internal class LiteralForm private constructor(private val literal: Literal, ove
 }
 
 private fun predicateOf(literal: Literal): Predicate? {
-    if (literal.isVar || literal.ns.isVar || !Syntax.isFunctor(literal.functor)) return null
-    return Predicate(literal.functor, literal.negated(), literal.ns.functor)
+    if (literal.isVar || literal.ns.isVar) return null
+    return Predicate.ofOrNull(literal.functor, literal.negated(), literal.ns.functor)
 }
 
 /** The value that [term] is, or null for what has none: variables, expressions, plans, objects, strings that no text could hold. */
@@ -87,6 +87,7 @@ private fun number(term: Term): Double? = when {
 private fun list(list: ListTerm, depth: Int): Value? {
     val items = ArrayList<Value>()
     var rest = list
+    if (rest.isTail) return null
     while (!rest.isEmpty()) {
         items += valueOf(rest.term, depth + 1) ?: return null
         if (rest.isTail) return null

@@ -18,7 +18,7 @@ internal interface PerceptForm {
     override fun toString(): String
 }
 
-/** A percept as it came off the line: [text] without blanks around it. */
+/** A percept as it came off the line. */
 internal class TextForm private constructor(private val text: String, private val head: FunctorScanner, private val tail: Long) : PerceptForm {
     override val predicate: Predicate = head.predicate()
     override val arity: Int = Outline.arity(tail)
@@ -42,12 +42,12 @@ internal class TextForm private constructor(private val text: String, private va
         return text.substring(start, Outline.partEnd(text, start, text.length, ')'))
     }
 
-    override fun toString(): String = text
+    override fun toString(): String = text.trim()
 
     companion object {
         /** The percept that is written from [start] to [end], or null if none is. */
         fun of(text: CharSequence, start: Int = 0, end: Int = text.length): TextForm? {
-            val percept = text.substring(start, end).trim()
+            val percept = text.substring(start, end)
             val head = FunctorScanner(percept, 0, percept.length)
             if (!head.scan()) return null
             val tail = Outline.tail(percept, head.functorEnd, percept.length)

@@ -42,6 +42,8 @@ class PerceptReader(private val kept: Int = DEFAULT_KEPT) {
         throw refusal(percept, e)
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
+    } catch (e: RuntimeException) {
+        throw refusal(percept, e) // so it refuses expressions of terms that are no formulas, and numbers out of range
     } catch (e: StackOverflowError) {
         throw PerceptSyntaxException("${shortened(percept)} is nested too deep to be read", e)
     }

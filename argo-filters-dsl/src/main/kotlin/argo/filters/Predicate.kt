@@ -12,9 +12,9 @@ package argo.filters
 data class Predicate(val functor: String, val negated: Boolean = false, val namespace: String = DEFAULT_NAMESPACE) {
 
     init {
-        require(Syntax.isFunctor(functor)) { "'$functor' is no functor: ${Syntax.FUNCTOR_IN_WORDS}" }
-        require(Syntax.isAtom(namespace)) { "'$namespace' is no namespace: ${Syntax.FUNCTOR_IN_WORDS}" }
-        require(!negated || functor !in Syntax.TRUTH_VALUES) { "~$functor cannot be written in Jason" }
+        require(Syntax.isAtom(functor)) { "'$functor' is no functor: ${Syntax.FUNCTOR_IN_WORDS}" }
+        require(isNamespace(namespace)) { "'$namespace' is no namespace: ${Syntax.FUNCTOR_IN_WORDS}" }
+        require(isWritable(functor, negated, namespace)) { "$functor is neither negated nor in a namespace in Jason" }
     }
 
     /** As Jason writes it: `dist`, `~open`, `house::~open`. */
@@ -27,6 +27,9 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
     companion object {
         /** The namespace of everything that is written without one. */
         const val DEFAULT_NAMESPACE: String = "default"
+
+        /** Jason's word for the namespace that a text is read in. */
+        internal const val THIS_NAMESPACE = "this_ns"
 
         /**
          * Reads a predicate as Jason would: `dist`, `~open`, `house::dist`.
@@ -41,6 +44,15 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
             return Predicate(if (negated) rest.substring(1).trimStart() else rest, negated, namespace)
         }
 
-        private fun namespaceOf(written: String) = if (written.isEmpty() || written == "this_ns") DEFAULT_NAMESPACE else written
+        /** The predicate of these parts, or null if Jason could not write it. */
+        internal fun ofOrNull(functor: String, negated: Boolean, namespace: String): Predicate? =
+            if (Syntax.isAtom(functor) && isNamespace(namespace) && isWritable(functor, negated, namespace)) Predicate(functor, negated, namespace) else null
+
+        private fun isNamespace(name: String) = Syntax.isAtom(name) && name !in Syntax.TRUTH_VALUES && name != THIS_NAMESPACE
+
+        private fun isWritable(functor: String, negated: Boolean, namespace: String) =
+            functor !in Syntax.TRUTH_VALUES || !negated && namespace == DEFAULT_NAMESPACE
+
+        private fun namespaceOf(written: String) = if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
     }
 }

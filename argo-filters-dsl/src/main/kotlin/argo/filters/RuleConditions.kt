@@ -5,17 +5,18 @@ package argo.filters
 class RuleConditions internal constructor() {
     private val conditions = ArrayList<Condition>()
     private val deadbands = LinkedHashSet<Deadband>()
+    private val begun = ArrayList<AnyTerm>()
     private var arity: Int? = null
     private var everyMs: Long? = null
 
     /** The argument at [index], counted from 0, of whatever type: `argument(0) ne "front"`. */
     fun argument(index: Int): AnyArgument {
         requireIndex(index)
-        return AnyArgument(index, this)
+        return AnyArgument(index, this).also(begun::add)
     }
 
     /** The annotations called [name], of which one must meet what is said of it: `annotation("q") lt 0.5`. */
-    fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this)
+    fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(begun::add)
 
     /** The percept must have an annotation called [name]. */
     fun hasAnnotation(name: String) {
@@ -54,7 +55,9 @@ class RuleConditions internal constructor() {
         conditions += Condition.Annotation(name, listOf(test))
     }
 
+    /** @throws IllegalArgumentException if there is an argument or annotation of which nothing is said, which would be a condition lost */
     internal fun rule(predicate: Predicate): Rule {
+        begun.find { !it.isSaid }?.let { throw IllegalArgumentException("nothing is said of $it in a rule on $predicate; expected a word like eq or gt after it") }
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands)
         return Rule(predicate, conditions.toList(), arity, rate)
     }
@@ -63,7 +66,15 @@ class RuleConditions internal constructor() {
 /** A term whose type is not declared: an argument or an annotation's value. Text is read as Jason reads it: `"front"` is an atom, `"\"front\""` a string. */
 @FilterDsl
 sealed class AnyTerm {
-    internal abstract fun must(test: Test)
+    /** Whether something is said of it. */
+    internal var isSaid = false
+
+    private fun must(test: Test) {
+        isSaid = true
+        add(test)
+    }
+
+    internal abstract fun add(test: Test)
 
     /** It equals [value], a Jason term. */
     infix fun eq(value: String): Unit = must(Test.Compare(Operator.EQ, Value.of(value)))
@@ -111,22 +122,29 @@ sealed class AnyTerm {
 
 /** An argument of a rule under construction. */
 class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
-    override fun must(test: Test) = rule.argument(index, test)
+    override fun add(test: Test) = rule.argument(index, test)
 
     /** Percepts are held back of which this argument has not moved by [width]; see [Rate]. */
-    infix fun deadband(width: Number): Unit = rule.deadband(index, width)
+    infix fun deadband(width: Number) {
+        isSaid = true
+        rule.deadband(index, width)
+    }
+
+    override fun toString(): String = "argument($index)"
 }
 
 /** An annotation of a rule under construction. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
-    override fun must(test: Test) = rule.annotation(name, test)
+    override fun add(test: Test) = rule.annotation(name, test)
+
+    override fun toString(): String = "annotation(\"$name\")"
 }
 
 /** All that is said of one annotation. */
 class AnnotationTests internal constructor() : AnyTerm() {
     internal val tests = ArrayList<Test>()
 
-    override fun must(test: Test) {
+    override fun add(test: Test) {
         tests += test
     }
 }

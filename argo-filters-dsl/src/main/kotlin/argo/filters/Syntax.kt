@@ -8,8 +8,6 @@ internal object Syntax {
     /** Atoms that stand alone: no arguments, annotations or negation. */
     val TRUTH_VALUES = setOf("true", "false")
 
-    fun isFunctor(text: String): Boolean = isAtom(text)
-
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
     /** Whether a word is one that Jason's parser takes for something else than an atom. */

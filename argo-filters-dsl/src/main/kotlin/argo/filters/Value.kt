@@ -73,6 +73,12 @@ sealed interface Value {
         val arguments: List<Value> = emptyList(),
         val annotations: Set<Value> = emptySet(),
     ) : Value {
+        init {
+            val functor = predicate.functor
+            require(!Syntax.isDotted(functor, 0, functor.length)) { "'$functor' is an internal action or a function to Jason, and no value" }
+            require(functor !in Syntax.TRUTH_VALUES || arguments.isEmpty() && annotations.isEmpty()) { "'$functor' has neither arguments nor annotations in Jason" }
+        }
+
         override fun toString(): String = buildString {
             append(predicate)
             if (arguments.isNotEmpty()) arguments.joinTo(this, ",", "(", ")")

@@ -135,6 +135,11 @@ class FilterDslSpec : StringSpec({
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { include(keeping) } }.message shouldContain "filter keeping cannot be included"
     }
 
+    "an argument or annotation of which nothing is said is refused" {
+        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(1) } } }.message shouldContain "nothing is said of argument(1) in a rule on d"
+        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { annotation("q") } } }.message shouldContain "annotation(\"q\")"
+    }
+
     "what a file is refused for is refused here" {
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("Dist") } }.message shouldContain "'Dist' is no functor"
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(-1) eq 1 } } }.message shouldContain "none at -1"

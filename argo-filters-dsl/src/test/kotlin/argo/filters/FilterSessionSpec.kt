@@ -217,6 +217,16 @@ class FilterSessionSpec : FreeSpec({
         literals.due(100)!!.map { "$it" } shouldContainExactly listOf("dist(f,(-2))")
     }
 
+    "what it was given and what it gave may be changed without changing what it remembers" {
+        val session = session(EVERY_100)
+        val given = mutableListOf("dist(f,1)", "light(1)")
+        session.perceive(given, 0)
+        given[0] = "dist(f,2)"
+        session.perceive(given, 50)
+        given.clear()
+        session.due(100)!! shouldContainExactly listOf("dist(f,2)", "light(1)")
+    }
+
     "it explains itself" {
         val session = session(EVERY_100)
         session.perceive(listOf("dist(f,1)"), 0)

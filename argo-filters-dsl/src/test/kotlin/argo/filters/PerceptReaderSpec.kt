@@ -87,7 +87,7 @@ class PerceptReaderSpec : StringSpec({
     }
 
     "it refuses exactly what Jason's parser refuses" {
-        val tokens = Arb.list(Arb.element("d", "(", ")", "[", "]", ",", "|", "\"", "'", "\\", "~", ":", ".", "-", "+", "1", "1.5e", "X", " ", "\n", "/", "true", "not", "a", "é"), 0..10)
+        val tokens = Arb.list(Arb.element("d", "(", ")", "[", "]", ",", "|", "\"", "'", "\\", "~", ":", ".", "-", "+", "1", "1.5e", "X", " ", "\n", "/", "true", "not", "a", "é", "&", "_9999999999", "{", "}", "!", ";", "<", "=", "*"), 0..10)
         checkAll(20_000, tokens.map { it.joinToString("") }) { text ->
             val expected = try { ASSyntax.parseLiteral(text) } catch (_: Exception) { null } catch (_: Error) { null }
             if (expected == null) withClue(text) { shouldThrow<PerceptSyntaxException> { PerceptReader().read(text) } } else shouldReadAsJason(text)

@@ -30,6 +30,12 @@ class ValueSpec : StringSpec({
         for (text in listOf("\\", "a\\", "\\x", "\r", "\\n")) shouldThrow<IllegalArgumentException> { Value.Text(text) }
     }
 
+    "a structure that Jason cannot write is refused" {
+        shouldThrow<IllegalArgumentException> { Value.Structure(Predicate("true"), listOf(Value.of("1"))) }
+        shouldThrow<IllegalArgumentException> { Value.Structure(Predicate("math.abs"), listOf(Value.of("1"))) }
+        shouldThrow<IllegalArgumentException> { Predicate("a", namespace = "this_ns") }
+    }
+
     "an ordering needs a number" {
         shouldThrow<IllegalArgumentException> { Test.Compare(Operator.GT, Value.of("front")) }.message shouldContain "'front' is not one"
     }
@@ -37,7 +43,7 @@ class ValueSpec : StringSpec({
     "a predicate is written as it is read" {
         for (written in listOf("dist", "~open", "house::dist", "house::~open", "'Left wheel'")) "${Predicate.of(written)}" shouldBe written
         "${Predicate.of(" default:: dist ")}" shouldBe "dist"
-        for (written in listOf("", "Dist", "dist(1)", "~", "~~a", "a b", "1", "::", "a::", "A::b", "not", "~true")) {
+        for (written in listOf("", "Dist", "dist(1)", "~", "~~a", "a b", "1", "::", "a::", "A::b", "not", "~true", "a::true", "true::a")) {
             shouldThrow<IllegalArgumentException> { Predicate.of(written) }
         }
     }
