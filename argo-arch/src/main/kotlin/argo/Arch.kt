@@ -49,7 +49,7 @@ open class Arch : AgArch() {
         board = BoardPercepts(PerceptReader { log.warning(it) }, log, ::steadyMs)
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
-        ports = Ports(agName, states, Listener(), ::applySensing)
+        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, settle = ::applySensing)
     }
 
     private fun sensingPolicy(): SensingPolicy {

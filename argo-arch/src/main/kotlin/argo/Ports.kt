@@ -17,12 +17,14 @@ import kotlin.concurrent.withLock
  * closing, is done by a thread of this class's own. Safe for use by several threads.
  *
  * @param owner the agent's name: what a second agent is told that asks for the same port
+ * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced]
  * @param settle is called after each change of the port in use
  */
 internal class Ports(
     private val owner: String,
     private val states: PortStates,
     private val listener: SensingListener,
+    private val paced: Boolean,
     private val settle: () -> Unit,
 ) {
     private val lock = ReentrantLock()
@@ -87,7 +89,7 @@ internal class Ports(
         if (lock.withLock { open.size } >= MOST_PORTS) {
             throw ArgumentException("an agent holds at most $MOST_PORTS ports; argo.port(none) closes them")
         }
-        val port = OpenPort(term, Link.open(name, options.link, owner), options, owner, listener)
+        val port = OpenPort(term, Link.open(name, options.link.withPaced(paced), owner), options, owner, listener)
         val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
         if (tooLate) port.close()
         return port

@@ -41,7 +41,7 @@ class ActingSpec : FunSpec({
 
     test("a loop of argo.act neither starves sensing nor runs ahead of it: the stop is sent right after it is decided") {
         FakeBoard.plugIn("robot").use { board ->
-            board.lenient().queueSize(1)
+            board.lenient()
             var n = 100
             board.whenAsked("getPercepts").answer { "dist(f,${n--});" }
             TestMas().use { mas ->
@@ -53,7 +53,6 @@ class ActingSpec : FunSpec({
                     -!moving <- .wait(5); !moving.
                 """)
                 eventually({ board.received() }) { board.received().any { it.startsWith("at(") } }
-                board.overwritten().shouldBeEmpty()
                 val received = board.received()
                 val asked = received.dropLastWhile { it != "stop" }.count { it == "getPercepts" }
                 // the 61st answer or so says 40; the one on its way when it came and the one held back may follow it
