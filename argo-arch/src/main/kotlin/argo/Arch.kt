@@ -46,7 +46,7 @@ open class Arch : AgArch() {
         log = Logger.getLogger("${Arch::class.java.name}.$agName")
         policy = sensingPolicy()
         waker = Waker(this)
-        board = BoardPercepts(PerceptReader { log.warning(it) }, log, ::steadyMs)
+        board = BoardPercepts(BeliefReader { log.warning(it) }, log, ::steadyMs)
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, settle = ::applySensing)

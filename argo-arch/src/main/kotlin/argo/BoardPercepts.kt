@@ -17,7 +17,7 @@ import kotlin.concurrent.withLock
  * @param log is told at level FINE why a percept is dropped
  * @param nowMs a clock in ms that never goes back
  */
-internal class BoardPercepts(private val reader: PerceptReader, private val log: Logger, private val nowMs: () -> Long) {
+internal class BoardPercepts(private val reader: BeliefReader, private val log: Logger, private val nowMs: () -> Long) {
     private val lock = ReentrantLock()
     private val session = FilterSession.ofTexts()
     private var filterVersion = 0L

@@ -1,55 +1,45 @@
 package argo
 
-import jason.asSyntax.ASSyntax
+import argo.filters.PerceptReader
+import argo.filters.PerceptSyntaxException
 import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.Literal
-import jason.bb.BeliefBase
-import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Turns the text of a percept into the literal that Jason believes.
+ * Turns the text of a percept into the literal that the agent is to believe.
  *
  * A text that Jason cannot read, or that no sensor can mean, costs itself alone, and one warning per distinct text.
- * Literals of a text seen before are reused: Jason copies what it adds to a belief base.
- *
- * Safe for use by several threads.
+ * Literals of a text seen before are reused: Jason copies what it adds to a belief base. Not safe for use by several threads at once.
  *
  * @param warn takes the one line that is said about a text that is not read
  */
-internal class PerceptReader(private val warn: (String) -> Unit) {
-    private val known = ConcurrentHashMap<String, Reading>()
-    private val reported = ConcurrentHashMap.newKeySet<String>()
+internal class BeliefReader(private val warn: (String) -> Unit) {
+    private val parser = PerceptReader(kept = 0) // what is kept is kept here, with what became of it
+    private val known = object : LinkedHashMap<String, Reading>(16, 0.75f, true) {
+        override fun removeEldestEntry(eldest: Map.Entry<String, Reading>) = size > MOST_KNOWN
+    }
+    private val reported = HashSet<String>()
 
     /** What [percept] says; empty if it cannot be read, several literals only where a stray quote or bracket had joined them. */
-    fun read(percept: String): List<Literal> = when (val reading = reading(percept)) {
-        is Reading.Percept -> listOf(reading.literal)
+    fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parse(percept).also { known[percept] = it }) {
+        is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
             val pieces = piecesOf(percept)
             if (pieces.size > 1) pieces.flatMap(::read) else emptyList<Literal>().also { report(percept, reading.why) }
         }
     }
 
-    private fun reading(percept: String): Reading {
-        known[percept]?.let { return it }
-        if (known.size >= MOST_KNOWN) known.clear() // boards repeat themselves; one that never does must not fill the memory
-        return parse(percept).also { known[percept] = it }
-    }
-
     private fun parse(percept: String): Reading = try {
-        val literal = ASSyntax.parseLiteral(percept)
+        val literal = parser.read(percept)
         when {
             literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
             !literal.isGround -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
             claimsToBeAPort(literal) -> Reading.Unreadable("port/2 with on, off or timeout tells the state of a port, which no board can claim")
-            else -> Reading.Percept(ownSource(literal))
+            else -> Reading.Belief(ownSource(literal))
         }
-    } catch (unreadable: Exception) {
-        Reading.Unreadable(firstLine(unreadable.message ?: unreadable.javaClass.simpleName))
-    } catch (tooDeep: StackOverflowError) {
-        Reading.Unreadable("its brackets are nested too deeply")
-    } catch (lexical: Error) { // Jason's tokenizer throws a TokenMgrError for a character that no token begins with
-        if (lexical is VirtualMachineError) throw lexical
-        Reading.Unreadable(firstLine(lexical.message ?: lexical.javaClass.simpleName))
+    } catch (refused: PerceptSyntaxException) {
+        val detail = (refused.cause ?: refused).message.orEmpty().lineSequence().first()
+        Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else " (${printable(detail)})")
     }
 
     private fun report(percept: String, why: String) {
@@ -59,7 +49,7 @@ internal class PerceptReader(private val warn: (String) -> Unit) {
     }
 
     private sealed interface Reading {
-        data class Percept(val literal: Literal) : Reading
+        data class Belief(val literal: Literal) : Reading
         data class Unreadable(val why: String) : Reading
     }
 
@@ -78,8 +68,6 @@ private fun ownSource(literal: Literal): Literal {
     if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))
     return literal
 }
-
-private fun firstLine(message: String) = printable(message.lineSequence().first())
 
 /** [text] for a log line: control characters as `\xHH`, at most 200 characters. */
 internal fun printable(text: String): String = buildString {

@@ -8,9 +8,9 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import jason.asSyntax.ASSyntax
 
-class PerceptReaderSpec : FunSpec({
+class BeliefReaderSpec : FunSpec({
     val warnings = ArrayList<String>()
-    val reader = PerceptReader { warnings += it }
+    val reader = BeliefReader { warnings += it }
     beforeTest { warnings.clear() }
     fun read(text: String) = reader.read(text)
 
