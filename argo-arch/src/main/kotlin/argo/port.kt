@@ -30,9 +30,13 @@ open class port : BoardAction("argo.port", 1..2) {
         val options = call.args.getOrNull(1)?.let(PortOptions::of)
         val outcome = call.suspendIntention()
         if (name == "none") arch.closePorts { outcome(null) }
-        else arch.choosePort(portTerm(call.args[0], name), name, options, outcome)
+        else arch.choosePort(portTerm(call.args[0], name), name, options) { outcome(it?.hinting(call.args[0])) }
     }
 }
+
+/** Who wrote a variable may have meant its value. */
+private fun Failure.hinting(written: Term): Failure =
+    if (written is VarTerm && error == "no_such_port") copy(cause = "$cause ($written has no value, so its name was taken for the port's)") else this
 
 private fun portName(term: Term): String {
     val name = when {
