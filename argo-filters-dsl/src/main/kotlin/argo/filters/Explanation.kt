@@ -39,8 +39,8 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         }
 
         fun heldBack(matcher: PerceptMatcher, percept: PerceptForm, hold: Hold<*>, nowMs: Long): Explanation {
-            val reason = " for another ${hold.dueMs - nowMs} ms by filter ${matcher.filter.name}: ${met(matcher, hold.rule)}; ${hold.lastPercept} stands for it"
-            return Explanation("$percept", Outcome.HELD_BACK, hold.rule.rule, reason)
+            val time = " for another ${hold.dueMs - nowMs} ms by filter ${matcher.filter.name}"
+            return Explanation("$percept", Outcome.HELD_BACK, hold.rule.rule, "$time: ${met(matcher, hold.rule)}; ${hold.lastPercept} stands for it")
         }
 
         private fun met(matcher: PerceptMatcher, rule: CompiledRule) = "${numbered(matcher, rule)} meets it: ${rule.rule}"
@@ -49,12 +49,14 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             val rules = matcher.rulesOn(percept)
             if (rules.isEmpty()) return "it has no rule on ${percept.predicate} with ${percept.arity} arguments"
             return rules.joinToString("; ") { rule ->
-                if (rule in met) "${numbered(matcher, rule)} holds nothing back now" else "${numbered(matcher, rule)} does not meet it, since not: ${failing(rule, percept)}"
+                val verdict = if (rule in met) "holds nothing back now" else "does not meet it, since not: ${failing(rule, percept)}"
+                "${numbered(matcher, rule)} $verdict"
             }
         }
 
         private fun failing(rule: CompiledRule, percept: PerceptForm) = rule.conditions.first { !percept.meets(it) }.condition
 
-        private fun numbered(matcher: PerceptMatcher, rule: CompiledRule) = "rule ${matcher.filter.rules.indexOfFirst { it === rule.rule } + 1}"
+        private fun numbered(matcher: PerceptMatcher, rule: CompiledRule) =
+            "rule ${matcher.filter.rules.indexOfFirst { it === rule.rule } + 1}"
     }
 }

@@ -57,7 +57,8 @@ internal class FilterDirectory(private val directory: Path, private val boundary
         val file = directory.resolve(fileName)
         val real = file.toRealPath()
         if (!real.startsWith(boundary.toRealPath())) {
-            throw FilterNotFoundException("The filter '$name' is the file $file, which is a link that leads out of $boundary to $real; copy it there instead.")
+            val problem = "is the file $file, which is a link that leads out of $boundary to $real"
+            throw FilterNotFoundException("The filter '$name' $problem; copy it there instead.")
         }
         return real.inputStream().use { format.read(it, file.toString(), FilterFormat.bareName(name)) }
     }

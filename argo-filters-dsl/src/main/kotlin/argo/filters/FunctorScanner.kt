@@ -15,7 +15,7 @@ internal class FunctorScanner(private val text: CharSequence, private val start:
 
     /** The namespace's name, the default one where none is written. */
     val namespace: String
-        get() = text.substring(namespaceStart, namespaceEnd).let { if (it.isEmpty() || it == Predicate.THIS_NAMESPACE) Predicate.DEFAULT_NAMESPACE else it }
+        get() = Predicate.namespaceOf(text.substring(namespaceStart, namespaceEnd))
 
     fun scan(): Boolean {
         var i = Syntax.skipBlanks(text, start, end)

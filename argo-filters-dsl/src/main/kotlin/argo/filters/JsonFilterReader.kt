@@ -111,7 +111,9 @@ internal class JsonFilterReader(text: String, private val source: String, privat
     private fun written(value: JsonNode, operator: String): String = when {
         value is JsonNode.Scalar && (value.isText || NUMBER.matches(value.content)) -> value.content
         value is JsonNode.Array && operator == TestFormat.IN -> value.items.joinToString(",", "[", "]") { written(it, "") }
-        else -> throw IllegalArgumentException("the value is ${value.words}; expected a number or text with a Jason term, as in \"front\" or \"\\\"a string\\\"\"")
+        else -> throw IllegalArgumentException(
+            "the value is ${value.words}; expected a number or text with a Jason term, as in \"front\" or \"\\\"a string\\\"\"",
+        )
     }
 
     private fun deadband(member: JsonNode.Member, index: Int?): Deadband? {

@@ -46,13 +46,18 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
 
         /** The predicate of these parts, or null if Jason could not write it. */
         internal fun ofOrNull(functor: String, negated: Boolean, namespace: String): Predicate? =
-            if (Syntax.isAtom(functor) && isNamespace(namespace) && isWritable(functor, negated, namespace)) Predicate(functor, negated, namespace) else null
+            if (Syntax.isAtom(functor) && isNamespace(namespace) && isWritable(functor, negated, namespace)) {
+                Predicate(functor, negated, namespace)
+            } else {
+                null
+            }
 
         private fun isNamespace(name: String) = Syntax.isAtom(name) && name !in Syntax.TRUTH_VALUES && name != THIS_NAMESPACE
 
         private fun isWritable(functor: String, negated: Boolean, namespace: String) =
             functor !in Syntax.TRUTH_VALUES || !negated && namespace == DEFAULT_NAMESPACE
 
-        private fun namespaceOf(written: String) = if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
+        /** The namespace that is meant by what stands before `::`, which may be nothing. */
+        internal fun namespaceOf(written: String): String = if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
     }
 }

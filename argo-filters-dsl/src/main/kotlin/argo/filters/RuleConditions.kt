@@ -57,13 +57,18 @@ class RuleConditions internal constructor() {
 
     /** @throws IllegalArgumentException if there is an argument or annotation of which nothing is said, which would be a condition lost */
     internal fun rule(predicate: Predicate): Rule {
-        begun.find { !it.isSaid }?.let { throw IllegalArgumentException("nothing is said of $it in a rule on $predicate; expected a word like eq or gt after it") }
+        val forgotten = begun.find { !it.isSaid }
+        require(forgotten == null) { "nothing is said of $forgotten in a rule on $predicate; expected a word like eq or gt after it" }
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands)
         return Rule(predicate, conditions.toList(), arity, rate)
     }
 }
 
-/** A term whose type is not declared: an argument or an annotation's value. Text is read as Jason reads it: `"front"` is an atom, `"\"front\""` a string. */
+/**
+ * A term whose type is not declared: an argument or an annotation's value.
+ *
+ * Text is read as Jason reads it: `"front"` is an atom, `"\"front\""` a string.
+ */
 @FilterDsl
 sealed class AnyTerm {
     /** Whether something is said of it. */

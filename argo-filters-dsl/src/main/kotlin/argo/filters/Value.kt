@@ -76,7 +76,9 @@ sealed interface Value {
         init {
             val functor = predicate.functor
             require(!Syntax.isDotted(functor, 0, functor.length)) { "'$functor' is an internal action or a function to Jason, and no value" }
-            require(functor !in Syntax.TRUTH_VALUES || arguments.isEmpty() && annotations.isEmpty()) { "'$functor' has neither arguments nor annotations in Jason" }
+            require(functor !in Syntax.TRUTH_VALUES || arguments.isEmpty() && annotations.isEmpty()) {
+                "'$functor' has neither arguments nor annotations in Jason"
+            }
         }
 
         override fun toString(): String = buildString {
@@ -102,8 +104,8 @@ sealed interface Value {
             return when {
                 trimmed.isEmpty() -> "the value is missing"
                 trimmed[0] in 'A'..'Z' || trimmed[0] == '_' && Syntax.isWordCharacter(trimmed.last()) ->
-                    "'$trimmed' is a variable to Jason; an atom starts with a lower-case letter (${trimmed.trimStart('_').replaceFirstChar(Char::lowercase)})" +
-                        " or stands in quotes"
+                    "'$trimmed' is a variable to Jason; an atom starts with a lower-case letter " +
+                        "(${trimmed.trimStart('_').replaceFirstChar(Char::lowercase)}) or stands in quotes"
                 else -> "'$trimmed' is not a value that Jason can read: " +
                     "an atom (front), a number (-3.5), a string (\"text\"), a structure (pos(1,2)) or a list ([a,b])"
             }

@@ -78,7 +78,7 @@ internal class XmlFilterReader(text: String, private val source: String, private
 
     private fun predicate(rule: XmlElement, found: List<XmlElement>): Predicate? {
         if (found.isEmpty()) {
-            if (isWhole(rule)) report(rule.position, "the rule has no predicate; expected <predicate> with a functor, as in <predicate>dist</predicate>")
+            if (isWhole(rule)) report(rule.position, "the rule has no predicate; expected one, as in <predicate>dist</predicate>")
             return null
         }
         found.drop(1).forEach { report(it.position, "a second predicate in one rule; expected one, and another <filter> for the other") }

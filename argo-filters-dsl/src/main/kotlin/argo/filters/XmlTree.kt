@@ -46,7 +46,7 @@ internal class XmlTreeReader(private val text: SourceText, private val source: S
     private var justOpened = false
 
     fun read(): XmlTree = try {
-        val reader = FACTORY.createXMLStreamReader(StringReader(text.text))
+        val reader = factory().createXMLStreamReader(StringReader(text.text))
         var problem: Problem? = null
         while (problem == null && reader.hasNext()) problem = event(reader)
         XmlTree(root, problem)
@@ -110,7 +110,8 @@ internal class XmlTreeReader(private val text: SourceText, private val source: S
     private fun problem(at: Position, message: String) = Problem(source, at.line, at.column, message)
 
     private companion object {
-        val FACTORY: XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
+        /** A new one for each document, since factories are not safe for several threads at once. */
+        fun factory(): XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
             setProperty(XMLInputFactory.SUPPORT_DTD, false)
             setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
             setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
