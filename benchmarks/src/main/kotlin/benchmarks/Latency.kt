@@ -42,5 +42,3 @@ private fun startAgent(port: File): RunLocalMAS {
     directory.toFile().deleteOnExit()
     return mas
 }
-
-private fun machine() = "${Runtime.getRuntime().availableProcessors()} processors, Java ${Runtime.version().feature()}, ${System.getProperty("os.name")} ${System.getProperty("os.arch")}"

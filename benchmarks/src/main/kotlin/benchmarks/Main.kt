@@ -1,13 +1,15 @@
 package benchmarks
 
+import java.io.File
 import kotlin.system.exitProcess
 
-/** `latency`: prints the figures of one benchmark. */
+/** `latency` or `filters`, and for the latter the file for its whole results: prints the figures. */
 fun main(args: Array<String>) {
-    when (args.singleOrNull()) {
+    when (args.firstOrNull()) {
         "latency" -> latency()
+        "filters" -> filters(File(args.getOrElse(1) { "filters.json" }))
         else -> {
-            System.err.println("usage: ./argo bench latency")
+            System.err.println("usage: ./argo bench latency|filters")
             exitProcess(2)
         }
     }

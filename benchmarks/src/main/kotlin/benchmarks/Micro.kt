@@ -1,0 +1,38 @@
+package benchmarks
+
+import org.openjdk.jmh.profile.GCProfiler
+import org.openjdk.jmh.results.RunResult
+import org.openjdk.jmh.results.format.ResultFormatType
+import org.openjdk.jmh.runner.Runner
+import org.openjdk.jmh.runner.options.OptionsBuilder
+import org.openjdk.jmh.runner.options.VerboseMode
+import java.io.File
+
+/** Runs the JMH benchmarks of filters and prints them as a table; the whole results are written to [json]. */
+fun filters(json: File) {
+    val options = OptionsBuilder().include("FilterBenchmark|CycleBenchmark").addProfiler(GCProfiler::class.java)
+        .verbosity(VerboseMode.SILENT).resultFormat(ResultFormatType.JSON).result(json.path).build()
+    val results = Runner(options).run().associateBy(::name)
+    println("filters, ${machine()}:")
+    results.forEach { (name, result) -> println("%-32s %12.1f %s %10.1f B".format(name, result.primaryResult.score, result.primaryResult.scoreUnit, allocated(result))) }
+    printRatios(results.mapValues { it.value.primaryResult.score })
+    println("all results: $json")
+}
+
+private fun name(result: RunResult): String {
+    val parameters = result.params.paramsKeys.joinToString(",") { result.params.getParam(it) }
+    return result.params.benchmark.substringAfterLast('.') + if (parameters.isEmpty()) "" else "($parameters)"
+}
+
+/** Bytes allocated by one operation. */
+private fun allocated(result: RunResult): Double =
+    result.secondaryResults.entries.firstOrNull { it.key.endsWith("gc.alloc.rate.norm") }?.value?.score ?: Double.NaN
+
+private fun printRatios(score: Map<String, Double>) {
+    fun ratio(words: String, of: String, to: String) = println("%-72s %8.2f".format(words, score.getValue(of) / score.getValue(to)))
+    ratio("Jason's parser, times a percept dropped by an argument rule", "readWithJasonsParser", "dropByArgument")
+    ratio("Jason's parser, times a kept percept read", "readWithJasonsParser", "readKept")
+    ratio("filtering after parsing, times filtering before it", "dropAfterJasonsParser", "dropByArgument")
+    ratio("1000 rules, times 10 rules", "dropByOneOf1000Rules", "dropByOneOf10Rules")
+    for (n in listOf(12, 120, 1200)) ratio("a cycle with $n percepts and no filter, times with one that keeps one", "cycle(none,$n)", "cycle(one,$n)")
+}
