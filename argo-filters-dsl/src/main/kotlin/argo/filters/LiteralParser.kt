@@ -12,7 +12,6 @@ import jason.asSyntax.NumberTermImpl
 import jason.asSyntax.SourceInfo
 import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Term
-import jason.asSyntax.directives.FunctionRegister
 
 /**
  * Reads one literal of the shapes that boards send. It gives up on everything that needs more of Jason's grammar: namespaces, variables,
@@ -43,7 +42,7 @@ internal class LiteralParser(private val text: String) {
         return literal
     }
 
-    /** A word that is an atom and nothing else, or an atom in quotes. */
+    /** A word that is an atom and nothing else, or an atom in quotes. Internal actions and functions have a dot in their names. */
     private fun functor(): String? {
         val start = at
         if (start >= end) return null
@@ -90,7 +89,6 @@ internal class LiteralParser(private val text: String) {
 
     private fun structure(depth: Int): Term? {
         val literal = literal(depth) ?: return null
-        if (FunctionRegister.getFunction(literal.functor, literal.arity) != null) return null
         if (!literal.isAtom) return literal
         return if (literal.functor in ATOMS_OF_JASON) null else Atom(literal)
     }
