@@ -4,6 +4,8 @@ import javino.Link
 import javino.PortException
 import javino.PortGoneException
 import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
 
 /**
  * The commands that wait for one port. One thread writes them in their order, at the pace of the line; it starts with the
@@ -14,6 +16,10 @@ import java.util.concurrent.LinkedBlockingQueue
  */
 internal class Commands(private val link: Link, private val owner: String, private val lost: (PortException) -> Unit) {
     private val queue = LinkedBlockingQueue<Command>()
+    private val lock = ReentrantLock()
+    private val moved = lock.newCondition()
+    private var submitted = 0L
+    private var finished = 0L
 
     @Volatile
     private var closed = false
@@ -26,8 +32,16 @@ internal class Commands(private val link: Link, private val owner: String, priva
      * the reason why it has not
      */
     fun submit(text: String, outcome: (Failure?) -> Unit) {
+        lock.withLock { submitted++ }
         queue.put(Command(text, outcome))
         if (closed) failWaiting() else writer.value
+    }
+
+    /** Waits, at most [limitNanos] ns, until the commands submitted before this call are out or have failed. */
+    fun awaitEarlier(limitNanos: Long) = lock.withLock {
+        val earlier = submitted
+        var left = limitNanos
+        while (finished < earlier && left > 0) left = moved.awaitNanos(left)
     }
 
     /** Fails the commands that wait and ends the thread. The link must be closed as well. May be called twice. */
@@ -39,7 +53,7 @@ internal class Commands(private val link: Link, private val owner: String, priva
 
     private fun writeAll() {
         try {
-            while (!closed) queue.take().let { it.outcome(write(it.text)) }
+            while (!closed) queue.take().let { finish(it, write(it.text)) }
         } catch (_: InterruptedException) {
             // close() ends this thread
         }
@@ -60,7 +74,15 @@ internal class Commands(private val link: Link, private val owner: String, priva
     }
 
     private fun failWaiting() {
-        while (true) (queue.poll() ?: return).outcome(Failure("port_gone", "the port ${link.port()} was closed before it was sent"))
+        while (true) finish(queue.poll() ?: return, Failure("port_gone", "the port ${link.port()} was closed before it was sent"))
+    }
+
+    private fun finish(command: Command, failure: Failure?) {
+        command.outcome(failure)
+        lock.withLock {
+            finished++
+            moved.signalAll()
+        }
     }
 
     private class Command(val text: String, val outcome: (Failure?) -> Unit)

@@ -6,6 +6,7 @@ import javino.PortException
 import javino.PortFaultException
 import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.LockSupport
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -31,12 +32,14 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
     private val changed = lock.newCondition()
     private var on = false
     private var closed = false
+
+    @Volatile
     private var intervalNanos = 0L
     private var lastStart: Long? = null
-    private var quietUntil: Long? = null
+    private var exchangeNanos = 0L
 
     /**
-     * How long the line is left free after a message, so that the command which it causes need not wait for the next request:
+     * How long the line is left free before a request, so that the command which the last message caused need not wait for it:
      * an eighth of what a request takes, which is about a hundredth of an exchange.
      */
     private val graceNanos = port.options.link.line().byteNanos() * Frame.of(PERCEPTS_REQUEST).toBytes().size / 8
@@ -59,7 +62,7 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
 
     private fun run() {
         try {
-            while (!isClosed()) if (!(if (awaitTurn()) exchange() else watch())) return
+            while (!isClosed()) if (!(if (awaitTurn()) exchangeInTurn() else watch())) return
         } catch (_: InterruptedException) {
             // close() ends this thread
         }
@@ -89,14 +92,27 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
 
     /** A board that speaks unasked is listened to all the time: it knows itself how often it has something to say. */
     private fun nanosUntilDue(now: Long): Long =
-        if (port.options.listens) 0 else maxOf(lastStart?.let { it + intervalNanos - now } ?: 0, quietUntil?.let { it - now } ?: 0)
+        if (port.options.listens) 0 else lastStart?.let { it + intervalNanos - now } ?: 0
+
+    /**
+     * Lets out the commands that were issued before the request came due, and once more those that their going out has caused: one
+     * that a request overtakes costs the agent a whole exchange. It gives way for two exchanges or intervals at most, so that
+     * commands cannot starve sensing.
+     */
+    private fun exchangeInTurn(): Boolean {
+        if (!port.options.listens) {
+            val limit = maxOf(intervalNanos, exchangeNanos)
+            port.commands.awaitEarlier(limit)
+            LockSupport.parkNanos(graceNanos)
+            port.commands.awaitEarlier(limit)
+        }
+        val start = System.nanoTime()
+        return exchange().also { exchangeNanos = System.nanoTime() - start }
+    }
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
     fun exchange(): Boolean = using {
-        port.link.next(port.options)?.let {
-            listener.received(port, it, System.nanoTime())
-            quietUntil = System.nanoTime() + graceNanos
-        }
+        port.link.next(port.options)?.let { listener.received(port, it, System.nanoTime()) }
     }
 
     /** Does [work] with the line; false when the port is lost. */
