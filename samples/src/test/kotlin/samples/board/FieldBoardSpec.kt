@@ -1,0 +1,91 @@
+package samples.board
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import javino.Frame
+import javino.LineSettings
+import javino.MemoryLine
+import javino.PortGoneException
+import javino.Transport
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
+
+private const val DEADLINE_S = 30L
+
+/** A board on a line at 9600 baud, whose commands are kept. */
+private class Bench(private val percepts: String) : AutoCloseable {
+    private val line = MemoryLine.paced("bench", LineSettings.defaults())
+    val computer: Transport = line.computer()
+    val commands = LinkedBlockingQueue<String>()
+    private val board = thread(name = "board") {
+        try {
+            FieldBoard(object : Sketch {
+                override fun percepts() = this@Bench.percepts
+                override fun act(command: String) = commands.put(command)
+            }).run(line.board())
+        } catch (_: PortGoneException) {
+            // the bench is cleared
+        } catch (_: InterruptedException) {
+            // while it answers
+        }
+    }
+
+    fun send(vararg messages: String) = write(messages.joinToString("") { "${Frame.of(it)}" })
+
+    fun write(text: String) = text.toByteArray().let { computer.write(it, 0, it.size, 1000) }
+
+    fun nextCommand(): String? = commands.poll(DEADLINE_S, TimeUnit.SECONDS)
+
+    fun receive(count: Int): String {
+        val bytes = ByteArray(count)
+        var received = 0
+        val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_S)
+        while (received < count && System.nanoTime() < deadline) received += computer.read(bytes, received, count - received, 100)
+        return String(bytes, 0, received)
+    }
+
+    override fun close() {
+        line.unplug()
+        board.interrupt()
+        board.join(TimeUnit.SECONDS.toMillis(DEADLINE_S))
+        check(!board.isAlive) { "the board still runs after its line has gone" }
+    }
+}
+
+class FieldBoardSpec : FunSpec({
+    test("a request is answered with the percepts, anything else is a command") {
+        Bench("light(f,40);").use { bench ->
+            bench.send("getPercepts")
+            bench.receive(18) shouldBe "fffe0Clight(f,40);"
+            bench.send("speed(120)")
+            bench.nextCommand() shouldBe "speed(120)"
+        }
+    }
+
+    test("commands that arrive while it reads are done one after the other") {
+        Bench("").use { bench ->
+            bench.send("one", "two", "three")
+            List(3) { bench.nextCommand() } shouldBe listOf("one", "two", "three")
+        }
+    }
+
+    test("of the commands that arrive while it answers it does the last one only") {
+        val percepts = "x".repeat(200)
+        Bench(percepts).use { bench ->
+            bench.send("getPercepts", "one", "two") // the answer takes 215 ms, the two commands 19 ms
+            bench.receive(206) shouldBe "fffeC8$percepts"
+            bench.nextCommand() shouldBe "two"
+            bench.send("three")
+            bench.nextCommand() shouldBe "three"
+        }
+    }
+
+    test("noise before a message does not cost the message") {
+        Bench("").use { bench ->
+            bench.write("xfff")
+            bench.send("one")
+            bench.nextCommand() shouldBe "one"
+        }
+    }
+})
