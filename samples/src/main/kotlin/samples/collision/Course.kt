@@ -1,0 +1,84 @@
+package samples.collision
+
+/**
+ * The way of a robot towards a wall: where it is at any instant, as a function of time and of the commands it has been given.
+ *
+ * The robot keeps a constant speed while it drives, and starts and stops at once: at 10 cm/s a wheeled robot coasts for less
+ * than the millimetre that results are given in. When its distance reaches 0 it has collided and stays where it is.
+ *
+ * Immutable: a command gives a new course. Instants are nanoseconds of any one steady clock, distances are cm from the wall to
+ * the robot's front.
+ */
+class Course private constructor(private val speed: Double, private val legs: List<Leg>) {
+    private class Leg(val start: Long, val distance: Double, val drives: Boolean)
+
+    /** The course after the command to drive at [now]; the same if the robot drives already or has collided. */
+    fun drive(now: Long): Course = if (stateAt(now).let { it == State.STANDING || it == State.STOPPED }) then(now, true) else this
+
+    /** The course after the command to stop at [now]; the same if the robot does not drive. */
+    fun stop(now: Long): Course = if (stateAt(now) == State.DRIVING) then(now, false) else this
+
+    private fun then(now: Long, drives: Boolean) = Course(speed, legs + Leg(now, distanceAt(now), drives))
+
+    /** The distance at [now], which is not before the last command; never below 0. */
+    fun distanceAt(now: Long): Double = legs.last().distanceAt(now)
+
+    private fun Leg.distanceAt(instant: Long): Double =
+        if (drives) (distance - speed * (instant - start) / NANOS_PER_SECOND).coerceAtLeast(0.0) else distance
+
+    /** What the robot does at [now], which is not before the last command. */
+    fun stateAt(now: Long): State = when {
+        distanceAt(now) <= 0.0 -> State.COLLIDED
+        legs.last().drives -> State.DRIVING
+        legs.size > 1 -> State.STOPPED
+        else -> State.STANDING
+    }
+
+    /** The instant at which the robot first drove, or null. */
+    val departure: Long? get() = legs.firstOrNull { it.drives }?.start
+
+    /** The instant of the last command to stop that had an effect, or null if the robot was not told to stop or drives again. */
+    val halt: Long? get() = legs.last().takeIf { !it.drives && legs.size > 1 }?.start
+
+    /** The instant at which the robot, as far as it has driven by [now], was first [cm] from the wall; null if it has not been. */
+    fun reached(cm: Double, now: Long): Long? {
+        legs.forEachIndexed { i, leg ->
+            val end = legs.getOrNull(i + 1)?.start ?: now
+            if (leg.drives && cm in leg.distanceAt(end)..leg.distance) {
+                return leg.start + ((leg.distance - cm) / speed * NANOS_PER_SECOND).toLong()
+            }
+        }
+        return null
+    }
+
+    /** What the robot does. */
+    enum class State {
+        /** It has not driven yet. */
+        STANDING,
+
+        /** It drives towards the wall. */
+        DRIVING,
+
+        /** It has driven and stands in front of the wall. */
+        STOPPED,
+
+        /** It has run into the wall. */
+        COLLIDED,
+    }
+
+    companion object {
+        /** How far from the wall the robot of the experiment stands at first, in cm. */
+        const val START_CM = 200.0
+
+        /** How fast it drives, in cm/s. */
+        const val SPEED_CM_S = 10.0
+
+        private const val NANOS_PER_SECOND = 1e9
+
+        /** A robot that stands [distance] cm from the wall since [now] and drives at [speed] cm/s when told to. */
+        fun standing(now: Long, distance: Double = START_CM, speed: Double = SPEED_CM_S): Course {
+            require(distance > 0 && speed > 0) { "distance $distance cm and speed $speed cm/s must be above 0" }
+            return Course(speed, listOf(Leg(now, distance, drives = false)))
+        }
+    }
+}

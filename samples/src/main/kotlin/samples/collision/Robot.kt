@@ -1,0 +1,54 @@
+package samples.collision
+
+import javino.LineClock
+import samples.board.Sketch
+import java.util.concurrent.atomic.AtomicReference
+import kotlin.random.Random
+
+/**
+ * A 4WD robot in front of a wall: it drives with `front`, halts with `stop`, and has two lamps that `ledLightOn`,
+ * `ledLightOff`, `ledTempOn` and `ledTempOff` switch.
+ *
+ * @param clock the time that it lives in
+ * @param random the noise of its sensors
+ * @param noticed is told each change of what the robot does when the board notices it, which is at the next message
+ */
+class Robot(private val clock: LineClock, random: Random, private val noticed: (Course, Course.State) -> Unit = { _, _ -> }) : Sketch {
+    private val way = AtomicReference(Course.standing(clock.nanos()))
+    private val sensors = Sensors(random)
+    private var lastNoticed = Course.State.STANDING
+
+    /** Its course by the commands so far; any thread may ask. */
+    val course: Course get() = way.get()
+
+    /** The lamps that are on, of `light` and `temp`; any thread may ask. */
+    @Volatile
+    var lamps: Set<String> = emptySet()
+        private set
+
+    override fun percepts(): String {
+        val now = clock.nanos()
+        notice(now)
+        return sensors.frame(course.distanceAt(now))
+    }
+
+    override fun act(command: String) {
+        val now = clock.nanos()
+        when (command) {
+            "front" -> way.set(course.drive(now))
+            "stop" -> way.set(course.stop(now))
+            "ledLightOn" -> lamps += "light"
+            "ledLightOff" -> lamps -= "light"
+            "ledTempOn" -> lamps += "temp"
+            "ledTempOff" -> lamps -= "temp"
+        }
+        notice(now)
+    }
+
+    private fun notice(now: Long) {
+        val state = course.stateAt(now)
+        if (state == lastNoticed) return
+        lastNoticed = state
+        noticed(course, state)
+    }
+}

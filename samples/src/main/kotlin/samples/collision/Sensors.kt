@@ -1,0 +1,57 @@
+package samples.collision
+
+import kotlin.math.ceil
+import kotlin.random.Random
+
+/**
+ * The twelve sensors of the robot: distance (cm), light (0 to 1023, as an analogue input gives it) and temperature (°C) on its
+ * front, back, right and left.
+ *
+ * Every reading carries noise, and no sensor gives the same reading twice in a row, so that all twelve percepts change from
+ * frame to frame: the worst case for an agent, and what real sensors come near to. A distance sensor never reads short: it
+ * gives the next whole cm, or up to [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
+ *
+ * For one thread.
+ */
+class Sensors(private val random: Random) {
+    private val last = HashMap<Pair<String, Char>, Int>()
+
+    /** The readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123);…temp(l,25);`. */
+    fun frame(distance: Double): String = buildString {
+        for (kind in KINDS) for (side in SIDES) append(kind.functor, '(', side, ',', read(kind, side, distance), ");")
+    }
+
+    private fun read(kind: Kind, side: Char, distance: Double): Int {
+        val level = kind.level(side, distance)
+        val before = last[kind.functor to side]
+        val readings = kind.noise.map { level + it }.filter { it != before }
+        return readings.random(random).also { last[kind.functor to side] = it }
+    }
+
+    private class Kind(val functor: String, val noise: IntRange, val level: (side: Char, distance: Double) -> Int)
+
+    companion object {
+        /** The most that a distance reading is above the true distance, rounded up, in cm. */
+        const val DISTANCE_NOISE = 1
+
+        /** The length of the room between the wall in front and the one behind, with the robot's own taken off, in cm. */
+        const val ROOM_CM = 400.0
+
+        private const val AISLE_CM = 80.0
+        private const val SIDES = "fbrl"
+        private val LIGHT = mapOf('f' to 95, 'b' to 105, 'r' to 140, 'l' to 60) // some of them about where the agent's plans divide
+        private val TEMPERATURE = mapOf('f' to 25, 'b' to 26, 'r' to 25, 'l' to 24)
+
+        private val KINDS = listOf(
+            Kind("dist", 0..DISTANCE_NOISE) { side, distance -> ceil(distanceOf(side, distance)).toInt() },
+            Kind("light", -15..15) { side, _ -> LIGHT.getValue(side) },
+            Kind("temp", -2..2) { side, _ -> TEMPERATURE.getValue(side) },
+        )
+
+        private fun distanceOf(side: Char, front: Double) = when (side) {
+            'f' -> front
+            'b' -> ROOM_CM - front
+            else -> AISLE_CM
+        }
+    }
+}
