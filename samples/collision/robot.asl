@@ -1,0 +1,56 @@
+/* Drives towards a wall and stops in front of it, after the case study of N. M. Pantoja et al., EMAS 2016.
+
+   Its initial beliefs are in the .mas2j:
+     board(Port, Options)   where the robot is
+     value(Cm)              the front distance at which it stops
+     interval(Ms)           the sensing interval
+     view(Filter)           none, or a filter of filters/ */
+
+/* Goals */
+
+!config.
+
+/* Plans: driving */
+
++!config : board(Port, Options) & interval(Ms) & view(Filter) <-
+    .port(Port, Options);
+    .limit(Ms);
+    .filter(Filter);
+    .percepts(open);
+    !start.
+
++!start <-
+    .act(front);
+    +status(front);
+    !moving.
+
++!moving : dist(f, Cm) & value(Limit) & Cm > Limit & status(front) <-
+    .act(front);
+    !moving.
+
++!moving : dist(f, Cm) & value(Limit) & Cm <= Limit & status(front) <-
+    .act(stop);
+    -+status(stopped);
+    .print("stopped: the front sensor says ", Cm, " cm").
+
+-!moving[error(port_gone), error_msg(Why)] <- +trouble(Why).
+-!moving : port(_, off) <- +trouble("the board has gone").
+-!moving : status(front) <- !!moving. // nothing has been perceived yet
+
+/* Plans: lamps */
+
++light(_, Level) : Level > 100  <- .act(ledLightOn).
++light(_, Level) : Level <= 100 <- .act(ledLightOff).
++temp(_, Degrees) : Degrees > 25  <- .act(ledTempOff).
++temp(_, Degrees) : Degrees <= 25 <- .act(ledTempOn).
+
+/* Plans: when something goes wrong */
+
+-!config[error_msg(Why)] <- +trouble(Why).
++trouble(Why) <- .print(Why).
+
++!halt <- // whoever runs the agent gives it up
+    .drop_desire(config);
+    .drop_desire(moving);
+    .act(stop);
+    -+status(stopped).

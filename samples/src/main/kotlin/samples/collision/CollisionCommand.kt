@@ -1,0 +1,108 @@
+package samples.collision
+
+import javino.LineSettings
+import picocli.CommandLine.Command
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
+import picocli.CommandLine.Spec
+import samples.project.LogFile
+import samples.project.Progress
+import sun.misc.Signal
+import java.util.concurrent.Callable
+import java.util.concurrent.atomic.AtomicBoolean
+import kotlin.system.exitProcess
+
+/** `collision`: one run of the collision experiment, shown on the standard output. */
+@Command(
+    name = "collision",
+    description = [
+        "A robot drives at a wall and its agent stops it.",
+        "The robot is simulated: it starts 200 cm from the wall and drives at 10 cm/s. With --port the agent drives a real one.",
+    ],
+    exitCodeListHeading = "%nExit status:%n",
+    exitCodeList = ["0:the robot was stopped", "1:it ran into the wall, or there was nothing to measure", "2:wrong arguments"],
+    sortOptions = false,
+)
+internal class CollisionCommand : Callable<Int> {
+    @Spec
+    private lateinit var spec: CommandSpec
+
+    @Option(names = ["--filter"], paramLabel = "name", defaultValue = "frontDistance", description = ["the agent's filter: none, frontSide or frontDistance (default: \${DEFAULT-VALUE})"])
+    private lateinit var filter: String
+
+    @Option(names = ["--limit"], paramLabel = "cm", defaultValue = "40", description = ["the front distance at which the agent stops (default: \${DEFAULT-VALUE})"])
+    private var limit = 0
+
+    @Option(names = ["--interval"], paramLabel = "ms", defaultValue = "20", description = ["the sensing interval; 0: as fast as the line allows (default: \${DEFAULT-VALUE})"])
+    private var interval = 0
+
+    @Option(names = ["--baud"], paramLabel = "n", defaultValue = "${LineSettings.DEFAULT_BAUD}", description = ["the line's rate, each byte takes ten bit times (default: \${DEFAULT-VALUE})"])
+    private var baud = 0
+
+    @Option(names = ["--sensing"], paramLabel = "policy", defaultValue = "fresh", description = ["when the agent gets a snapshot of its sensors: fresh, every or in_cycle (default: \${DEFAULT-VALUE})"])
+    private lateinit var sensing: String
+
+    @Option(names = ["--port"], paramLabel = "device", description = ["the port of a real robot, such as ttyACM0 or COM5"])
+    private var port: String? = null
+
+    @Option(names = ["--seed"], paramLabel = "n", description = ["where the noise of the simulated sensors starts from (default: 1)"])
+    private var seed: Long? = null
+
+    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    private var help = false
+
+    override fun call(): Int {
+        val levels = levels()
+        val progress = Progress.onStandardOutput()
+        val log = LogFile.open("collision")
+        val isOver = AtomicBoolean()
+        val verdict = log.use {
+            val run = CollisionRun(levels, progress)
+            whenInterrupted {
+                if (isOver.getAndSet(true)) return@whenInterrupted
+                run.abandon()
+                log.delete()
+                exitProcess(INTERRUPTED)
+            }
+            run.run()
+        }
+        if (isOver.getAndSet(true)) return INTERRUPTED.also { log.delete() }
+        println(verdict.sentence)
+        if (verdict.exitStatus == 0) log.delete() else println("log: ${log.path}")
+        return verdict.exitStatus
+    }
+
+    /** Has [action] done on Ctrl-C. Not a shutdown hook, since jSerialComm's closes the ports while others run. */
+    private fun whenInterrupted(action: () -> Unit) = listOf("INT", "TERM").forEach { name -> Signal.handle(Signal(name)) { action() } }
+
+    private fun levels(): Levels {
+        requireOneOf("--filter", filter, "none", "frontSide", "frontDistance")
+        requireOneOf("--sensing", sensing, "fresh", "every", "in_cycle")
+        val mostCm = if (port == null) Course.START_CM.toInt() - 1 else MOST_CM
+        requireWithin("--limit", limit, 1..mostCm, "cm" + if (port == null) ", since the robot starts ${Course.START_CM.toInt()} cm from the wall" else "")
+        requireWithin("--interval", interval, 0..MOST_MS, "ms")
+        requireWithin("--baud", baud, LEAST_BAUD..MOST_BAUD, "bits a second")
+        if (port?.isBlank() == true) refuse("--port names no port")
+        if (port != null && seed != null) refuse("--seed is for the simulated robot, and --port asks for a real one")
+        return Levels(filter, limit, interval, baud, sensing, port, seed ?: 1)
+    }
+
+    private fun requireOneOf(option: String, value: String, vararg words: String) {
+        if (value !in words) refuse("$option is ${words.dropLast(1).joinToString(", ")} or ${words.last()}, not $value")
+    }
+
+    private fun requireWithin(option: String, value: Int, range: IntRange, unit: String) {
+        if (value !in range) refuse("$option is from ${range.first} to ${range.last} $unit, not $value")
+    }
+
+    private fun refuse(why: String): Nothing = throw ParameterException(spec.commandLine(), why)
+
+    private companion object {
+        const val INTERRUPTED = 130 // as shells report Ctrl-C
+        const val MOST_CM = 10_000
+        const val MOST_MS = 10_000
+        const val LEAST_BAUD = 300
+        const val MOST_BAUD = 4_000_000
+    }
+}

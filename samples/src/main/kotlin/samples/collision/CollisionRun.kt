@@ -1,0 +1,105 @@
+package samples.collision
+
+import jason.asSyntax.ASSyntax.createAtom
+import jason.asSyntax.ASSyntax.createList
+import jason.asSyntax.ASSyntax.createLiteral
+import jason.asSyntax.ASSyntax.createNumber
+import jason.asSyntax.ASSyntax.createString
+import javino.LineClock
+import javino.SimulatedBoards
+import samples.project.MasRun
+import samples.project.Progress
+import samples.project.SampleProject
+import kotlin.random.Random
+
+/**
+ * What is varied in the experiment.
+ *
+ * @property filter the agent's filter, `none` for none
+ * @property limit the front distance at which the agent stops, in cm
+ * @property interval the sensing interval in ms
+ * @property baud the line's rate
+ * @property sensing when snapshots are handed to the agent: `fresh`, `every` or `in_cycle`
+ * @property port the robot's port, null for the simulated robot
+ * @property seed where the noise of the simulated robot's sensors starts from
+ */
+internal data class Levels(
+    val filter: String,
+    val limit: Int,
+    val interval: Int,
+    val baud: Int,
+    val sensing: String,
+    val port: String?,
+    val seed: Long,
+)
+
+/** One run of the collision experiment. */
+internal class CollisionRun(private val levels: Levels, private val progress: Progress, private val clock: LineClock = LineClock.system()) {
+    private val witness = Witness()
+    private val mas = MasRun(project())
+
+    private fun project() = SampleProject("collision").apply {
+        believe(
+            AGENT,
+            createLiteral("board", createString(levels.port ?: SIMULATED), createList(createLiteral("baud", createNumber(levels.baud.toDouble())))),
+            createLiteral("value", createNumber(levels.limit.toDouble())),
+            createLiteral("interval", createNumber(levels.interval.toDouble())),
+            createLiteral("view", createAtom(levels.filter)),
+        )
+        set(AGENT, "argo_sensing", levels.sensing)
+    }
+
+    /** Runs it and returns how it ended; always ends by itself. Called once. */
+    fun run(): Verdict {
+        val scene = scene()
+        mas.begin(mapOf(AGENT to witness))
+        try {
+            return watch(scene)
+        } finally {
+            abandon()
+            mas.end()
+            if (levels.port == null) SimulatedBoards.unplug(RobotBoard.NAME)
+        }
+    }
+
+    /**
+     * Leaves the robot alone: a real one is stopped unless it has been, since a board holds its motors as it was told last.
+     * Takes [HALT_LIMIT_S] s at most; any thread may call it.
+     */
+    fun abandon() {
+        progress.end()
+        if (levels.port == null || witness.beliefs.port !in OPEN) return
+        val deadline = clock.nanos() + HALT_LIMIT_S * NANOS_PER_SECOND
+        if (witness.beliefs.status != STOPPED) witness.haltRobot()
+        while (witness.beliefs.status != STOPPED && clock.nanos() < deadline) mas.awaitEnd(LOOK_MS)
+    }
+
+    private fun scene(): Scene {
+        if (levels.port != null) return BoardScene(witness, levels.port, levels.limit, clock)
+        val robot = Robot(clock, Random(levels.seed))
+        SimulatedBoards.plugIn(RobotBoard.NAME, RobotBoard(robot))
+        return SimulatedScene(robot, witness, levels.limit, clock)
+    }
+
+    private fun watch(scene: Scene): Verdict {
+        val begin = clock.nanos()
+        while (true) {
+            scene.verdict()?.let { return it }
+            val elapsed = clock.nanos() - begin
+            if (elapsed > LONGEST_S * NANOS_PER_SECOND) return scene.overdue(LONGEST_S)
+            progress.show(scene.look(), elapsed)
+            if (mas.awaitEnd(LOOK_MS) != null) return Verdict.Failed("an agent has ended the system; last seen: ${scene.look().joinToString()}")
+        }
+    }
+
+    private companion object {
+        const val AGENT = "robot"
+        const val STOPPED = "stopped"
+        val OPEN = setOf("on", "timeout")
+        const val SIMULATED = "sim:${RobotBoard.NAME}"
+        const val LOOK_MS = 50L
+        const val LONGEST_S = 60L
+        const val NANOS_PER_SECOND = 1_000_000_000L
+        const val HALT_LIMIT_S = 1L
+    }
+}

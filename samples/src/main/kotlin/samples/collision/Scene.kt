@@ -1,0 +1,75 @@
+package samples.collision
+
+import javino.LineClock
+import samples.cm
+import samples.seconds
+
+/** What there is to see of a run while it lasts. */
+internal interface Scene {
+    /** The run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
+    fun look(): List<String>
+
+    /** How it ended, or null while it lasts. */
+    fun verdict(): Verdict?
+
+    /** The verdict when it has lasted [seconds] s, which is too long. */
+    fun overdue(seconds: Long): Verdict
+}
+
+/** The simulated [robot], whose place is known whatever its agent believes. */
+internal class SimulatedScene(private val robot: Robot, private val witness: Witness, private val limit: Int, private val clock: LineClock) : Scene {
+    override fun look(): List<String> {
+        val now = clock.nanos()
+        val course = robot.course
+        return listOf("distance ${cm(course.distanceAt(now))} cm", words(course.stateAt(now)), "${seconds(now - (course.departure ?: now))} s")
+    }
+
+    override fun verdict(): Verdict? {
+        val now = clock.nanos()
+        val course = robot.course
+        return when (course.stateAt(now)) {
+            Course.State.COLLIDED -> Verdict.Collided(limit, between(course.reached(limit.toDouble(), now), course.reached(0.0, now)) ?: 0)
+            Course.State.STOPPED -> Verdict.Stopped(course.distanceAt(now), limit, between(course.reached(limit.toDouble(), now), course.halt))
+            else -> witness.beliefs.trouble?.let { Verdict.Failed(it) }
+        }
+    }
+
+    override fun overdue(seconds: Long) = Verdict.Failed("the robot has neither stopped nor reached the wall within $seconds s; last seen: ${look().joinToString()}")
+
+    private fun between(earlier: Long?, later: Long?): Long? = if (earlier == null || later == null) null else later - earlier
+
+    private fun words(state: Course.State) = state.name.lowercase()
+}
+
+/** A robot on a [port], of which no more is known than its agent believes. */
+internal class BoardScene(private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock) : Scene {
+    private val begin = clock.nanos()
+
+    override fun look(): List<String> = with(witness.beliefs) {
+        val doing = when {
+            port == null -> "opening the port"
+            port != "on" -> "the board does not answer"
+            status == "front" -> "driving"
+            else -> status ?: "waiting for the board"
+        }
+        val distance = distance?.let { "distance ${cm(it)} cm" } ?: "no distance yet"
+        listOf(distance, doing, "${seconds(clock.nanos() - begin)} s")
+    }
+
+    override fun verdict(): Verdict? = with(witness.beliefs) {
+        when {
+            trouble != null -> Verdict.Failed(trouble)
+            status == "stopped" -> Verdict.Sent(distance, limit)
+            else -> null
+        }
+    }
+
+    override fun overdue(seconds: Long): Verdict {
+        val cause = when {
+            witness.beliefs.port == "timeout" -> "the board on $port does not answer"
+            witness.beliefs.distance == null -> "the board on $port has sent no dist(f,Cm)"
+            else -> "the robot on $port has not come within $limit cm of the wall"
+        }
+        return Verdict.Failed("$cause in $seconds s; last seen: ${look().joinToString()}")
+    }
+}

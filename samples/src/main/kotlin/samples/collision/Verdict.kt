@@ -1,0 +1,32 @@
+package samples.collision
+
+import samples.cm
+import samples.seconds
+
+/**
+ * How a run of the collision experiment ended.
+ *
+ * @property sentence what is printed
+ * @property exitStatus the program's: 0 if the robot was stopped
+ */
+internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
+    /** The robot stands [distance] cm from the wall, [nanosAfter] ns after it crossed the limit; null: it did not cross it. */
+    class Stopped(distance: Double, limit: Int, nanosAfter: Long?) : Verdict(
+        "stopped ${cm(distance)} cm from the wall, " +
+            if (nanosAfter == null) "before the $limit cm limit" else "${nanosAfter / 1_000_000} ms after the $limit cm limit",
+        0,
+    )
+
+    /** The robot ran into the wall [nanosAfter] ns after it crossed the limit. */
+    class Collided(limit: Int, nanosAfter: Long) :
+        Verdict("ran into the wall: the agent had not stopped the robot ${seconds(nanosAfter)} s after the $limit cm limit", 1)
+
+    /** The agent has sent `stop` to a real robot, whose front sensor said [distance] cm. */
+    class Sent(distance: Double?, limit: Int) : Verdict(
+        "stopped: " + (distance?.let { "the front sensor says ${cm(it)} cm" } ?: "the front sensor says nothing") + ", the limit is $limit cm",
+        0,
+    )
+
+    /** There was nothing to measure. */
+    class Failed(why: String) : Verdict(why, 1)
+}

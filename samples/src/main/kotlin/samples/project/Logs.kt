@@ -1,0 +1,70 @@
+package samples.project
+
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.logging.Formatter
+import java.util.logging.Level
+import java.util.logging.LogManager
+import java.util.logging.LogRecord
+import java.util.logging.Logger
+import java.util.logging.StreamHandler
+
+/** What Jason, ARGO and the agents say during a run, one line each: `[robot] port "sim:robot" is on`. */
+internal object Logs {
+    /** Sends it to [out]. */
+    fun to(out: PrintStream) {
+        LogManager.getLogManager().reset()
+        Logger.getLogger("").apply {
+            level = Level.INFO
+            addHandler(Flushed(out))
+        }
+    }
+
+    private class Flushed(out: PrintStream) : StreamHandler(out, Line) {
+        override fun publish(record: LogRecord) {
+            super.publish(record)
+            flush()
+        }
+    }
+
+    private object Line : Formatter() {
+        override fun format(record: LogRecord): String {
+            val trace = record.thrown?.let { "\n" + it.stackTraceToString() }.orEmpty()
+            return "[${record.loggerName?.substringAfterLast('.')}] ${formatMessage(record)}$trace\n"
+        }
+    }
+}
+
+/**
+ * A file that takes what Jason, ARGO and the agents say, and whatever else would have been printed, from its creation until
+ * it is closed.
+ *
+ * @property path where it is
+ */
+internal class LogFile private constructor(val path: Path) : AutoCloseable {
+    private val out = System.out
+    private val err = System.err
+    private val stream = PrintStream(Files.newOutputStream(path), true, Charsets.UTF_8)
+
+    override fun close() {
+        System.setOut(out)
+        System.setErr(err)
+        stream.close()
+    }
+
+    /** Closes and deletes it: nobody needs the log of a run that went well. */
+    fun delete() {
+        close()
+        Files.deleteIfExists(path)
+    }
+
+    companion object {
+        /** Opens a new log file for the sample [name] in the directory for temporary files. */
+        fun open(name: String) = LogFile(Files.createTempFile("argo-$name-", ".log")).apply {
+            System.setOut(stream)
+            System.setErr(stream)
+            Logs.to(stream)
+        }
+    }
+}

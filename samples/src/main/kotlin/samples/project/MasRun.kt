@@ -1,0 +1,49 @@
+package samples.project
+
+import jason.architecture.AgArch
+import jason.infra.local.RunLocalMAS
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
+
+/**
+ * Runs a Jason project inside this program: without a window, without a network service, and without ending the program
+ * when an agent ends the system with `.stopMAS`. One at a time, since Jason keeps the running one in a static.
+ */
+internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
+    private val ended = CompletableFuture<Int>()
+
+    init {
+        parseArgs(arrayOf("--no-net"))
+        setProject(sample.mas)
+    }
+
+    /**
+     * Creates the agents and sets them going; [witnesses] are put in front of the architectures of the agents they are given for.
+     *
+     * @throws IllegalStateException if an agent cannot be created; the log has Jason's reasons
+     */
+    fun begin(witnesses: Map<String, AgArch> = emptyMap()) {
+        create()
+        val missing = project.agents.map { it.name } - ags.keys
+        check(missing.isEmpty()) { "Jason could not create ${missing.joinToString()}" }
+        sample.beliefs.forEach { (agent, beliefs) -> beliefs.forEach { ags.getValue(agent).ts.ag.addBel(it) } }
+        witnesses.forEach { (agent, witness) -> ags.getValue(agent).insertAgArch(witness) }
+        start()
+    }
+
+    /** Waits until an agent has ended the system, at most [millis] ms; returns the exit status that it wants, null if none has. */
+    fun awaitEnd(millis: Long): Int? = try {
+        ended.get(millis, TimeUnit.MILLISECONDS)
+    } catch (_: TimeoutException) {
+        null
+    }
+
+    /** Stops all agents, which give up their ports. */
+    fun end() = stopAgs(0)
+
+    /** What `.stopMAS` comes to. */
+    override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) {
+        ended.complete(exitValue)
+    }
+}

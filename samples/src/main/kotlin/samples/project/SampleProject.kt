@@ -1,0 +1,39 @@
+package samples.project
+
+import jason.asSyntax.Literal
+import jason.mas2j.AgentParameters
+import jason.mas2j.MAS2JProject
+import jason.mas2j.parser.mas2j
+import java.net.URL
+
+/**
+ * One of the Jason projects of this module: `collision` is `collision/collision.mas2j` on the class path, with its agents
+ * beside it. What a command line changes in it is changed here, after it has been read.
+ */
+internal class SampleProject(name: String) {
+    private val source: URL = checkNotNull(SampleProject::class.java.getResource("/$name/$name.mas2j")) {
+        "the project $name is not on the class path: $name/$name.mas2j is missing beside the samples' classes"
+    }
+
+    /** The project, ready to run from any working directory. */
+    val mas: MAS2JProject = source.openStream().use { mas2j(it).mas() }.apply {
+        setupDefault()
+        agents.forEach { it.setSource(URL(source, it.source.schemeSpecificPart).toString()) }
+    }
+
+    private val given = HashMap<String, List<Literal>>()
+
+    /** The initial beliefs that agents were given in place of those in the project, by the agents' names. */
+    val beliefs: Map<String, List<Literal>> get() = given
+
+    private fun agent(name: String): AgentParameters = checkNotNull(mas.getAg(name)) { "$source has no agent $name" }
+
+    /** Gives [agent] these initial beliefs in place of those in the project. */
+    fun believe(agent: String, vararg beliefs: Literal) {
+        agent(agent).addOption("beliefs", "") // an option is text, and not every string survives being written and read
+        given[agent] = beliefs.asList()
+    }
+
+    /** Sets an option of [agent], as `[key=value]` does in the project. */
+    fun set(agent: String, key: String, value: String) = agent(agent).addOption(key, value)
+}

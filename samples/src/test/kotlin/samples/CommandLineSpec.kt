@@ -1,0 +1,40 @@
+package samples
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+
+class CommandLineSpec : FunSpec({
+    context("wrong arguments are refused with a reason and exit status 2") {
+        listOf(
+            "collision --limit 500" to "--limit is from 1 to 199 cm, since the robot starts 200 cm from the wall, not 500",
+            "collision --limit far" to "'--limit': far is not a whole number",
+            "collision --filter front" to "--filter is none, frontSide or frontDistance, not front",
+            "collision --sensing later" to "--sensing is fresh, every or in_cycle, not later",
+            "collision --interval -1" to "--interval is from 0 to 10000 ms, not -1",
+            "collision --baud 0" to "--baud is from 300 to 4000000 bits a second, not 0",
+            "collision --port sim:robot --seed 3" to "--seed is for the simulated robot",
+            "collision --fast" to "Unknown option: '--fast'",
+            "race" to "'race'",
+            "" to "name a sample: collision",
+        ).forEach { (line, reason) ->
+            test("samples $line") {
+                val (status, printed) = Program.run(*line.split(' ').filter { it.isNotEmpty() }.toTypedArray())
+                status shouldBe 2
+                printed shouldContain reason
+                printed shouldContain "--help shows what there is"
+            }
+        }
+    }
+
+    context("help is shown for") {
+        listOf("", "collision").forEach { command ->
+            test("samples $command".trim()) {
+                val (status, printed) = Program.run(*listOf(command, "--help").filter { it.isNotEmpty() }.toTypedArray())
+                status shouldBe 0
+                printed shouldStartWith "Usage: samples $command".trim()
+            }
+        }
+    }
+})

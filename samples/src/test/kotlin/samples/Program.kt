@@ -1,0 +1,63 @@
+package samples
+
+import java.nio.file.Path
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
+
+/** A Java program in a process of its own, with the class path of the tests; what it prints is read line by line. */
+internal class Program private constructor(private val process: Process) : AutoCloseable {
+    private val unread = LinkedBlockingQueue<String>()
+    private val printed = StringBuffer()
+    private val reader = thread(isDaemon = true) {
+        process.inputStream.bufferedReader().forEachLine {
+            printed.append(it).append('\n')
+            unread.put(it)
+        }
+    }
+
+    /** Reads on until a line holds [text]. */
+    fun awaitLine(text: String): String {
+        val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_S)
+        while (true) {
+            val line = unread.poll(deadline - System.nanoTime(), TimeUnit.NANOSECONDS)
+                ?: throw AssertionError("no line with \"$text\" within $DEADLINE_S s in:\n$printed")
+            if (text in line) return line
+        }
+    }
+
+    /** Waits until it has ended, and returns its exit status and all that it has printed. */
+    fun awaitEnd(): Pair<Int, String> {
+        if (!process.waitFor(DEADLINE_S, TimeUnit.SECONDS)) throw AssertionError("it still runs after $DEADLINE_S s; it printed:\n$printed")
+        reader.join()
+        return process.exitValue() to printed.toString().trimEnd()
+    }
+
+    /** Asks it to end, as Ctrl-C does. */
+    fun interrupt() = process.destroy()
+
+    override fun close() {
+        process.destroyForcibly().waitFor()
+    }
+
+    companion object {
+        private const val DEADLINE_S = 90L
+
+        /** Starts [mainClass] in [directory]. */
+        fun start(mainClass: String, vararg arguments: String, directory: Path = Path.of("")): Program {
+            val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+            val command = listOf(java, "-cp", System.getProperty("java.class.path"), mainClass) + arguments
+            return Program(ProcessBuilder(command).directory(directory.toAbsolutePath().toFile()).redirectErrorStream(true).start())
+        }
+
+        /** Starts the sample program with [arguments]. */
+        fun samples(vararg arguments: String) = start("samples.MainKt", *arguments)
+
+        /** Runs the sample program with [arguments] to its end. */
+        fun run(vararg arguments: String): Pair<Int, String> = samples(*arguments).use { it.awaitEnd() }
+
+        /** Starts the project [name] as any Jason project is started, without ARGO's own programs. */
+        fun jason(name: String) =
+            start("jason.infra.local.RunLocalMAS", "$name.mas2j", "--no-net", directory = Path.of(name))
+    }
+}

@@ -1,0 +1,102 @@
+package samples.collision
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import javino.PseudoTerminals
+import samples.Program
+import java.nio.file.Files
+import java.nio.file.Path
+
+private val stopped = Regex("""stopped (\d+\.\d) cm from the wall, \d+ ms after the (\d+) cm limit""")
+
+class CollisionSpec : FunSpec({
+    val pairs: EnabledOrReasonIf = {
+        if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal: install it with your package manager")
+    }
+
+    context("at 9600 baud the agent stops the robot in front of the wall with the filter") {
+        listOf("none", "frontSide", "frontDistance").forEach { filter ->
+            test(filter) {
+                val (status, printed) = Program.run("collision", "--filter", filter, "--limit", "180")
+                val (distance, limit) = withClue(printed) { stopped.find(printed).shouldNotBeNull().destructured }
+                limit shouldBe "180"
+                distance.toDouble() shouldBeLessThanOrEqualTo 180.0
+                status shouldBe 0
+            }
+        }
+    }
+
+    test("an agent that waits for the line inside its reasoning cycle runs into the wall without a filter") {
+        val (status, printed) = Program.run("collision", "--filter", "none", "--limit", "120", "--sensing", "in_cycle")
+        printed shouldContain "ran into the wall: the agent had not stopped the robot"
+        val log = Path.of(printed.substringAfter("log: "))
+        Files.readString(log) shouldContain "in_cycle"
+        Files.delete(log)
+        status shouldBe 1
+    }
+
+    test("and with the front distance filter it does not") {
+        val (status, printed) = Program.run("collision", "--filter", "frontDistance", "--limit", "170", "--sensing", "in_cycle")
+        printed shouldContain stopped
+        status shouldBe 0
+    }
+
+    test("a port that cannot be opened ends the run with ARGO's reason") {
+        val (status, printed) = Program.run("collision", "--port", "sim:elsewhere")
+        printed shouldContain "there is no simulated board sim:elsewhere"
+        Files.delete(Path.of(printed.substringAfter("log: ")))
+        status shouldBe 1
+    }
+
+    test("a port is taken as it is written, whatever characters it holds") {
+        val (status, printed) = Program.run("collision", "--port", """\\.\COM"10""")
+        printed shouldContain """there is no port \\.\COM"10"""
+        Files.delete(Path.of(printed.substringAfter("log: ")))
+        status shouldBe 1
+    }
+
+    test("of a real robot is told what its agent perceives") {
+        val (status, printed) = Program.run("collision", "--port", "sim:robot", "--limit", "185")
+        printed shouldContain Regex("""stopped: the front sensor says 1[78]\d\.0 cm, the limit is 185 cm""")
+        printed shouldNotContain "log:"
+        status shouldBe 0
+    }
+
+    test("a real robot is stopped when its run is interrupted").config(enabledOrReasonIf = pairs) {
+        RealRobot().use { robot ->
+            Program.samples("collision", "--port", robot.port).use { program ->
+                robot.awaitState(Course.State.DRIVING)
+                program.interrupt()
+                program.awaitEnd()
+            }
+            robot.awaitState(Course.State.STOPPED)
+        }
+    }
+
+    test("a real robot that goes away ends the run with the reason").config(enabledOrReasonIf = pairs) {
+        RealRobot().use { robot ->
+            Program.samples("collision", "--port", robot.port).use { program ->
+                robot.awaitState(Course.State.DRIVING)
+                robot.unplug()
+                val (status, printed) = program.awaitEnd()
+                printed shouldContain Regex("port .* is gone|the board has gone")
+                Files.delete(Path.of(printed.substringAfter("log: ")))
+                status shouldBe 1
+            }
+        }
+    }
+
+    test("plain Jason runs the project") {
+        Program.jason("collision").use { jason ->
+            jason.awaitLine("[robot] drives")
+            jason.awaitLine("[robot] stopped ").shouldContain(Regex("""stopped 3\d\.\d cm from the wall"""))
+        }
+    }
+})

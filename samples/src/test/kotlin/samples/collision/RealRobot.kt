@@ -1,0 +1,50 @@
+package samples.collision
+
+import javino.LineClock
+import javino.LineSettings
+import javino.PortGoneException
+import javino.PseudoTerminals
+import javino.Transports
+import samples.board.FieldBoard
+import kotlin.concurrent.thread
+import kotlin.random.Random
+
+/** The robot at the far end of a pseudo-terminal, which to a program is as real as any. */
+internal class RealRobot : AutoCloseable {
+    private val line = PseudoTerminals.open()
+    private val clock = LineClock.system()
+    private val robot = Robot(clock, Random(1))
+    private val end = Transports.open("${line.board()}", LineSettings.defaults())
+    private val board = thread(name = "robot") {
+        try {
+            FieldBoard(robot).run(end)
+        } catch (_: PortGoneException) {
+            // the robot is put away
+        }
+    }
+
+    /** The port that a program finds it at. */
+    val port: String = "${line.computer()}"
+
+    /** Pulls the plug. */
+    fun unplug() = line.close()
+
+    /** Waits until the robot does this. */
+    fun awaitState(state: Course.State) {
+        val deadline = clock.nanos() + DEADLINE_NANOS
+        while (robot.course.stateAt(clock.nanos()) != state) {
+            check(clock.nanos() < deadline) { "the robot is still ${robot.course.stateAt(clock.nanos())}, not $state" }
+            Thread.sleep(5)
+        }
+    }
+
+    override fun close() {
+        end.close()
+        board.join()
+        line.close()
+    }
+
+    private companion object {
+        const val DEADLINE_NANOS = 60_000_000_000L
+    }
+}
