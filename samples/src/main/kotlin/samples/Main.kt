@@ -7,6 +7,9 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.TypeConversionException
 import samples.collision.CollisionCommand
+import samples.lamp.BlinkCommand
+import samples.lamp.TwoBoardsCommand
+import samples.delegation.DelegationCommand
 import kotlin.system.exitProcess
 
 /** Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. */
@@ -26,7 +29,7 @@ private fun wholeNumber(text: String): Int = text.toIntOrNull() ?: throw TypeCon
 @Command(
     name = "samples",
     description = ["Jason agents that drive boards through ARGO."],
-    subcommands = [CollisionCommand::class],
+    subcommands = [CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class],
 )
 private class Samples : Runnable {
     @CommandLine.Spec

@@ -16,8 +16,9 @@ class CommandLineSpec : FunSpec({
             "collision --baud 0" to "--baud is from 300 to 4000000 bits a second, not 0",
             "collision --port sim:robot --seed 3" to "--seed is for the simulated robot",
             "collision --fast" to "Unknown option: '--fast'",
+            "blink --seconds 0" to "--seconds is at least 1, not 0",
             "race" to "'race'",
-            "" to "name a sample: collision",
+            "" to "name a sample: collision, blink, delegation, two-boards",
         ).forEach { (line, reason) ->
             test("samples $line") {
                 val (status, printed) = Program.run(*line.split(' ').filter { it.isNotEmpty() }.toTypedArray())
@@ -29,7 +30,7 @@ class CommandLineSpec : FunSpec({
     }
 
     context("help is shown for") {
-        listOf("", "collision").forEach { command ->
+        listOf("", "collision", "blink", "delegation", "two-boards").forEach { command ->
             test("samples $command".trim()) {
                 val (status, printed) = Program.run(*listOf(command, "--help").filter { it.isNotEmpty() }.toTypedArray())
                 status shouldBe 0

@@ -1,0 +1,28 @@
+package samples.lamp
+
+import samples.board.Sketch
+
+/**
+ * The firmware of a board with one LED: `ledOn` and `ledOff` switch it, and the board reports it as `led(Name,on)` or
+ * `led(Name,off)`.
+ *
+ * @param name what the board calls itself in its percept, an atom
+ * @param switched is told each change of the LED, by the board's thread
+ */
+class Lamp(private val name: String, private val switched: (on: Boolean) -> Unit) : Sketch {
+    private var on = false
+
+    override fun percepts(): String = "led($name,${if (on) "on" else "off"});"
+
+    override fun act(command: String) = when (command) {
+        "ledOn" -> switch(true)
+        "ledOff" -> switch(false)
+        else -> Unit
+    }
+
+    private fun switch(on: Boolean) {
+        if (on == this.on) return
+        this.on = on
+        switched(on)
+    }
+}
