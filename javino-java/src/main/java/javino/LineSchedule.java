@@ -120,6 +120,7 @@ final class LineSchedule {
         awaitingAnswer = false;
         if (actionsMeanwhile == 0) {
             frameEnd = now - spacingNanos; // the board has handled all it got: what comes next need not keep its distance
+            lineFreeAt = now; // so all has left, if the line is faster than its rate says, as a pseudo-terminal is
             busyUntil = now;
         } else {
             busyUntil = now + spacingNanos;

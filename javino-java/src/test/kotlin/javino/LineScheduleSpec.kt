@@ -80,6 +80,13 @@ class LineScheduleSpec : FunSpec({
         schedule.nanosUntilAction(11, again) shouldBe 0
     }
 
+    test("an answer that comes before its request can have left shows that the line is faster than its rate, and free") {
+        val schedule = schedule()
+        schedule.wroteRequest(17, 0, 0)
+        schedule.answered(MILLI)
+        schedule.nanosUntilAction(11, MILLI) shouldBe 0
+    }
+
     test("bytes that arrive say that the board is still busy") {
         val schedule = schedule()
         val asked = schedule.wroteRequest(17, 0, 0)
