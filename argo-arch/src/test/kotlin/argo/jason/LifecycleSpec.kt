@@ -39,7 +39,7 @@ class LifecycleSpec : FunSpec({
                 mas.agent("bob", "!start.\n+!start <- argo.port(\"sim:robot\"); argo.percepts(open); argo.act(front).")
                 board.awaitOpen(LIMIT_MS)
                 mas.kill("bob")
-                eventually(::argoThreads) { argoThreads().isEmpty() }
+                eventually(::agentThreads) { agentThreads().isEmpty() } // the board itself is still stalled
                 Link.ownerOf("sim:robot").isPresent shouldBe false
             }
         }
@@ -112,5 +112,8 @@ class LifecycleSpec : FunSpec({
     }
 })
 
-private fun argoThreads(): List<String> = Thread.getAllStackTraces().keys.map { it.name }
-    .filter { it.startsWith("argo-") || it.startsWith("board sim:") || it.startsWith("write ") }
+private fun threads(): List<String> = Thread.getAllStackTraces().keys.map { it.name }
+
+private fun agentThreads(): List<String> = threads().filter { it.startsWith("argo-") || it.startsWith("write ") }
+
+private fun argoThreads(): List<String> = agentThreads() + threads().filter { it.startsWith("board sim:") }
