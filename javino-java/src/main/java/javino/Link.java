@@ -19,34 +19,20 @@ import java.util.concurrent.locks.ReentrantLock;
  * free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
  */
 public final class Link implements AutoCloseable {
-    /** What is asked of a board to find out whether it runs: every board answers it and none acts on it. */
-    private static final String READINESS_REQUEST = "getPercepts";
-
-    private static final long NANOS_PER_MILLI = 1_000_000L;
-    private static final int REPEAT_MILLIS = 250;
-    private static final long QUIET_NANOS = LineSchedule.QUIET_MILLIS * NANOS_PER_MILLI;
-
+    private final ReentrantLock ending = new ReentrantLock();
     private final ReentrantLock reading = new ReentrantLock(true); // fair: a sender that must wait for readiness gets its turn too
     private final Transport transport;
     private final LinkSettings settings;
     private final PortOwners.Claim claim;
-    private final LineClock clock;
     private final FrameWriter writer;
-    private final Inbox inbox; // guarded by reading, as is history
-    private final AnswerHistory history = new AnswerHistory();
-    private final long bootedAt; // when a board that has not answered is taken to have started
-    private volatile boolean ready;
+    private final Exchange exchange; // used by who holds reading
 
     Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
-        long now = clock.nanos();
         this.transport = transport;
         this.settings = settings;
         this.claim = claim;
-        this.clock = clock;
-        writer = new FrameWriter(transport, new LineSchedule(settings, now), clock);
-        inbox = new Inbox(transport, clock, writer::received);
-        bootedAt = now + settings.bootMillis() * NANOS_PER_MILLI;
-        ready = settings.bootMillis() == 0;
+        writer = new FrameWriter(transport, new LineSchedule(settings, clock.nanos()), clock);
+        exchange = new Exchange(new Inbox(transport, clock, writer::received), writer, clock, settings.bootMillis());
     }
 
     /**
@@ -107,7 +93,7 @@ public final class Link implements AutoCloseable {
         Frame request = Frame.of(message);
         requireTime(timeoutMillis);
         return reading(() -> {
-            Frame answer = mayBeStarting() ? firstExchange(request, timeoutMillis) : exchange(request, timeoutMillis);
+            Frame answer = exchange.request(request, timeoutMillis);
             if (answer == null) {
                 throw new PortTimeoutException(port(), "port " + port() + " gave no answer to \"" + message + "\" within " + timeoutMillis
                         + " ms; does the board run a Javino sketch at " + settings.baud() + " baud?");
@@ -120,15 +106,16 @@ public final class Link implements AutoCloseable {
      * Sends an action and returns when its last byte has left by the line's rate (if the link is not paced: when the driver has it).
      *
      * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
-     * @throws PortTimeoutException if its turn did not come; then nothing was sent
+     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some of it
+     *     may have been
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
     public void send(String message, int timeoutMillis) throws PortException {
         Frame action = Frame.of(message);
         requireTime(timeoutMillis);
         noticing(() -> {
-            if (mayBeStarting()) {
-                awaitReadiness();
+            if (exchange.nanosUntilStarted() > 0) {
+                awaitStart();
             }
             writer.awaitTime(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> { }));
             return null;
@@ -144,12 +131,11 @@ public final class Link implements AutoCloseable {
     public String listen(int timeoutMillis) throws PortException {
         requireTime(timeoutMillis);
         return reading(() -> {
-            Frame message = inbox.next(clock.nanos() + timeoutMillis * NANOS_PER_MILLI);
+            Frame message = exchange.listen(timeoutMillis);
             if (message == null) {
                 throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
-            ready = true;
-            return newest(message).text();
+            return message.text();
         });
     }
 
@@ -160,108 +146,30 @@ public final class Link implements AutoCloseable {
     }
 
     private void end(String why) {
-        writer.end(why);
-        transport.close();
-        claim.release();
-    }
-
-    private boolean mayBeStarting() {
-        return !ready && bootedAt - clock.nanos() > 0;
-    }
-
-    /** Returns when the board has answered, or must have started. */
-    private void awaitReadiness() throws PortException {
+        writer.end(why); // wakes who waits for the line
+        ending.lock(); // a second caller returns when the port is really free
         try {
-            if (!reading.tryLock(bootedAt - clock.nanos(), TimeUnit.NANOSECONDS)) {
-                return;
+            transport.close();
+            claim.release();
+        } finally {
+            ending.unlock();
+        }
+    }
+
+    /** Returns when the board has said something, or must have started. */
+    private void awaitStart() throws PortException {
+        try {
+            if (!reading.tryLock(exchange.nanosUntilStarted(), TimeUnit.NANOSECONDS)) {
+                return; // another call waited for it meanwhile
             }
         } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new PortInterruptedException(port());
+            throw interrupted();
         }
         try {
-            if (mayBeStarting()) {
-                exchangeUntil(bootedAt, Frame.of(READINESS_REQUEST), REPEAT_MILLIS);
-            }
+            exchange.awaitStart();
         } finally {
             reading.unlock();
         }
-    }
-
-    /** The first exchange with a board that may be starting: goes on for its time limit at least; null: no answer. */
-    private Frame firstExchange(Frame request, int timeoutMillis) throws PortException {
-        long timeoutNanos = timeoutMillis * NANOS_PER_MILLI;
-        long now = clock.nanos();
-        return exchangeUntil(bootedAt - now > timeoutNanos ? bootedAt : now + timeoutNanos, request, timeoutMillis);
-    }
-
-    /** Repeats the request until it is answered or the clock shows {@code giveUp}; null: no answer. */
-    private Frame exchangeUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
-        long repeatNanos = Math.min(timeoutMillis, REPEAT_MILLIS) * NANOS_PER_MILLI;
-        Frame answer = null;
-        for (long left = giveUp - clock.nanos(); answer == null && left > 0; left = giveUp - clock.nanos()) {
-            long sent = ask(request, timeoutMillis);
-            answer = inbox.next(sent + Math.min(left, repeatNanos));
-            while (answer == null && answerIsComing(sent) && giveUp - clock.nanos() > 0) {
-                answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // asking again would drop what has come of it
-            }
-        }
-        return answer == null ? null : completed(answer, timeoutMillis);
-    }
-
-    private boolean answerIsComing(long sent) {
-        return inbox.lastByteNanos() - sent > 0 && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
-    }
-
-    /** Writes a request and waits for its answer; null: none came. */
-    private Frame exchange(Frame request, int timeoutMillis) throws PortException {
-        Frame answer = inbox.next(ask(request, timeoutMillis) + timeoutMillis * NANOS_PER_MILLI);
-        return answer == null ? null : completed(answer, timeoutMillis);
-    }
-
-    /** Writes a request, and returns when its last byte leaves. */
-    private long ask(Frame request, int timeoutMillis) throws PortException {
-        long sent = writer.write(FrameWriter.Kind.REQUEST, request, timeoutMillis, inbox::clear);
-        history.asked(sent);
-        return sent;
-    }
-
-    /** Brings the exchange whose first message has come to its end. */
-    private Frame completed(Frame answer, int timeoutMillis) throws PortException {
-        ready = true;
-        Frame last = answer;
-        if (history.mayBeLate()) {
-            last = lastBeforeSilence(answer, timeoutMillis * NANOS_PER_MILLI);
-        } else {
-            history.answered(clock.nanos());
-            last = newest(answer); // behind a frame that was cut comes the intact one
-        }
-        writer.answered(clock.nanos());
-        return last;
-    }
-
-    /** The newest message that is there already: {@code message}, unless others have come behind it. */
-    private Frame newest(Frame message) throws PortException {
-        Frame newer = inbox.newest();
-        return newer == null ? message : newer;
-    }
-
-    private Frame lastBeforeSilence(Frame first, long timeoutNanos) throws PortException {
-        long now = clock.nanos();
-        long giveUp = now + timeoutNanos;
-        long settlingNanos = history.settlingNanos(now, timeoutNanos);
-        Frame last = first;
-        while (giveUp - clock.nanos() > 0) {
-            long left = Math.min(inbox.lastByteNanos() + settlingNanos - clock.nanos(), giveUp - clock.nanos());
-            Frame later = inbox.next(clock.nanos() + left);
-            if (later != null) {
-                last = later;
-            } else if (clock.nanos() - inbox.lastByteNanos() >= settlingNanos) {
-                history.settled();
-                return last;
-            }
-        }
-        return last; // the line does not rest: the next answer may be late too
     }
 
     private static void requireTime(int timeoutMillis) {
@@ -280,8 +188,7 @@ public final class Link implements AutoCloseable {
         try {
             reading.lockInterruptibly();
         } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new PortInterruptedException(port());
+            throw interrupted();
         }
         try {
             return noticing(work);
@@ -299,5 +206,10 @@ public final class Link implements AutoCloseable {
             end(e.getMessage());
             throw e;
         }
+    }
+
+    private PortInterruptedException interrupted() {
+        Thread.currentThread().interrupt();
+        return new PortInterruptedException(port());
     }
 }

@@ -5,7 +5,8 @@ package javino;
  *
  * <p>One thread may read while another writes. {@link #close()} may be called from any thread, also while others wait.
  * Once closed, and once the device at the other end has gone, every call but {@code close} throws {@link PortGoneException}
- * at once. An interrupted thread gets {@link PortInterruptedException} and stays interrupted.
+ * at once. A thread that is interrupted while it waits gets {@link PortInterruptedException} and stays interrupted; what it was writing may
+ * still leave.
  */
 public interface Transport extends AutoCloseable {
     /** The port's name as a person would give it, for messages: {@code ttyACM0}, {@code sim:robot}. */

@@ -18,7 +18,7 @@ private const val MILLI = 1_000_000L
 private data class Order(val atMillis: Int, val length: Int)
 
 /** A link and a field board in virtual time: percepts are asked for again and again, and actions come as ordered. */
-private class Exchange(baud: Int, loopNanos: Long, answerLength: Int, private val intervalNanos: Long, orders: List<Order>) {
+private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, private val intervalNanos: Long, orders: List<Order>) {
     private val settings = LinkSettings.defaults().withBaud(baud)
     private val byteNanos = settings.line().byteNanos()
     private val answer = Frame.of("x".repeat(answerLength))
@@ -83,7 +83,7 @@ class CourtesySpec : FunSpec({
     test("a field board loses no message, whatever comes when") {
         checkAll(400, bauds, loops, answers, intervals, orders) { baud, loop, answer, interval, times ->
             val longest = if (loop == 0L) 150 else 50 // no link can help a board whose receive buffer is shorter than one message
-            val exchange = Exchange(baud, loop, answer, interval, times.mapIndexed { i, at -> Order(at, 2 + i * 37 % longest) })
+            val exchange = FieldExchange(baud, loop, answer, interval, times.mapIndexed { i, at -> Order(at, 2 + i * 37 % longest) })
             exchange.runUntil(6_000 * MILLI)
             exchange.board.lost.shouldBeEmpty()
             exchange.board.overflowed shouldBe 0
@@ -93,7 +93,7 @@ class CourtesySpec : FunSpec({
     }
 
     test("an agent that acts all the time still perceives, and one that perceives all the time still acts") {
-        val exchange = Exchange(9_600, 5 * MILLI, 150, 0, (0 until 1_000 step 10).map { Order(it, 5) })
+        val exchange = FieldExchange(9_600, 5 * MILLI, 150, 0, (0 until 1_000 step 10).map { Order(it, 5) })
         exchange.runUntil(3_000 * MILLI)
         exchange.board.handled.filter { it != FieldBoardModel.REQUEST } shouldContainExactly exchange.actions
         exchange.answers shouldBeGreaterThan 5

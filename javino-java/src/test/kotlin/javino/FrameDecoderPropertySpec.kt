@@ -142,14 +142,14 @@ class FrameDecoderPropertySpec : FunSpec({
         }
     }
 
-    test("ten million random bytes do no harm").config(timeout = 2.minutes) {
+    test("ten million random bytes do no harm").config(timeout = 2.minutes, blockingTest = true) {
         val random = Random(1)
         val bytes = ByteArray(10_000_000).also(random::nextBytes)
         val probe = DecoderProbe().feed(bytes, 1000).silence()
         probe.decoder.discarded() shouldBe 10_000_000 - probe.delivered.sumOf { it.length() }
     }
 
-    test("ten million bytes made of pieces of headers do no harm").config(timeout = 2.minutes) {
+    test("ten million bytes made of pieces of headers do no harm").config(timeout = 2.minutes, blockingTest = true) {
         val random = Random(2)
         val pieces = listOf("fffe", "f", "e", "FF", "00", "0", "fffe02", "x").map { it.toByteArray() }
         var frames = 0L
@@ -164,7 +164,7 @@ class FrameDecoderPropertySpec : FunSpec({
         decoder.frames() shouldBe frames
     }
 
-    test("headers inside headers cost bounded work a byte").config(timeout = 2.minutes) {
+    test("headers inside headers cost bounded work a byte").config(timeout = 2.minutes, blockingTest = true) {
         val bytes = "fffe".repeat(250_000).toByteArray()
         val probe = DecoderProbe().feed(bytes)
         probe.delivered.size shouldBeGreaterThan 0

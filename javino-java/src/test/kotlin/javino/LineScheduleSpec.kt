@@ -1,7 +1,6 @@
 package javino
 
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 
 private const val MILLI = 1_000_000L

@@ -8,6 +8,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeInstanceOf
 import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
 /** A board that can be reached at [port], and the plug. */
@@ -33,7 +34,7 @@ private const val LONG_MILLIS = 20_000
 /** What a link does over any transport; a subclass supplies the board. */
 internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : FunSpec({
     fun contract(name: String, body: Bench.() -> Unit) =
-        test(name).config(enabledOrReasonIf = { available }, timeout = 60.seconds) { bench().use(body) }
+        test(name).config(enabledOrReasonIf = { available }, timeout = 60.seconds, blockingTest = true) { bench().use(body) }
 
     contract("a request brings its answer") {
         board.whenAsked("getPercepts").answer("dist(f,10);", "dist(f,9);")
@@ -162,8 +163,7 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
 
     contract("an interrupted call throws, and the link stays usable") {
         link.request("getPercepts", LONG_MILLIS)
-        val caller = Thread { runCatching { link.listen(LONG_MILLIS) } }
-        caller.start()
+        val caller = thread(isDaemon = true) { runCatching { link.listen(LONG_MILLIS) } }
         caller.interrupt()
         caller.join(TimeUnit.SECONDS.toMillis(20))
         caller.isAlive shouldBe false

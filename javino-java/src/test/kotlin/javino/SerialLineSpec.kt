@@ -29,7 +29,7 @@ class SerialLineSpec : FunSpec({
     val settings = LinkSettings.defaults().withBaud(115_200)
 
     fun onTerminals(name: String, enabled: Enabled = PseudoTerminals.available, body: (PseudoTerminals) -> Unit) =
-        test(name).config(enabledOrReasonIf = { enabled }, timeout = 120.seconds) { PseudoTerminals.open().use(body) }
+        test(name).config(enabledOrReasonIf = { enabled }, timeout = 120.seconds, blockingTest = true) { PseudoTerminals.open().use(body) }
 
     onTerminals("a device has one owner, whichever of its names is used") { terminals ->
         val device = Path.of(terminals.computer).toRealPath().toString()

@@ -3,7 +3,6 @@ package javino
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.throwables.shouldThrowAny
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.core.spec.style.scopes.FunSpecContainerScope
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -11,6 +10,7 @@ import io.kotest.matchers.types.shouldBeInstanceOf
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
 /** Two ends of one line, and the plug. */
@@ -27,7 +27,7 @@ private const val LONG_MILLIS = 60_000
 /** What every transport does; a subclass supplies the line. */
 internal abstract class TransportContract(available: Enabled, open: () -> Line) : FunSpec({
     fun contract(name: String, body: Line.() -> Unit) =
-        test(name).config(enabledOrReasonIf = { available }, timeout = 60.seconds) { open().use(body) }
+        test(name).config(enabledOrReasonIf = { available }, timeout = 60.seconds, blockingTest = true) { open().use(body) }
 
     contract("bytes arrive at the other end, as they are and in their order") {
         val bytes = ByteArray(256) { it.toByte() }
@@ -123,11 +123,10 @@ internal abstract class TransportContract(available: Enabled, open: () -> Line) 
     contract("an interrupted read throws, and the thread stays interrupted") {
         val interrupted = CompletableFuture<Boolean>()
         val failure = CompletableFuture<Throwable>()
-        val reader = Thread {
+        val reader = thread(isDaemon = true) {
             failure.complete(shouldThrowAny { computer.read(ByteArray(8), 0, 8, LONG_MILLIS) })
             interrupted.complete(Thread.currentThread().isInterrupted)
         }
-        reader.start()
         reader.interrupt()
         failure.get(10, TimeUnit.SECONDS).shouldBeInstanceOf<PortInterruptedException>()
         interrupted.get(10, TimeUnit.SECONDS) shouldBe true
@@ -149,7 +148,7 @@ internal fun Transport.readFully(count: Int): ByteArray {
 
 internal fun <T> async(work: () -> T): CompletableFuture<T> {
     val result = CompletableFuture<T>()
-    Thread { runCatching(work).fold(result::complete, result::completeExceptionally) }.apply { isDaemon = true }.start()
+    thread(isDaemon = true) { runCatching(work).fold(result::complete, result::completeExceptionally) }
     return result
 }
 
