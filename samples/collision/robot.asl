@@ -1,4 +1,4 @@
-/* Drives towards a wall and stops in front of it, after the case study of N. M. Pantoja et al., EMAS 2016.
+/* Drives towards a wall and stops in front of it, after the case study of C. E. Pantoja et al., EMAS 2016.
 
    Its initial beliefs are in the .mas2j:
      board(Port, Options)   where the robot is

@@ -17,7 +17,7 @@ import java.util.logging.Logger
  * and its agents use the internal actions `argo.port`, `argo.limit`, `argo.percepts`, `argo.act` and `argo.change_filter`.
  * When snapshots of the sensors are handed over is set with `[argo_sensing=fresh]` (the default), `every` or `in_cycle`.
  *
- * It follows N. M. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
+ * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
  * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.
  *
  * The methods of [AgArch] are called by Jason; a project has no reason to call any.
