@@ -6,7 +6,7 @@
 static const uint8_t MESSAGES_PER_RUN = 8;
 
 JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size)
-    : act(board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), waiting_(false) {
+    : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), waiting_(false) {
   javino_board_init(&board_, memory, size, write, this);
 }
 
@@ -128,7 +128,7 @@ void JavinoBoard::term(double value) {
   }
   uint32_t whole = static_cast<uint32_t>(rounded);
   uint8_t hundredths = static_cast<uint8_t>((rounded - whole) * 100);
-  javino_percept_number(&board_, whole, negative);
+  javino_percept_number(&board_, whole, negative && (whole || hundredths));
   javino_percept_put(&board_, '.');
   javino_percept_put(&board_, static_cast<char>('0' + hundredths / 10));
   javino_percept_put(&board_, static_cast<char>('0' + hundredths % 10));

@@ -89,10 +89,10 @@ public:
    * @return false if there is no memory left for it
    */
   bool onAction(const char *name, void (*function)(const JavinoArguments &)) {
-    return act.add(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments);
+    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments);
   }
   bool onAction(const char *name, bool (*function)(const JavinoArguments &)) {
-    return act.add(name, reinterpret_cast<Callback>(function), JavinoActions::askWithArguments);
+    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::askWithArguments);
   }
   bool onAction(const char *name, Callback function) { return act.add(name, function); }
 
@@ -127,7 +127,7 @@ public:
     char before = '(';
     const bool each[] = {true, (javino_percept_put(&board_, before), before = ',', term(terms), true)...};
     (void)each;
-    if (sizeof...(terms))
+    if (before == ',')
       javino_percept_put(&board_, ')');
     return javino_percept_end(&board_);
   }

@@ -5,7 +5,7 @@
 bool JavinoActions::add(const char *name, Function function, Caller caller) {
   if (!function)
     return false;
-  Action *action = static_cast<Action *>(javino_board_take(&memory_, sizeof(Action)));
+  Action *action = static_cast<Action *>(javino_board_take(memory_, sizeof(Action)));
   if (!action) {
     full_ = true;
     return false;
@@ -19,12 +19,20 @@ bool JavinoActions::add(const char *name, Function function, Caller caller) {
   return true;
 }
 
+/** Whether a name begins with this text, in which any byte may stand. */
+static bool begins(const char *name, const char *text, uint8_t length) {
+  for (; length > 0; length--)
+    if (!*name || *name++ != *text++)
+      return false;
+  return true;
+}
+
 /** Carries an action out, unless it is not certain that the text is whole and more of it could follow. */
 JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length, bool certain) const {
   const Action *found = NULL;
   const Action *action = first_;
   for (uint8_t i = count_; i > 0; i--, action++) {
-    if (strncmp(action->name, text, length) != 0)
+    if (!begins(action->name, text, length))
       continue;
     bool longer = action->name[length];
     if (!certain && (longer || action->caller))
@@ -47,7 +55,7 @@ const JavinoActions::Action *JavinoActions::findByFunctor(const JavinoActions &a
   uint8_t n = javino_functor(text, length);
   const Action *action = actions.first_;
   for (uint8_t i = actions.count_; n && i > 0; i--, action++)
-    if (action->caller && strncmp(action->name, text, n) == 0 && !action->name[n])
+    if (action->caller && begins(action->name, text, n) && !action->name[n])
       return action;
   return NULL;
 }

@@ -44,7 +44,7 @@ public:
     const String &name_;
   };
 
-  explicit JavinoActions(javino_board &memory) : memory_(memory), first_(NULL), reader_(NULL), count_(0), full_(false) {}
+  explicit JavinoActions(javino_board *memory) : memory_(memory), first_(NULL), reader_(NULL), count_(0), full_(false) {}
 
   Place operator[](const char *name) { return Place(*this, name); }
   NamedPlace operator[](const String &name) { return NamedPlace(*this, name); }
@@ -88,7 +88,7 @@ private:
   static bool callWithArguments(Function function, const char *text, uint8_t length);
   static bool askWithArguments(Function function, const char *text, uint8_t length);
 
-  javino_board &memory_;
+  javino_board *memory_;
   Action *first_;
   /* Set with the first action that takes arguments, so that other sketches are spared the code. */
   const Action *(*reader_)(const JavinoActions &actions, const char *text, uint8_t length);

@@ -24,17 +24,17 @@ JAVINO_OUTLINE void *javino_board_take(javino_board *board, uint16_t size)
 JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *functor, size_t length)
 {
     const javino_frame *request = &board->link.frame;
-    const char *p = (const char *)request->payload + JAVINO_REQUEST_LENGTH;
-    const char *end = (const char *)request->payload + request->length - 1;
+    const char *p = (const char *)request->payload;
+    const char *end = p + request->length;
     bool all = true;
     if (board->link.event != JAVINO_REQUEST)
         return true;
     /* Each name stands between a bracket or comma and another. */
-    for (; p < end; p++) {
+    for (p += JAVINO_REQUEST_LENGTH; p < end; p++) {
         const char *after = p + 1 + length;
         if (*p != '(' && *p != ',')
             continue;
-        if (after <= end && (*after == ',' || *after == ')') && memcmp(p + 1, functor, length) == 0)
+        if (after < end && (*after == ',' || *after == ')') && memcmp(p + 1, functor, length) == 0)
             return true;
         all = false;
     }
@@ -163,7 +163,7 @@ void javino_board_answer(javino_board *board)
 /* In parts of whole percepts. */
 static bool send_in_parts(javino_link *link, const char *text, size_t length)
 {
-    javino_nesting n = {0, 0, false};
+    javino_nesting n = {0, 0, false, false, 0};
     size_t sent = 0;  /* up to here it has been sent or left out */
     size_t whole = 0; /* up to here there are whole percepts */
     size_t end;

@@ -1,5 +1,11 @@
 #include "javino_literal.h"
 
+/* 1 for round brackets, 2 for square ones, 3 for braces. */
+static uint8_t kind_of(char bracket)
+{
+    return bracket < 'A' ? 1 : bracket < 'a' ? 2 : 3;
+}
+
 bool javino_outside(javino_nesting *nesting, char c)
 {
     javino_nesting *n = nesting;
@@ -21,12 +27,17 @@ bool javino_outside(javino_nesting *nesting, char c)
     case '[':
     case '{':
         n->depth++;
+        n->kinds = n->kinds << 2 | kind_of(c);
         return false;
     case ')':
     case ']':
     case '}':
+        /* Of what is nested deeper than sixteen brackets, the outer ones' kinds are not known any more. */
+        if (n->depth == 0 || ((n->kinds & 3) != kind_of(c) && n->kinds))
+            n->crossed = true;
         if (n->depth)
             n->depth--;
+        n->kinds >>= 2;
         return false;
     default:
         return n->depth == 0;
@@ -41,24 +52,38 @@ uint8_t javino_word(const char *text, uint8_t length)
     return n;
 }
 
+/* Whether something is missing between two characters, neither of which is inside quotes. */
+static bool is_empty_place(char before, char c)
+{
+    bool begins = before == ',' || before == '(' || before == '[';
+    return (c == ',' && begins) || ((c == ')' || c == ']') && before == ',');
+}
+
 uint8_t javino_functor(const char *text, uint8_t length)
 {
-    javino_nesting n = {0, 0, false};
-    const char *end = text + length;
-    const char *word = text + javino_word(text, length);
-    const char *p;
-    for (p = text; p < end; p++) {
+    javino_nesting n = {0, 0, false, false, 0};
+    uint8_t word = javino_word(text, length);
+    char before = 0;
+    uint8_t i;
+    for (i = 0; i < length; i++) {
+        char c = text[i];
         bool top = n.depth == 0;
-        bool outside = javino_outside(&n, *p);
-        if (p < word ? !outside : top && !(p == word || (*p == '[' && p[-1] == ')')))
+        bool quoted = n.quote != 0;
+        bool outside = javino_outside(&n, c);
+        bool opens = i == word || (c == '[' && text[i - 1] == ')');
+        if (i < word ? !outside : top && (outside || !opens))
             return 0;
+        if (n.crossed || (!quoted && is_empty_place(before, c)))
+            return 0;
+        if (quoted || c != ' ')
+            before = quoted ? '"' : c;
     }
-    return n.depth == 0 ? (uint8_t)(word - text) : 0;
+    return n.depth == 0 ? word : 0;
 }
 
 uint8_t javino_argument(const char *text, uint8_t length, uint8_t index, const char **argument)
 {
-    javino_nesting n = {0, 0, false};
+    javino_nesting n = {0, 0, false, false, 0};
     const char *end = text + length;
     const char *begin;
     text += javino_word(text, length);

@@ -18,6 +18,8 @@ typedef struct {
     uint8_t depth;
     char quote; /**< 0 outside quotes. */
     bool escaped;
+    bool crossed;   /**< A bracket has been closed by one of another kind, or was not open. */
+    uint32_t kinds; /**< The innermost sixteen brackets that are open, two bits each. */
 } javino_nesting;
 
 /** Takes one character. @return whether it stands outside brackets and quotes, and is neither. */
@@ -27,8 +29,8 @@ bool javino_outside(javino_nesting *nesting, char c);
 uint8_t javino_word(const char *text, uint8_t length);
 
 /**
- * @return the bytes of the literal's functor; 0 if the text is not a literal: brackets or quotes are open, or
- *         something other than annotations follows the arguments.
+ * @return the bytes of the literal's functor; 0 if the text is not a literal: brackets or quotes are open or
+ *         cross each other, an argument is missing, or something other than annotations follows the arguments.
  */
 uint8_t javino_functor(const char *text, uint8_t length);
 

@@ -1,0 +1,459 @@
+// The Arduino class, as sketches use it.
+
+#include <doctest/doctest.h>
+
+#include <Javino.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "frames.h"
+
+namespace {
+
+std::vector<std::string> done;
+
+void ledOn() { done.push_back("ledOn"); }
+void led() { done.push_back("led"); }
+void speed(const JavinoArguments &arguments) {
+  done.push_back("speed " + std::to_string(arguments.count()) + " " + std::to_string(arguments.number(0, -1)));
+}
+bool turn(const JavinoArguments &arguments) {
+  if (arguments.count() != 2 || !arguments.is(0, "left") || !arguments.isNumber(1))
+    return false;
+  done.push_back("turn " + std::to_string(arguments.number(1)));
+  return true;
+}
+std::string said;
+void say(const JavinoArguments &arguments) { said = arguments.text(0).c_str(); }
+
+/** A board on Serial, with everything as after power-on. */
+struct Board {
+  Javino javino;
+
+  Board() {
+    Serial.in.clear();
+    Serial.meanwhile.clear();
+    Serial.sent();
+    stub_millis = 5000;
+    done.clear();
+    javino.start(9600);
+  }
+
+  std::string run(const std::string &bytes) {
+    Serial.receive(bytes);
+    javino.run();
+    return Serial.sent();
+  }
+
+  std::string later(unsigned long ms) {
+    stub_millis += ms;
+    return run("");
+  }
+};
+
+Javino *percepts_of;
+void look() {
+  percepts_of->percept("dist", "front", 120);
+  percepts_of->percept("light", 'b', 40u);
+  percepts_of->addPercept("ready");
+}
+
+}  // namespace
+
+TEST_CASE("start opens Serial at the rate given, above 32767 too") {
+  Javino javino;
+  javino.start(115200);
+  CHECK(Serial.baud == 115200);
+}
+
+TEST_CASE("start opens the port given, and leaves alone a stream that is open") {
+  FakeSerial other;
+  Javino on_port(other);
+  on_port.start(57600);
+  CHECK(other.baud == 57600);
+  FakeSerial open;
+  Stream &stream = open;
+  Javino on_stream(stream);
+  on_stream.start(57600);
+  CHECK(open.baud == 0);
+  open.receive(frame1("getPercepts"));
+  on_stream.run();
+  CHECK(open.sent() == frame1(""));
+}
+
+TEST_CASE("perceive's function writes the answer") {
+  Board board;
+  percepts_of = &board.javino;
+  board.javino.perceive(look);
+  CHECK(board.run(frame1("getPercepts")) == frame1("dist(front,120);light(b,40);ready;"));
+  CHECK(board.run(frame2("getPercepts(light)", 0, 1)) == frame2("light(b,40);", 0, 1));
+}
+
+TEST_CASE("a board without percepts answers all the same") {
+  Board board;
+  CHECK(board.run(frame1("getPercepts")) == frame1(""));
+}
+
+TEST_CASE("an answer that perceive's function has sent itself is not sent again") {
+  Board board;
+  percepts_of = &board.javino;
+  board.javino.perceive([] {
+    percepts_of->addPercept("result(1)");
+    percepts_of->sendPercepts();
+  });
+  CHECK(board.run(frame1("getPercepts")) == frame1("result(1);"));
+  CHECK(board.run(frame2("getPercepts", 0, 1)) == frame2("result(1);", 0, 1));
+}
+
+TEST_CASE("actions are carried out by name, and only those") {
+  Board board;
+  board.javino.act["ledOn"] = ledOn;
+  CHECK(board.run(frame1("ledOn")) == "");
+  CHECK(done == std::vector<std::string>{"ledOn"});
+  CHECK(board.run(frame1("ledOff")) == "");
+  CHECK(board.run(frame1("ledOn(1)")) == "");
+  CHECK(board.run(frame1("LEDON")) == "");
+  CHECK(board.run(frame1("")) == "");
+  CHECK(done.size() == 1);
+  CHECK(board.run(frame2("ledOn", 2, 7)) == frame2("", 4, 7));
+  CHECK(board.run(frame2("ledOff", 2, 8)) == frame2("", 8, 8));
+  CHECK(board.run(frame2("", 2, 9)) == frame2("", 8, 9));
+  CHECK(done.size() == 2);
+}
+
+TEST_CASE("bytes of zero in a text end neither it nor a name") {
+  Board board;
+  board.javino.act["led"] = led;
+  board.javino.onAction("speed", speed);
+  for (const std::string &text : {std::string("led\0", 4), std::string("led\0\0\0On", 8), std::string("speed\0", 6), std::string("speed\0(1)", 9)}) {
+    CHECK(board.run(frame1(text)) == "");
+    board.later(200);
+    CHECK(board.run(frame2(text, 2, 1)) == frame2("", 8, 1));
+  }
+  CHECK(done.empty());
+}
+
+TEST_CASE("a later function takes the place of an earlier one of the same name") {
+  Board board;
+  board.javino.act["x"] = led;
+  board.javino.act["x"] = ledOn;
+  board.run(frame1("x"));
+  CHECK(done == std::vector<std::string>{"ledOn"});
+}
+
+TEST_CASE("an action's name may be a String, and an action may be called by its name") {
+  static Board board;  // As in a sketch: its names last for ever.
+  for (int i = 0; i < 3; i++)
+    board.javino.act[String("led") + String(i)] = ledOn;
+  board.run(frame1("led2"));
+  board.javino.act["led0"]();
+  board.javino.act["led9"]();
+  CHECK(done.size() == 2);
+}
+
+TEST_CASE("arguments are handed over") {
+  Board board;
+  CHECK(board.javino.onAction("speed", speed));
+  CHECK(board.javino.onAction("turn", turn));
+  CHECK(board.javino.onAction("say", say));
+  board.run(frame1("speed(-120)"));
+  CHECK(done.back() == "speed 1 -120");
+  CHECK(board.run(frame2("turn(left, 30)", 2, 1)) == frame2("", 4, 1));
+  CHECK(done.back() == "turn 30");
+  CHECK(board.run(frame2("turn(right,30)", 2, 2)) == frame2("", 8, 2));
+  CHECK(board.run(frame2("turn(left,x)", 2, 3)) == frame2("", 8, 3));
+  CHECK(board.run(frame2("turn(left,3", 2, 4)) == frame2("", 8, 4));
+  CHECK(board.run(frame2("turnleft(1)", 2, 5)) == frame2("", 8, 5));
+  CHECK(done.size() == 2);
+  board.run(frame1("say(\"hi; \\\"you\\\"\")"));
+  CHECK(said == "hi; \"you\"");
+  board.run(frame2("speed[urgent]", 2, 6));
+  CHECK(done.back() == "speed 0 -1");
+}
+
+TEST_CASE("an argument's text is cut to what there is room for") {
+  const char literal[] = "f(\"abcdef\",\"\",x,3.25)";
+  JavinoArguments arguments(literal, sizeof literal - 1);
+  char text[4];
+  CHECK(arguments.copy(0, text, sizeof text) == 6);
+  CHECK(std::string(text) == "abc");
+  CHECK(arguments.copy(1, text, sizeof text) == 0);
+  CHECK(std::string(text) == "");
+  CHECK(arguments.copy(7, text, sizeof text) == 0);
+  CHECK(arguments.copy(0, text, 0) == 6);
+  CHECK(arguments.is(1, ""));
+  CHECK(!arguments.is(7, ""));
+  CHECK(arguments.is(2, "x"));
+  CHECK(!arguments.is(2, "xy"));
+  CHECK(arguments.decimal(3) == 3.25);
+  CHECK(arguments.decimal(2, -1) == -1);
+  CHECK(arguments.number(3, -1) == -1);
+  CHECK(arguments.count() == 4);
+}
+
+TEST_CASE("a command and a request that arrive in one burst are both handled in one run") {
+  Board board;
+  percepts_of = &board.javino;
+  board.javino.act["ledOn"] = ledOn;
+  board.javino.perceive(look);
+  CHECK(board.run(frame1("ledOn") + frame1("getPercepts")) == frame1("dist(front,120);light(b,40);ready;"));
+  CHECK(done.size() == 1);
+}
+
+TEST_CASE("what arrives while an answer goes out is handled next") {
+  Board board;
+  percepts_of = &board.javino;
+  board.javino.act["ledOn"] = ledOn;
+  board.javino.perceive(look);
+  for (unsigned char byte : frame1("ledOn"))
+    Serial.meanwhile.push_back(byte);
+  board.run(frame1("getPercepts"));
+  CHECK(done.size() == 1);
+}
+
+TEST_CASE("a flood does not keep the sketch from its loop") {
+  Board board;
+  board.javino.act["ledOn"] = ledOn;
+  std::string flood;
+  for (int i = 0; i < 100; i++)
+    flood += frame1("ledOn");
+  board.run(flood);
+  CHECK(done.size() == 8);
+  for (int i = 0; i < 20; i++)
+    board.run("");
+  CHECK(done.size() == 100);
+}
+
+TEST_CASE("version 1: a name that may be the beginning of another waits for what follows") {
+  Board board;
+  board.javino.act["led"] = led;
+  board.javino.act["ledOn"] = ledOn;
+  board.javino.onAction("speed", speed);
+  SUBCASE("silence confirms it") {
+    board.run(frame1("led"));
+    CHECK(done.empty());
+    board.later(7);
+    CHECK(done == std::vector<std::string>{"led"});
+  }
+  SUBCASE("a header confirms it") {
+    board.run(frame1("led") + frame1("ledOn"));
+    CHECK(done == std::vector<std::string>{"led", "ledOn"});
+  }
+  SUBCASE("anything else forbids it") {
+    board.run("fffe03ledOn");
+    board.later(7);
+    CHECK(done.empty());
+  }
+  SUBCASE("the rest may arrive later") {
+    board.run("fffe03led");
+    board.run("On");
+    board.later(200);
+    CHECK(done.empty());
+  }
+  SUBCASE("a shortened action with arguments is none") {
+    board.run("fffe05speed(120)");
+    board.later(200);
+    CHECK(done.empty());
+    board.run(frame1("speed"));
+    board.later(7);
+    CHECK(done == std::vector<std::string>{"speed 0 -1"});
+  }
+  SUBCASE("other names do not wait") {
+    board.run(frame1("ledOn"));
+    CHECK(done == std::vector<std::string>{"ledOn"});
+    board.run(frame1("speed(3)"));
+    CHECK(done.size() == 2);
+  }
+  SUBCASE("version 2 does not wait") {
+    board.run(frame2("led", 2, 1));
+    CHECK(done == std::vector<std::string>{"led"});
+  }
+}
+
+TEST_CASE("messages one by one") {
+  Board board;
+  CHECK(!board.javino.availableMsg());
+  CHECK(board.javino.getMsg() == "");
+  Serial.receive(frame1("ledOn") + frame1("getPercepts") + frame2("say(1)", 2, 3));
+  CHECK(board.javino.availableMsg());
+  CHECK(board.javino.getMsg() == "ledOn");
+  CHECK(board.javino.getMsg() == "ledOn");
+  CHECK(board.javino.requestAction("ledOn"));
+  CHECK(!board.javino.requestAction("led"));
+  CHECK(!board.javino.requestAction("ledOnX"));
+  CHECK(!board.javino.requestPercepts());
+  CHECK(board.javino.availableMsg());
+  CHECK(board.javino.requestPercepts());
+  CHECK(board.javino.getMsg() == "getPercepts");
+  CHECK(!board.javino.requestAction("getPercepts"));
+  CHECK(board.javino.sendMsg("a;b;"));
+  CHECK(Serial.sent() == frame1("a;b;"));
+  CHECK(board.javino.availableMsg());
+  CHECK(board.javino.sendMsg(String("done")));
+  CHECK(Serial.sent() == frame2("done", 0, 1));
+  CHECK(!board.javino.availableMsg());
+  CHECK(Serial.sent() == frame2("", 4, 3));
+}
+
+TEST_CASE("a message may be refused") {
+  Board board;
+  Serial.receive(frame2("fly", 2, 3));
+  CHECK(board.javino.availableMsg());
+  board.javino.refuse();
+  CHECK(Serial.sent() == frame2("", 8, 3));
+  CHECK(!board.javino.availableMsg());
+  CHECK(Serial.sent() == "");
+}
+
+TEST_CASE("the names of earlier libraries work, without start() too") {
+  Javino javino;
+  Serial.in.clear();
+  Serial.sent();
+  Serial.receive(frame1("ledOn"));
+  CHECK(javino.availablemsg());
+  CHECK(javino.getmsg() == "ledOn");
+  javino.sendmsg("ok");
+  CHECK(Serial.sent() == frame1("ok"));
+}
+
+TEST_CASE("percepts written beforehand go with the next answer, unless they are cleared") {
+  Board board;
+  board.javino.addPercept(String("a"));
+  board.javino.clearPercepts();
+  board.javino.addPercept(F("b(1)"));
+  CHECK(board.run(frame1("getPercepts")) == frame1("b(1);"));
+}
+
+TEST_CASE("numbers, truth values and text as terms") {
+  Board board;
+  percepts_of = &board.javino;
+  board.javino.perceive([] {
+    percepts_of->percept("a", -5, 7L, 4000000000UL, true, static_cast<uint8_t>(200));
+    percepts_of->percept("b", 1.5, -0.004, 2.999, -2.5f, "two words", String("x"));
+    percepts_of->percept("c", 0.0 / 0.0, 1e30, -1e30, 4294967000.0);
+    percepts_of->percept("d");
+  });
+  CHECK(board.run(frame1("getPercepts")) ==
+        frame1("a(-5,7,4000000000,true,200);b(1.50,0.00,3.00,-2.50,\"two words\",x);"
+               "c(nan,infinity,negative_infinity,4294967000.00);d;"));
+}
+
+namespace {
+int lost;
+}
+
+TEST_CASE("the lost link is reported") {
+  Board board;
+  lost = 0;
+  board.javino.onLinkLost(500, [] { lost++; });
+  board.later(400);
+  CHECK(lost == 0);
+  board.run(frame1("hello"));
+  board.later(499);
+  CHECK(lost == 0);
+  board.later(2);
+  CHECK(lost == 1);
+  board.later(5000);
+  CHECK(lost == 1);
+  board.run(frame1("hello"));
+  CHECK(!board.javino.availableMsg());
+  stub_millis += 501;
+  CHECK(!board.javino.availableMsg());
+  CHECK(lost == 2);
+  board.run(frame1("hello"));
+  board.javino.onLinkLost(0, [] { lost++; });
+  board.later(5000);
+  CHECK(lost == 2);
+}
+
+TEST_CASE("actions beyond the memory are reported, and those before them still work") {
+  JavinoSized<JAVINO_MEMORY_MIN + 5 * 3 * sizeof(void *)> javino;
+  Serial.in.clear();
+  int added = 0;
+  while (added < 50 && javino.onAction(added ? "other" : "ledOn", ledOn))
+    added++;
+  CHECK(added == 5);
+  CHECK(javino.act.count() == 5);
+  CHECK(javino.act.full());
+  done.clear();
+  Serial.receive(frame1("ledOn"));
+  javino.run();
+  CHECK(done.size() == 1);
+}
+
+TEST_CASE("no function is no action") {
+  Board board;
+  board.javino.act["ledOn"] = NULL;
+  CHECK(board.run(frame2("ledOn", 2, 1)) == frame2("", 8, 1));
+}
+
+namespace {
+
+std::mt19937 chance(6);
+
+/** Damages one byte in 200. @return whether any was */
+bool damage(std::string &bytes) {
+  bool damaged = false;
+  for (char &c : bytes)
+    if (chance() % 200 == 0) {
+      c = static_cast<char>(c ^ (1 + chance() % 255));
+      damaged = true;
+    }
+  return damaged;
+}
+
+}  // namespace
+
+TEST_CASE("with one byte in 200 damaged no wrong action is carried out, and no intact message is lost") {
+  // Most are the beginning of another.
+  const std::vector<std::string> actions = {"led", "ledOn", "ledOnce", "go", "go(1)", "go(12)", "stop"};
+  for (int version : {1, 2}) {
+    Board board;
+    board.javino.act["led"] = [] { done.push_back("led"); };
+    board.javino.act["ledOn"] = [] { done.push_back("ledOn"); };
+    board.javino.act["ledOnce"] = [] { done.push_back("ledOnce"); };
+    board.javino.act["go(1)"] = [] { done.push_back("go(1)"); };
+    board.javino.act["go(12)"] = [] { done.push_back("go(12)"); };
+    board.javino.act["stop"] = [] { done.push_back("stop"); };
+    board.javino.onAction("go", [](const JavinoArguments &arguments) {
+      if (arguments.count() == 0)
+        done.push_back("go");
+      return arguments.count() == 0;
+    });
+    long carried = 0, damaged_actions = 0, wrong = 0, of_wrong_length = 0, lost_actions = 0, lost_requests = 0;
+    const long sent = 200000;
+    for (long i = 0; i < sent; i++) {
+      const std::string &text = actions[chance() % actions.size()];
+      std::string action = version == 1 ? frame1(text) : frame2(text, 2, i & 15);
+      std::string request = version == 1 ? frame1("getPercepts") : frame2("getPercepts", 0, i & 15);
+      bool damaged = damage(action);
+      damaged_actions += damaged;
+      done.clear();
+      // The request that follows at once is intact.
+      bool at_once = chance() % 2;
+      if (at_once)
+        action += request;
+      std::string answers = board.run(action);
+      answers += board.later(10);
+      answers += board.later(150);
+      bool answered = answers.find(version == 1 ? "fffe00" : "fffd000") != std::string::npos;
+      lost_requests += at_once && !answered;
+      lost_actions += !damaged && done.empty();
+      for (const std::string &carried_out : done) {
+        carried++;
+        wrong += carried_out != text;
+        of_wrong_length += carried_out.size() != text.size();
+      }
+    }
+    CHECK(damaged_actions > 5000);
+    CHECK(of_wrong_length == 0);
+    CHECK(lost_actions == 0);
+    CHECK(lost_requests == 0);
+    if (version == 2)
+      CHECK(wrong == 0);
+    MESSAGE("version ", version, ": ", sent, " actions sent, ", damaged_actions, " damaged, ", carried, " carried out, ", wrong,
+            " other than sent, ", of_wrong_length, " of another length; intact requests lost: ", lost_requests);
+  }
+}
