@@ -120,12 +120,13 @@ class Decoder:
             if len(self.window) < 6 + size:
                 return "incomplete", 0
             return {"version": 1, "hex": self.window[6:6 + size].hex()}, 6 + size
-        if any(c not in HEX for c in self.window[6:8] + self.window[8 + size:12 + size]):
+        digits = self.window[8 + size:12 + size]
+        if any(c not in HEX for c in self.window[6:8]):
             return None, 0
-        if len(self.window) < 12 + size:
+        if not (b"%04X" % crc16(self.window[4:8 + size])).startswith(digits.upper()):
+            return None, 0
+        if len(digits) < 4:
             return "incomplete", 0
-        if crc16(self.window[4:8 + size]) != int(self.window[8 + size:12 + size], 16):
-            return None, 0
         message = {"version": 2, "flags": int(self.window[6:7], 16), "sequence": int(self.window[7:8], 16),
                    "hex": self.window[8:8 + size].hex()}
         return message, 12 + size

@@ -1,0 +1,19 @@
+// Messages one by one, without callbacks: every action is answered with its own text, and a request with the
+// time since the start.
+
+#include <Javino.h>
+
+Javino javino;
+
+void setup() {
+  javino.start(9600);
+}
+
+void loop() {
+  if (javino.availableMsg()) {
+    if (javino.requestPercepts())
+      javino.sendMsg("uptime(" + String(millis() / 1000) + ");");
+    else
+      javino.sendMsg(javino.getMsg());
+  }
+}

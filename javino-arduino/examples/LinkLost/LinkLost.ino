@@ -1,0 +1,49 @@
+// A motor that never outlives the computer: when nothing valid has arrived for 300 ms, it stops.
+//
+//   actions   speed(0..255)
+//   percepts  motor(Speed), stopped(linkLost) once after the link was lost
+
+#include <Javino.h>
+
+const uint8_t MOTOR = 5;
+
+Javino javino;
+uint8_t power = 0;
+bool wasLost = false;
+
+void setMotor(uint8_t value) {
+  power = value;
+  analogWrite(MOTOR, power);
+}
+
+bool speed(const JavinoArguments &arguments) {
+  long wanted = arguments.number(0, -1);
+  if (arguments.count() != 1 || wanted < 0 || wanted > 255)
+    return false;
+  setMotor(static_cast<uint8_t>(wanted));
+  return true;
+}
+
+void linkLost() {
+  wasLost = power > 0;
+  setMotor(0);
+}
+
+void look() {
+  javino.percept("motor", power);
+  if (wasLost)
+    javino.percept("stopped", "linkLost");
+  wasLost = false;
+}
+
+void setup() {
+  pinMode(MOTOR, OUTPUT);
+  javino.onAction("speed", speed);
+  javino.onLinkLost(300, linkLost);
+  javino.perceive(look);
+  javino.start(9600);
+}
+
+void loop() {
+  javino.run();
+}
