@@ -1,0 +1,346 @@
+#include "board.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "avr_adc.h"
+#include "avr_ioport.h"
+#include "avr_uart.h"
+#include "sim_elf.h"
+#include "sim_hex.h"
+
+/* Data addresses of the ATmega328P's registers. */
+enum {
+    UCSR0A = 0xC0,
+    U2X0 = 1,
+    UBRR0L = 0xC4,
+    UBRR0H = 0xC5
+};
+
+/* The pins that timers drive: where the bit is that connects the pin, and the register with the duty. */
+static const struct {
+    int pin;
+    uint16_t control;
+    uint8_t connect;
+    uint16_t compare;
+} PWM[] = {
+    {6, 0x44, 7, 0x47}, {5, 0x44, 5, 0x48},   /* OC0A, OC0B */
+    {9, 0x80, 7, 0x88}, {10, 0x80, 5, 0x8A},  /* OC1A, OC1B */
+    {11, 0xB0, 7, 0xB3}, {3, 0xB0, 5, 0xB4},  /* OC2A, OC2B */
+};
+
+static const struct {
+    char letter;
+    uint16_t ddr;
+    uint16_t port;
+    int first; /* Arduino's number of bit 0 */
+    int pins;
+} PORTS[] = {{'B', 0x24, 0x25, 8, 6}, {'C', 0x27, 0x28, 14, 6}, {'D', 0x2A, 0x2B, 0, 8}};
+
+static int port_of(int pin)
+{
+    return pin < 8 ? 2 : pin < 14 ? 0 : 1;
+}
+
+int board_pin(const char *name)
+{
+    char *end;
+    long number;
+    int first = 0;
+    int count = BOARD_PINS;
+    if (toupper((unsigned char)name[0]) == 'A') {
+        first = 14;
+        count = 6;
+        name++;
+    } else if (toupper((unsigned char)name[0]) == 'P' && name[1]) {
+        int port = toupper((unsigned char)name[1]) - 'B';
+        if (port < 0 || port > 2)
+            return -1;
+        first = PORTS[port].first;
+        count = PORTS[port].pins;
+        name += 2;
+    }
+    number = strtol(name, &end, 10);
+    return isdigit((unsigned char)*name) && *end == 0 && number < count ? first + (int)number : -1;
+}
+
+double board_ms(const board *board)
+{
+    return (double)board->avr->cycle * 1000.0 / BOARD_HZ;
+}
+
+/* ---- Pins ---- */
+
+pin_state board_state(const board *board, int pin)
+{
+    const uint8_t *data = board->avr->data;
+    int port = port_of(pin);
+    uint8_t mask = (uint8_t)(1 << (pin - PORTS[port].first));
+    pin_state state = {PIN_INPUT, 0};
+    size_t i;
+    if (!(data[PORTS[port].ddr] & mask))
+        return state;
+    for (i = 0; i < sizeof PWM / sizeof *PWM; i++)
+        if (PWM[i].pin == pin && data[PWM[i].control] & 1 << PWM[i].connect) {
+            state.kind = PIN_PWM;
+            state.duty = data[PWM[i].compare];
+            return state;
+        }
+    state.kind = data[PORTS[port].port] & mask ? PIN_HIGH : PIN_LOW;
+    return state;
+}
+
+static void report(board *b, int pin)
+{
+    pin_state state = board_state(b, pin);
+    if (!b->watched[pin] || (state.kind == b->last[pin].kind && state.duty == b->last[pin].duty))
+        return;
+    b->last[pin] = state;
+    b->watcher(b->context, pin, state, board_ms(b));
+}
+
+/* The register has not been written yet when this is called, so the look is put off by a few cycles. */
+static avr_cycle_count_t look(avr_t *avr, avr_cycle_count_t when, void *context)
+{
+    int pin;
+    (void)avr;
+    (void)when;
+    for (pin = 0; pin < BOARD_PINS; pin++)
+        report((board *)context, pin);
+    return 0;
+}
+
+static void drive_inputs(board *b);
+
+static void port_written(avr_irq_t *irq, uint32_t value, void *context)
+{
+    board *b = (board *)context;
+    (void)irq;
+    (void)value;
+    avr_cycle_timer_register(b->avr, 4, look, b);
+    drive_inputs(b);
+}
+
+void board_watch(board *board, int pin)
+{
+    board->watched[pin] = true;
+    board->last[pin] = board_state(board, pin);
+    board->watcher(board->context, pin, board->last[pin], board_ms(board));
+}
+
+void board_set_level(board *board, int pin, bool high)
+{
+    int port = port_of(pin);
+    avr_raise_irq(avr_io_getirq(board->avr, AVR_IOCTL_IOPORT_GETIRQ(PORTS[port].letter), pin - PORTS[port].first), high);
+}
+
+/* ---- Analogue inputs ---- */
+
+static int selected(const board *b, int input)
+{
+    int channel = 0;
+    int i;
+    for (i = 0; i < BOARD_SELECTS; i++)
+        if (b->select_pins[input][i] >= 0 && board_state(b, b->select_pins[input][i]).kind == PIN_HIGH)
+            channel |= 1 << i;
+    return channel;
+}
+
+static void drive_input(board *b, int input)
+{
+    avr_raise_irq(avr_io_getirq(b->avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC0 + input), b->millivolts[input][selected(b, input)]);
+}
+
+static void drive_inputs(board *b)
+{
+    int input;
+    for (input = 0; input < BOARD_ANALOGUE; input++)
+        drive_input(b, input);
+}
+
+/* At the beginning of a conversion the converter's input is what is selected then. */
+static void conversion(avr_irq_t *irq, uint32_t value, void *context)
+{
+    (void)irq;
+    (void)value;
+    drive_inputs((board *)context);
+}
+
+void board_set_millivolts(board *board, int input, int channel, uint16_t millivolts)
+{
+    board->millivolts[input][channel] = millivolts;
+    drive_input(board, input);
+}
+
+void board_multiplex(board *board, int input, const int *select_pins, int count)
+{
+    int i;
+    for (i = 0; i < BOARD_SELECTS; i++)
+        board->select_pins[input][i] = i < count ? select_pins[i] : -1;
+    drive_input(board, input);
+}
+
+/* ---- The serial line ---- */
+
+static avr_cycle_count_t byte_cycles(const board *b)
+{
+    const uint8_t *data = b->avr->data;
+    unsigned divisor = (unsigned)(data[UBRR0L] | data[UBRR0H] << 8) + 1;
+    return 10ull * divisor * (data[UCSR0A] & 1 << U2X0 ? 8 : 16);
+}
+
+static avr_cycle_count_t feed(avr_t *avr, avr_cycle_count_t when, void *context)
+{
+    board *b = (board *)context;
+    (void)avr;
+    b->feeding = b->in_begin != b->in_end;
+    if (!b->feeding)
+        return 0;
+    avr_raise_irq(avr_io_getirq(b->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_INPUT), b->in[b->in_begin]);
+    b->in_begin = (b->in_begin + 1) % sizeof b->in;
+    return when + byte_cycles(b);
+}
+
+unsigned board_room(const board *board)
+{
+    return (unsigned)((board->in_begin + sizeof board->in - board->in_end - 1) % sizeof board->in);
+}
+
+void board_receive(board *board, uint8_t byte)
+{
+    board->in[board->in_end] = byte;
+    board->in_end = (board->in_end + 1) % sizeof board->in;
+    if (!board->feeding) {
+        board->feeding = true;
+        avr_cycle_timer_register(board->avr, byte_cycles(board), feed, board);
+    }
+}
+
+static avr_cycle_count_t send(avr_t *avr, avr_cycle_count_t when, void *context)
+{
+    board *b = (board *)context;
+    (void)avr;
+    b->sink(b->context, b->out[b->out_begin]);
+    b->out_begin = (b->out_begin + 1) % sizeof b->out;
+    b->sending = b->out_begin != b->out_end;
+    return b->sending ? when + byte_cycles(b) : 0;
+}
+
+static void written(avr_irq_t *irq, uint32_t value, void *context)
+{
+    board *b = (board *)context;
+    (void)irq;
+    b->out[b->out_end] = (uint8_t)value;
+    b->out_end = (b->out_end + 1) % sizeof b->out;
+    if (!b->sending) {
+        b->sending = true;
+        avr_cycle_timer_register(b->avr, byte_cycles(b), send, b);
+    }
+}
+
+/* ---- The processor ---- */
+
+static void no_log(avr_t *avr, const int level, const char *format, va_list arguments)
+{
+    (void)avr;
+    if (level <= LOG_ERROR)
+        vfprintf(stderr, format, arguments);
+}
+
+/* Simulated time is paced by the main program. */
+static void no_sleep(avr_t *avr, avr_cycle_count_t cycles)
+{
+    (void)avr;
+    (void)cycles;
+}
+
+static bool load_hex(elf_firmware_t *firmware, const char *path)
+{
+    uint32_t size;
+    uint32_t base;
+    firmware->flash = read_ihex_file(path, &size, &base);
+    firmware->flashsize = size;
+    firmware->flashbase = base;
+    return firmware->flash != NULL;
+}
+
+static bool ends_in(const char *text, const char *end)
+{
+    size_t n = strlen(text);
+    return n >= strlen(end) && strcmp(text + n - strlen(end), end) == 0;
+}
+
+static bool is_readable(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    if (file)
+        fclose(file);
+    return file != NULL;
+}
+
+bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context)
+{
+    elf_firmware_t sketch;
+    uint32_t flags = 0;
+    int input, i, port;
+    memset(board, 0, sizeof *board);
+    memset(board->select_pins, -1, sizeof board->select_pins);
+    memset(&sketch, 0, sizeof sketch);
+    avr_global_logger_set(no_log);
+    if (!is_readable(firmware) ||
+        !(ends_in(firmware, ".hex") ? load_hex(&sketch, firmware) : elf_read_firmware(firmware, &sketch) == 0)) {
+        fprintf(stderr, "simulator: %s is no .elf or .hex file that can be read\n", firmware);
+        return false;
+    }
+    board->avr = avr_make_mcu_by_name("atmega328p");
+    if (!board->avr) {
+        fprintf(stderr, "simulator: this simavr has no ATmega328P\n");
+        return false;
+    }
+    board->watcher = watcher;
+    board->sink = sink;
+    board->context = context;
+    avr_init(board->avr);
+    sketch.frequency = (uint32_t)BOARD_HZ;
+    sketch.vcc = sketch.avcc = sketch.aref = 5000;
+    avr_load_firmware(board->avr, &sketch);
+    board->avr->frequency = (uint32_t)BOARD_HZ;
+    board->avr->sleep = no_sleep;
+    avr_ioctl(board->avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
+    avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), written, board);
+    for (port = 0; port < 3; port++) {
+        uint32_t name = AVR_IOCTL_IOPORT_GETIRQ(PORTS[port].letter);
+        avr_irq_register_notify(avr_io_getirq(board->avr, name, IOPORT_IRQ_REG_PORT), port_written, board);
+        avr_irq_register_notify(avr_io_getirq(board->avr, name, IOPORT_IRQ_DIRECTION_ALL), port_written, board);
+    }
+    avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_OUT_TRIGGER), conversion, board);
+    for (input = 0; input < BOARD_ANALOGUE; input++)
+        for (i = 0; i < BOARD_CHANNELS; i++)
+            board->millivolts[input][i] = 0;
+    return true;
+}
+
+bool board_run(board *board, uint64_t cycle)
+{
+    int pin;
+    while (board->avr->cycle < cycle) {
+        int state = avr_run(board->avr);
+        if (state == cpu_Done || state == cpu_Crashed)
+            return false;
+    }
+    /* A timer's compare register says nothing when it is written. */
+    for (pin = 0; pin < BOARD_PINS; pin++)
+        report(board, pin);
+    return true;
+}
+
+void board_reset(board *board)
+{
+    avr_cycle_count_t now = board->avr->cycle;
+    avr_reset(board->avr);
+    board->avr->cycle = now;
+    board->in_begin = board->in_end = board->out_begin = board->out_end = 0;
+    board->feeding = board->sending = false;
+}

@@ -1,0 +1,91 @@
+/** @file An Arduino Uno: an ATmega328P at 16 MHz, with its pins as the Arduino names them. */
+#ifndef BOARD_H
+#define BOARD_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "sim_avr.h"
+
+#define BOARD_HZ 16000000ull
+#define BOARD_PINS 20
+#define BOARD_ANALOGUE 8
+#define BOARD_SELECTS 4
+#define BOARD_CHANNELS (1 << BOARD_SELECTS)
+
+/** What a pin does. */
+typedef struct {
+    enum { PIN_INPUT, PIN_LOW, PIN_HIGH, PIN_PWM } kind;
+    uint8_t duty; /**< Of 255, for PIN_PWM. */
+} pin_state;
+
+typedef struct board board;
+
+/** Called when a watched pin changes. */
+typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
+
+/** Called with each byte that the board sends, when its last bit would have left. */
+typedef void (*byte_sink)(void *context, uint8_t byte);
+
+/** The board. The members are private but for avr. */
+struct board {
+    avr_t *avr;
+    void *context;
+    pin_watcher watcher;
+    byte_sink sink;
+    bool watched[BOARD_PINS];
+    pin_state last[BOARD_PINS];
+    uint16_t millivolts[BOARD_ANALOGUE][BOARD_CHANNELS];
+    int select_pins[BOARD_ANALOGUE][BOARD_SELECTS]; /* -1: none */
+    uint8_t in[4096];
+    unsigned in_begin;
+    unsigned in_end;
+    bool feeding;
+    uint8_t out[4096];
+    unsigned out_begin;
+    unsigned out_end;
+    bool sending;
+};
+
+/**
+ * Loads a sketch.
+ *
+ * @param firmware  an .elf or .hex file
+ * @return false with a message on stderr if it cannot be loaded
+ */
+bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context);
+
+/** Runs until so many cycles have passed since power-on. @return false if the sketch has crashed or ended */
+bool board_run(board *board, uint64_t cycle);
+
+/** Presses the reset button. Time goes on; what is on the line is lost. */
+void board_reset(board *board);
+
+/** @return how many bytes board_receive takes at present */
+unsigned board_room(const board *board);
+
+/** Sends a byte to the board; it arrives by the rate that the board has set. */
+void board_receive(board *board, uint8_t byte);
+
+/** @return the number of a pin named 13, A0 or PB5; -1 if there is none of that name */
+int board_pin(const char *name);
+
+/** @return what a pin does at present */
+pin_state board_state(const board *board, int pin);
+
+/** Watches a pin. */
+void board_watch(board *board, int pin);
+
+/** Puts a digital level on a pin. */
+void board_set_level(board *board, int pin, bool high);
+
+/** Puts a voltage on an analogue input, or on a channel of the multiplexer in front of it. */
+void board_set_millivolts(board *board, int input, int channel, uint16_t millivolts);
+
+/** Puts a multiplexer in front of an analogue input; the pins select its channel, the lowest bit first. */
+void board_multiplex(board *board, int input, const int *select_pins, int count);
+
+/** @return milliseconds of simulated time since power-on */
+double board_ms(const board *board);
+
+#endif

@@ -1,0 +1,39 @@
+/** @file The board's serial line as a pseudo-terminal. */
+#ifndef LINE_H
+#define LINE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/** The board's end of the line. */
+typedef struct {
+    int master;      /**< For poll: readable when the far end has written. */
+    int opens;       /**< For poll: readable when somebody has opened or closed the far end. */
+    int slave;       /* held open, so that the terminal's settings stay raw */
+    int users;       /* how many have the far end open */
+    char path[64];   /**< The far end's device. */
+    const char *link; /* a symbolic link to it, or null */
+} line;
+
+/**
+ * Opens a line.
+ *
+ * @param link  where to put a symbolic link to the far end, replacing one that is there; may be null
+ * @return false with a message on stderr if there is none to be had
+ */
+bool line_open(line *line, const char *link);
+
+/** Takes note of who has opened and closed the far end. @return whether somebody has just opened it */
+bool line_opened(line *line);
+
+/** @return bytes that the far end has written, at most size */
+size_t line_read(line *line, uint8_t *bytes, size_t size);
+
+/** Puts one byte on the line. Where nobody has the far end open, or nobody reads, it is lost, as on a wire. */
+void line_write(line *line, uint8_t byte);
+
+/** Closes the line and removes the link. */
+void line_close(line *line);
+
+#endif

@@ -1,0 +1,215 @@
+/**
+ * @file
+ * Runs an Arduino sketch on a simulated ATmega328P at the pace of real time, with its serial line as a
+ * pseudo-terminal. Usage and commands: README.md.
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "board.h"
+#include "console.h"
+#include "line.h"
+
+#define SLICE_NS 250000ull
+/* When the machine has kept the simulator waiting for longer, the lost time is not made up for. */
+#define LAG_NS 50000000ull
+
+static const char USAGE[] =
+    "usage: simulator [--link PATH] [--reset-on-open] [--boot-ms N] [--detached] SKETCH.elf|SKETCH.hex\n"
+    "  --link PATH      a symbolic link to the serial line\n"
+    "  --reset-on-open  opening the line resets the board, as on an Uno\n"
+    "  --boot-ms N      after power-on and reset, the boot loader keeps the line for so long\n"
+    "  --detached       go on when standard input ends\n";
+
+typedef struct {
+    const char *link;
+    const char *sketch;
+    bool reset_on_open;
+    bool detached;
+    uint64_t boot_cycles;
+} options;
+
+typedef struct {
+    options options;
+    board board;
+    line line;
+    uint64_t offset_ns;   /* the real time of power-on, moved by what was not made up for */
+    uint64_t boots_until_ns;
+    char command[256];
+    size_t command_length;
+} simulator;
+
+static volatile sig_atomic_t ended;
+
+static void end(int signal)
+{
+    (void)signal;
+    ended = 1;
+}
+
+static uint64_t now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000000ull + (uint64_t)now.tv_nsec;
+}
+
+static bool read_options(options *o, int count, char **words)
+{
+    int i;
+    memset(o, 0, sizeof *o);
+    for (i = 1; i < count; i++) {
+        if (strcmp(words[i], "--link") == 0 && i + 1 < count)
+            o->link = words[++i];
+        else if (strcmp(words[i], "--boot-ms") == 0 && i + 1 < count)
+            o->boot_cycles = strtoull(words[++i], NULL, 10) * (BOARD_HZ / 1000);
+        else if (strcmp(words[i], "--reset-on-open") == 0)
+            o->reset_on_open = true;
+        else if (strcmp(words[i], "--detached") == 0)
+            o->detached = true;
+        else if (words[i][0] != '-' && !o->sketch)
+            o->sketch = words[i];
+        else
+            return false;
+    }
+    return o->sketch != NULL;
+}
+
+static void pin_changed(void *context, int pin, pin_state state, double ms)
+{
+    (void)context;
+    console_pin(pin, state, ms);
+}
+
+static void byte_sent(void *context, uint8_t byte)
+{
+    line_write(&((simulator *)context)->line, byte);
+}
+
+/* The boot loader is not run: it takes its time, and what arrives meanwhile. */
+static void boot(simulator *s)
+{
+    if (s->options.boot_cycles)
+        s->boots_until_ns = now_ns() + s->options.boot_cycles * 1000000000ull / BOARD_HZ;
+}
+
+static bool booting(simulator *s)
+{
+    uint8_t lost[256];
+    uint64_t now = now_ns();
+    if (s->boots_until_ns == 0)
+        return false;
+    while (line_read(&s->line, lost, sizeof lost) > 0) {
+    }
+    if (now < s->boots_until_ns)
+        return true;
+    s->boots_until_ns = 0;
+    s->offset_ns = now - s->board.avr->cycle * 1000 / (BOARD_HZ / 1000000);
+    return false;
+}
+
+/* False when the sketch has ended. */
+static bool advance(simulator *s)
+{
+    uint64_t now = now_ns();
+    uint64_t passed = now - s->offset_ns;
+    uint64_t simulated = s->board.avr->cycle * 1000 / (BOARD_HZ / 1000000);
+    if (passed > simulated + LAG_NS) {
+        s->offset_ns = now - simulated - SLICE_NS;
+        passed = simulated + SLICE_NS;
+    }
+    return board_run(&s->board, passed * (BOARD_HZ / 1000000) / 1000);
+}
+
+static void take_bytes(simulator *s)
+{
+    uint8_t bytes[256];
+    unsigned room = board_room(&s->board);
+    size_t count = line_read(&s->line, bytes, room < sizeof bytes ? room : sizeof bytes);
+    size_t i;
+    for (i = 0; i < count; i++)
+        board_receive(&s->board, bytes[i]);
+}
+
+/* False when there are no more commands to come, or one was quit. */
+static bool take_commands(simulator *s)
+{
+    char bytes[256];
+    ssize_t count = read(STDIN_FILENO, bytes, sizeof bytes);
+    ssize_t i;
+    if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR))
+        return false;
+    for (i = 0; i < count; i++) {
+        if (bytes[i] != '\n') {
+            if (s->command_length < sizeof s->command - 1)
+                s->command[s->command_length++] = bytes[i];
+            continue;
+        }
+        s->command[s->command_length] = 0;
+        s->command_length = 0;
+        if (!console_do(&s->board, s->command))
+            return false;
+    }
+    return true;
+}
+
+/* Waits for something to do, at most for a slice of time. */
+static bool wait_for_work(simulator *s, bool *has_input)
+{
+    struct pollfd sources[] = {{s->line.master, POLLIN, 0}, {s->line.opens, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
+    struct timespec slice = {0, (long)SLICE_NS};
+    int ready;
+    /* Where the board has no room for more bytes, they wait in the terminal. */
+    if (board_room(&s->board) < 256)
+        sources[0].fd = -1;
+    if (!*has_input)
+        sources[2].fd = -1;
+    ready = ppoll(sources, 3, &slice, NULL);
+    if (ready <= 0)
+        return true;
+    if (sources[1].revents && line_opened(&s->line) && s->options.reset_on_open) {
+        board_reset(&s->board);
+        boot(s);
+    }
+    if (sources[0].revents & POLLIN && !booting(s))
+        take_bytes(s);
+    if (sources[2].revents && !take_commands(s)) {
+        *has_input = false;
+        return s->options.detached;
+    }
+    return true;
+}
+
+int main(int count, char **words)
+{
+    static simulator s;
+    bool has_input = true;
+    bool runs = true;
+    if (!read_options(&s.options, count, words)) {
+        fputs(USAGE, stderr);
+        return 2;
+    }
+    if (!board_load(&s.board, s.options.sketch, pin_changed, byte_sent, &s) || !line_open(&s.line, s.options.link))
+        return 1;
+    signal(SIGINT, end);
+    signal(SIGTERM, end);
+    signal(SIGPIPE, SIG_IGN);
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    printf("port %s\n", s.options.link ? s.options.link : s.line.path);
+    s.offset_ns = now_ns();
+    boot(&s);
+    while (runs && !ended && wait_for_work(&s, &has_input))
+        runs = booting(&s) || advance(&s);
+    line_close(&s.line);
+    if (!runs)
+        fprintf(stderr, "simulator: the sketch has crashed or gone to sleep for ever, %.3f ms after power-on\n",
+                board_ms(&s.board));
+    return runs ? 0 : 1;
+}

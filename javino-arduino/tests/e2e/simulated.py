@@ -1,0 +1,329 @@
+#!/usr/bin/env python3
+"""The sketches on the simulated ATmega328P, end to end over a pseudo-terminal. Prints what it measures."""
+import random
+import sys
+import time
+
+from board import Board, reference
+
+frame1, frame2 = reference.frame1, reference.frame2
+
+
+def check(condition, what):
+    if not condition:
+        raise AssertionError(what)
+
+
+def equal(found, expected):
+    check(found == expected, f"found {found!r}, expected {expected!r}")
+
+
+# ---- what sketches do ----
+
+def an_led_follows_actions_in_both_versions():
+    with Board("Blink") as board:
+        board.line.ready()
+        board.watch(13)
+        board.await_pin(13, "low")
+        board.line.write(frame1(b"ledOn"))
+        board.await_pin(13, "high")
+        equal(board.line.ask(), "ledStatus(on);")
+        board.line.write(frame2(b"ledOff", 2, 7))
+        board.await_pin(13, "low")
+        answer = board.line.message()
+        equal((answer.flags, answer.sequence, answer.text), (4, 7, ""))
+        board.line.write(frame2(b"fly", 2, 8))
+        answer = board.line.message()
+        equal((answer.flags, answer.sequence), (8, 8))
+        board.line.write(frame1(b"fly"))
+        equal(board.line.ask(), "ledStatus(off);")
+
+
+def a_command_and_a_request_in_one_burst_are_both_handled():
+    with Board("Blink") as board:
+        board.line.ready()
+        for action, status in ((b"ledOn", "on"), (b"ledOff", "off")) * 5:
+            board.line.write(frame1(action) + frame1(b"getPercepts"))
+            equal(board.line.message().text, f"ledStatus({status});")
+
+
+def a_repeated_action_is_carried_out_once():
+    with Board("Echo") as board:
+        board.line.ready()
+        for _ in range(4):
+            board.line.write(frame2(b"speed(100)", 2, 3))
+            answer = board.line.message()
+            equal((answer.flags, answer.sequence), (4, 3))
+        equal(board.line.ask(), "count(1);")
+
+
+def analogue_inputs_become_percepts():
+    with Board("Robot4WD") as board:
+        board.command("mux A4 2 4")
+        board.command("mux A5 2 4")
+        expected = ""
+        for i, side in enumerate("fbrl"):
+            board.command(f"set A{i} {400 + 500 * i}")
+            board.command(f"set A4.{i} {1000 * (i + 1)}")
+            board.command(f"set A5.{i} {200 + 50 * i}")
+            steps = [mv * 1023 // 5000 for mv in (400 + 500 * i, 1000 * (i + 1), 200 + 50 * i)]
+            expected += f"dist({side},{steps[0] * 127 // 100});light({side},{steps[1] * 100 // 1023});"
+            expected += f"temp({side},{steps[2] * 500 // 1023});"
+        board.line.ready()
+        equal(board.line.ask(), expected)
+        board.line.write(frame2(b"getPercepts(dist)", 0, 1))
+        answer = board.line.message()
+        equal(answer.version, 2)
+        equal([p.split("(")[0] for p in answer.text.split(";")[:-1]], ["dist"] * 4)
+
+
+def motors_stop_when_the_far_end_falls_silent():
+    with Board("LinkLost") as board:
+        board.line.ready()
+        board.watch(5)
+        board.line.write(frame1(b"speed(150)"))
+        begin = board.await_pin(5, "pwm 150")
+        end = board.await_pin(5, "low")
+        check(300 <= end - begin < 400, f"stopped {end - begin} ms after the last message")
+        equal(board.line.ask(), "motor(0);stopped(linkLost);")
+        equal(board.line.ask(), "motor(0);")
+        print(f"  motor stopped {end - begin:.0f} ms after the last message (set: 300 ms)")
+
+
+def motors_stop_when_the_far_end_closes_the_line():
+    with Board("Robot4WD") as board:
+        board.line.ready()
+        for pin in (5, 6, 7, 9):
+            board.watch(pin)
+        board.line.write(frame1(b"speed(120)") + frame1(b"front"))
+        for pin, state in ((5, "pwm 120"), (6, "pwm 120"), (7, "high"), (9, "high")):
+            board.await_pin(pin, state)
+        board.line.close()
+        for pin in (5, 6, 7, 9):
+            board.await_pin(pin, "low")
+        board.line = type(board.line)(board.port)
+        board.line.ready()
+
+
+def opening_the_line_resets_the_board_and_readiness_is_an_answer():
+    with Board("Echo", "--reset-on-open", "--boot-ms", "700") as board:
+        begin = time.monotonic()
+        board.line.ready()
+        check(time.monotonic() - begin >= 0.5, "the boot loader took no time")
+        board.line.write(frame1(b"ledOn"))
+        equal(board.line.ask(), "count(1);")
+        board.line.close()
+        board.line = type(board.line)(board.port)
+        board.line.ready()
+        equal(board.line.ask(), "count(0);")
+
+
+def messages_of_255_bytes_go_both_ways():
+    with Board("Bare") as board:
+        board.line.ready()
+        text = "say(" + "x" * 250 + ")"
+        board.line.write(frame1(text.encode()))
+        equal(board.line.message().text, text)
+        board.line.write(frame2(text.encode(), 0, 3))
+        equal(board.line.message().text, text)
+
+
+def sketches_for_earlier_libraries_run():
+    with Board("Callbacks") as board:
+        board.command("set A0 2500")
+        board.line.ready()
+        board.line.write(frame1(b"lampOn"))
+        percepts = board.line.ask().split(";")
+        equal(percepts[1:], ["half(255.50)", "lamp(on)", 'name("the board")', ""])
+    with Board("Messages") as board:
+        board.line.ready()
+        board.line.write(frame1(b"lampOn"))
+        equal(board.line.ask(), "device(testBoard);lamp(on);")
+        equal(board.line.ask("hello"), "heard(hello);")
+        board.line.write(frame2(b"getPercepts(lamp)", 0, 3))
+        equal(board.line.message().text, "lamp(on);")
+    with Board("Oldest") as board:
+        board.command("set A0 2500")
+        board.line.ready()
+        board.line.write(frame1(b"lampOn"))
+        equal(board.line.ask(), "light(511);lamp(1);")
+
+
+# ---- figures ----
+
+BYTE_SECONDS = 10 / 115200
+
+
+def requests_that_the_line_has_time_for_are_answered():
+    with Board("Throughput") as board:
+        board.line.ready()
+        request = frame1(b"getPercepts")
+        answer = 6 + len(board.line.ask())
+        period = (len(request) + answer) * BYTE_SECONDS
+        seconds, sent, answered = 5.0, 0, 0
+        begin = time.monotonic()
+        while sent * period < seconds:
+            while time.monotonic() < begin + sent * period:
+                answered += len(board.line.messages(min(0.001, begin + sent * period - time.monotonic())))
+            board.line.write(request)
+            sent += 1
+        while found := board.line.messages(0.5):
+            answered += len(found)
+        share = 100.0 * answered / sent
+        print(f"  throughput: {share:.1f} % of {sent} requests answered at 115200 baud, loop() of 5 ms,"
+              f" answers of {answer} bytes, one request every {period * 1000:.1f} ms")
+        lock_step, end = 0, time.monotonic() + 3
+        while time.monotonic() < end:
+            board.line.ask()
+            lock_step += 1
+        print(f"  one request after the other's answer: {lock_step / 3:.0f} a second;"
+              f" the line alone would allow {1 / period:.0f}")
+        check(share >= 95, "fewer than 95 % answered")
+
+
+ACTIONS = {"led": "pwm 1", "ledOn": "pwm 2", "stop": "pwm 3"}
+
+
+def duty_of(text):
+    return ACTIONS.get(text) or "pwm " + text[6:-1]
+
+
+def carried_out(board):
+    """The duty that pin 5 had at each change of pin 13."""
+    duties, duty = [], None
+    for pin, state, _ in board.changes():
+        if pin == 5:
+            duty = board.last_duty = state
+        else:
+            duties.append(duty or board.last_duty)
+    return duties
+
+
+def damage_one_in_200(rng, count):
+    def damage(data):
+        damaged = bytearray(data)
+        for i in range(len(damaged)):
+            if rng.randrange(200) == 0:
+                damaged[i] ^= rng.randrange(1, 256)
+                count[0] += 1
+        return bytes(damaged)
+    return damage
+
+
+def texts(rng):
+    while True:
+        yield rng.choice(["led", "ledOn", "stop", f"speed({rng.randrange(10, 251)})"])
+
+
+def on_a_damaged_line(version, run):
+    rng, damaged = random.Random(8), [0]
+    with Board("Echo") as board:
+        board.line.ready()
+        board.last_duty = None
+        board.watch(5)
+        board.watch(13)
+        board.changes()
+        board.line.damage = damage_one_in_200(rng, damaged)
+        result = run(board, texts(rng), time.monotonic() + 12)
+        board.line.damage = lambda data: data
+        time.sleep(0.3)
+        board.line.ready()
+    print(f"  version {version}, {damaged[0]} bytes damaged in both directions: {result}")
+
+
+def version_2_carries_out_no_wrong_action_on_a_damaged_line():
+    def run(board, actions, end):
+        sent = done = silent = repeats = wrong = twice = 0
+        sequence = 0
+        while time.monotonic() < end:
+            text = next(actions)
+            acknowledged = False
+            for attempt in range(4):
+                repeats += attempt > 0
+                board.line.write(frame2(text.encode(), 2, sequence))
+                deadline = time.monotonic() + 0.06
+                while not acknowledged and time.monotonic() < deadline:
+                    acknowledged = any(m.version == 2 and m.flags == 4 and m.sequence == sequence
+                                       for m in board.line.messages(0.02))
+                if acknowledged:
+                    break
+            sequence = (sequence + 1) % 16
+            time.sleep(0.002)
+            acts = carried_out(board)
+            sent += 1
+            done += acknowledged
+            silent += not acknowledged
+            wrong += sum(act != duty_of(text) for act in acts)
+            twice += len(acts) > 1
+            check(not acknowledged or acts, f"{text} acknowledged but not carried out")
+        check(sent > 100, f"only {sent} actions in the time")
+        equal((wrong, twice), (0, 0))
+        return (f"{sent} actions sent, {repeats} times again, {done} acknowledged and carried out once each,"
+                f" {silent} never acknowledged, {wrong} wrong ones carried out")
+    on_a_damaged_line(2, run)
+
+
+def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
+    def run(board, actions, end):
+        sent = carried = wrong_length = other = answered = damaged = intact_lost = 0
+        damage = board.line.damage
+        while time.monotonic() < end:
+            text = next(actions)
+            frame = frame1(text.encode())
+            arrives = damage(frame)
+            damaged += arrives != frame
+            board.line.damage = lambda data: data
+            # The request that follows at once is intact: the decoder has to be back in step.
+            board.line.write(arrives + frame1(b"getPercepts"))
+            board.line.decoder = reference.Decoder()
+            board.line.taken = 0
+            came = [m for m in board.line.messages(1.0) if m.text.startswith("count(")]
+            answered += bool(came)
+            intact_lost += not came
+            board.line.damage = damage
+            sent += 1
+            for act in carried_out(board):
+                carried += 1
+                lengths = {len(t) for t in ("led", "ledOn", "stop", "speed(%s)" % act[4:]) if duty_of(t) == act}
+                wrong_length += len(text) not in lengths
+                other += act != duty_of(text)
+        check(sent > 100, f"only {sent} actions in the time")
+        equal((wrong_length, intact_lost), (0, 0))
+        return (f"{sent} actions sent, {damaged} damaged, {carried} carried out, {other} other than sent,"
+                f" {wrong_length} of wrong length; {answered} of {sent} requests right behind them answered")
+    on_a_damaged_line(1, run)
+
+
+CASES = [
+    an_led_follows_actions_in_both_versions,
+    a_command_and_a_request_in_one_burst_are_both_handled,
+    a_repeated_action_is_carried_out_once,
+    analogue_inputs_become_percepts,
+    motors_stop_when_the_far_end_falls_silent,
+    motors_stop_when_the_far_end_closes_the_line,
+    opening_the_line_resets_the_board_and_readiness_is_an_answer,
+    messages_of_255_bytes_go_both_ways,
+    sketches_for_earlier_libraries_run,
+    requests_that_the_line_has_time_for_are_answered,
+    version_2_carries_out_no_wrong_action_on_a_damaged_line,
+    version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line,
+]
+
+
+def main():
+    wanted = sys.argv[1:]
+    failed = 0
+    cases = [c for c in CASES if not wanted or any(w in c.__name__ for w in wanted)]
+    for case in cases:
+        try:
+            case()
+            print(f"ok   {case.__name__.replace('_', ' ')}", flush=True)
+        except AssertionError as failure:
+            failed += 1
+            print(f"FAIL {case.__name__.replace('_', ' ')}: {failure}", flush=True)
+    print(f"{len(cases)} cases, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
