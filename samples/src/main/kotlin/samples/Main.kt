@@ -10,6 +10,7 @@ import samples.collision.CollisionCommand
 import samples.lamp.BlinkCommand
 import samples.lamp.TwoBoardsCommand
 import samples.delegation.DelegationCommand
+import samples.typedfilters.TypedFiltersCommand
 import kotlin.system.exitProcess
 
 /** Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. */
@@ -29,7 +30,7 @@ private fun wholeNumber(text: String): Int = text.toIntOrNull() ?: throw TypeCon
 @Command(
     name = "samples",
     description = ["Jason agents that drive boards through ARGO."],
-    subcommands = [CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class],
+    subcommands = [CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, TypedFiltersCommand::class],
 )
 private class Samples : Runnable {
     @CommandLine.Spec

@@ -37,5 +37,14 @@ class SmallSamplesSpec : FunSpec({
 
     ends("two-boards", "[operator] the left LED is on", "[operator] the right LED is on", "[operator] the left LED is off", "[operator] the right LED is off")
 
+    ends(
+        "typed-filters",
+        "[watcher] through no filter: 4 distances, 4 lights",
+        "[watcher] through frontOnly: 1 distances, 0 lights",
+        "[watcher] dist(b,50) is dropped by filter frontOnly",
+        "[watcher] through nearFront: 0 distances, 0 lights",
+        "[watcher] dist(f,120) is dropped by filter nearFront",
+    )
+
     ends("delegation", "[robot] drives", "[pilot] the wall is", "[robot] stopped")
 })

@@ -30,8 +30,9 @@ class FilterDocumentationSpec : StringSpec({
     }
 
     "its Kotlin compiles" {
-        val imports = "import argo.filters.*\nimport argo.filters.PerceptionFilter.OnSwitch\n"
-        val compilation = Compilation(tempdir(), emptyList(), imports + blocks("kotlin").joinToString("\n"))
+        // one file of all blocks, the imports that they show before what needs them
+        val (imports, code) = blocks("kotlin").flatMap { it.lines() }.partition { it.startsWith("import ") }
+        val compilation = Compilation(tempdir(), emptyList(), (imports.distinct() + code).joinToString("\n"))
         withClue(compilation) { compilation.exit shouldBe ExitCode.OK }
     }
 

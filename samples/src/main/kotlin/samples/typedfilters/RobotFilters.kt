@@ -1,0 +1,30 @@
+package samples.typedfilters
+
+import argo.filters.*
+
+/** `dist(Side, Cm)`: how far it is from one side of the robot to the next thing. */
+object Dist : PerceptType("dist") {
+    /** `f`, `b`, `r` or `l`. */
+    val side by atom()
+
+    /** Centimetres. */
+    val cm by number()
+}
+
+/** Keeps what is in front of the robot. */
+val frontOnly = keepingFilter("frontOnly") {
+    keep(Dist) { side eq "f" }
+}
+
+/** Keeps what is in front of the robot and nearer than a metre. */
+val nearFront = keepingFilter("nearFront") {
+    keep(Dist) {
+        side eq "f"
+        cm lt 100
+    }
+}
+
+/** Offers the filters to agents by their names. */
+class RobotFilters : FilterProvider {
+    override val filters = listOf(frontOnly, nearFront)
+}
