@@ -35,6 +35,15 @@ class Line:
             select.select([], [self.fd], [], PATIENCE)
             data = data[os.write(self.fd, data):]
 
+    def answer_bytes(self, seconds):
+        """The bytes of the next frame of version 1, as the board has sent them; fewer if time runs out."""
+        end, data = time.monotonic() + seconds, b""
+        while len(data) < 6 or len(data) < 6 + int(data[4:6], 16):
+            if not select.select([self.fd], [], [], max(0.0, end - time.monotonic()))[0]:
+                break
+            data += os.read(self.fd, 4096)
+        return data
+
     def messages(self, seconds=0.0):
         """The messages that arrive within this time, at once if there are any."""
         end = time.monotonic() + seconds

@@ -263,34 +263,54 @@ def version_2_carries_out_no_wrong_action_on_a_damaged_line():
     on_a_damaged_line(2, run)
 
 
+def reads_as_an_intact_stream(data):
+    """Whether a damaged size swallows what follows to the byte; no receiver could know."""
+    decoder = reference.Decoder()
+    decoder.receive(data, 0)
+    decoder.idle(101)
+    return all(m["hex"] != b"getPercepts".hex() for m in decoder.messages)
+
+
 def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
     def run(board, actions, end):
-        sent = carried = wrong_length = other = answered = damaged = intact_lost = 0
-        damage = board.line.damage
+        sent = damaged = carried = wrong_length = other = answered = swallowed = lost = 0
+        intact = []
+        request = frame1(b"getPercepts")
+        damage, board.line.damage = board.line.damage, lambda data: data
         while time.monotonic() < end:
             text = next(actions)
             frame = frame1(text.encode())
             arrives = damage(frame)
-            damaged += arrives != frame
-            board.line.damage = lambda data: data
-            # The request that follows at once is intact: the decoder has to be back in step.
-            board.line.write(arrives + frame1(b"getPercepts"))
-            board.line.decoder = reference.Decoder()
-            board.line.taken = 0
-            came = [m for m in board.line.messages(1.0) if m.text.startswith("count(")]
-            answered += bool(came)
-            intact_lost += not came
-            board.line.damage = damage
             sent += 1
+            damaged += arrives != frame
+            # The request that follows at once is intact: the board has to be back in step.
+            board.line.write(arrives + request)
+            answer = board.line.answer_bytes(3.0)
+            if answer:
+                answered += 1
+            elif reads_as_an_intact_stream(arrives + request):
+                swallowed += 1
+            else:
+                lost += 1
+                print(f"  not answered: {arrives + request}")
+            comes = damage(answer)
+            board.line.decoder.receive(comes, time.monotonic() * 1000)
+            if answer and comes == answer:
+                intact.append(answer[6:].hex())
             for act in carried_out(board):
                 carried += 1
                 lengths = {len(t) for t in ("led", "ledOn", "stop", "speed(%s)" % act[4:]) if duty_of(t) == act}
                 wrong_length += len(text) not in lengths
                 other += act != duty_of(text)
         check(sent > 100, f"only {sent} actions in the time")
-        equal((wrong_length, intact_lost), (0, 0))
+        # An answer that follows a damaged one at once may be read only when the line has been silent.
+        board.line.decoder.idle(time.monotonic() * 1000 + 101)
+        read = {m["hex"] for m in board.line.decoder.messages}
+        unread = sum(answer not in read for answer in intact)
+        equal((wrong_length, lost, unread), (0, 0, 0))
         return (f"{sent} actions sent, {damaged} damaged, {carried} carried out, {other} other than sent,"
-                f" {wrong_length} of wrong length; {answered} of {sent} requests right behind them answered")
+                f" {wrong_length} of wrong length; {answered} of {sent} requests right behind them answered,"
+                f" all {len(intact)} intact answers read")
     on_a_damaged_line(1, run)
 
 

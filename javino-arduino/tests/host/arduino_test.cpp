@@ -453,7 +453,8 @@ TEST_CASE("with one byte in 200 damaged no wrong action is carried out, and no i
     CHECK(lost_requests == 0);
     if (version == 2)
       CHECK(wrong == 0);
-    MESSAGE("version ", version, ": ", sent, " actions sent, ", damaged_actions, " damaged, ", carried, " carried out, ", wrong,
-            " other than sent, ", of_wrong_length, " of another length; intact requests lost: ", lost_requests);
+    printf("  version %d on the host: %ld actions sent, %ld damaged, %ld carried out, %ld other than sent,"
+           " %ld of another length, %ld intact requests lost\n",
+           version, sent, damaged_actions, carried, wrong, of_wrong_length, lost_requests);
   }
 }
