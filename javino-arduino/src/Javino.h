@@ -106,6 +106,7 @@ public:
     silence_ms_ = ms;
     lost_ = function;
     supervise_ = ms && function ? supervise : NULL;
+    javino_link_supervise(&board_.link, millis());
   }
   ///@}
 

@@ -11,7 +11,7 @@ void javino_board_init(javino_board *board, void *memory, uint16_t size, javino_
     javino_link_init(&board->link, memory, size - JAVINO_TEXT_MIN, write, context);
 }
 
-JAVINO_OUTLINE void *javino_board_take(javino_board *board, uint16_t size)
+void *javino_board_take(javino_board *board, uint16_t size)
 {
     javino_decoder *d = &board->link.decoder;
     if (board->room || d->size < d->end + size + JAVINO_MEMORY_MIN - JAVINO_TEXT_MIN)
@@ -48,16 +48,26 @@ JAVINO_OUTLINE void javino_board_clear(javino_board *board)
     board->link.decoder.size = board->memory - JAVINO_TEXT_MIN;
 }
 
-/* Lays the text behind the bytes received, and keeps these out of it. */
-static JAVINO_OUTLINE void begin_text(javino_board *b)
+/* Lays the text behind the bytes received, where it has more room there, and keeps these out of it. While nobody
+ * has asked it gets the least, since what has to arrive then is the request. */
+static JAVINO_OUTLINE void place_text(javino_board *b)
 {
     javino_decoder *d = &b->link.decoder;
-    uint16_t base = d->end;
-    if (base + JAVINO_MAX_PAYLOAD < b->memory)
-        base = b->memory - JAVINO_MAX_PAYLOAD;
-    b->text = (char *)d->bytes + base;
+    char *place = (char *)d->bytes;
+    uint16_t base = b->memory - JAVINO_TEXT_MIN;
+    if (b->link.event == JAVINO_REQUEST) {
+        base = d->end;
+        if (base + JAVINO_MAX_PAYLOAD < b->memory)
+            base = b->memory - JAVINO_MAX_PAYLOAD;
+    }
+    if (base >= d->size && b->room)
+        return;
     b->room = (uint8_t)(b->memory - base);
     d->size = base;
+    place += base;
+    if (b->length)
+        memmove(place, b->text, b->length);
+    b->text = place;
 }
 
 /* Sends what there is ahead of the rest. */
@@ -86,10 +96,10 @@ bool javino_percept_begin(javino_board *board, const char *functor)
 void javino_percept_put(javino_board *board, char c)
 {
     javino_board *b = board;
-    if (!b->room)
-        begin_text(b);
-    if (b->length == b->room && !b->overlong && !make_room(b))
-        b->overlong = true;
+    if (b->length == b->room)
+        place_text(b);
+    if (b->length == b->room)
+        b->overlong |= !make_room(b);
     if (!b->overlong)
         b->text[b->length++] = c;
 }
@@ -191,7 +201,7 @@ static bool send_in_parts(javino_link *link, const char *text, size_t length)
 bool javino_board_send(javino_board *board, const char *text, size_t length)
 {
     javino_link *link = &board->link;
-    if (link->frame.version == 1 && length > JAVINO_MAX_PAYLOAD)
+    if (link->frame.version != 2 && length > JAVINO_MAX_PAYLOAD)
         return send_in_parts(link, text, length);
     for (; length > JAVINO_MAX_PAYLOAD; length -= JAVINO_MAX_PAYLOAD, text += JAVINO_MAX_PAYLOAD)
         javino_link_send(link, JAVINO_MORE, text, JAVINO_MAX_PAYLOAD);

@@ -72,7 +72,7 @@ bool javino_decoder_ready(javino_decoder *decoder, uint16_t now_ms)
     return decoder->end < decoder->size;
 }
 
-void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms)
+JAVINO_OUTLINE void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms)
 {
     decoder->bytes[decoder->end++] = byte;
     decoder->last_ms = now_ms;
@@ -129,19 +129,16 @@ JAVINO_OUTLINE bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms
 {
     javino_decoder *d = decoder;
     const uint8_t *p = d->bytes;
-    bool found = false;
+    javino_follows read;
     note_silence(d, now_ms);
-    while (d->end) {
-        javino_follows read = read_on(d, p);
+    while ((read = read_on(d, p)) != JAVINO_FOLLOWS_UNKNOWN) {
         uint16_t step = d->held;
-        found = read == JAVINO_FOLLOWS_HEADER && !step;
-        if (found || read == JAVINO_FOLLOWS_UNKNOWN)
+        if (read == JAVINO_FOLLOWS_HEADER && !step)
             break;
         d->held = 0;
-        d->read.clean = true;
+        d->read.clean = read == JAVINO_FOLLOWS_HEADER;
         if (read == JAVINO_FOLLOWS_OTHER) {
             d->position = 0;
-            d->read.clean = false;
             step = 1;
         }
         p += step;
@@ -154,13 +151,13 @@ JAVINO_OUTLINE bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms
     }
     if (p != d->bytes)
         memmove(d->bytes, p, d->end);
-    if (found) {
-        d->held = d->whole;
-        d->position = 0;
-        d->read.payload = d->bytes + FRONT(d->read.version);
-        *frame = d->read;
-    }
-    return found;
+    if (read == JAVINO_FOLLOWS_UNKNOWN)
+        return false;
+    d->held = d->whole;
+    d->position = 0;
+    d->read.payload = d->bytes + FRONT(d->read.version);
+    *frame = d->read;
+    return true;
 }
 
 javino_follows javino_decoder_follows(javino_decoder *decoder, uint16_t now_ms)
@@ -218,8 +215,6 @@ void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_writ
     set_up(&link->decoder, (uint8_t *)bytes, size, 100);
     link->encoder.write = write;
     link->encoder.context = context;
-    link->frame.version = 1;
-    link->heard = true;
 }
 
 void javino_link_timeout(javino_link *link, uint16_t timeout_ms)
@@ -319,12 +314,16 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms)
     return link->event;
 }
 
+void javino_link_supervise(javino_link *link, uint32_t now_ms)
+{
+    link->heard = link->lost = false;
+    link->since_ms = now_ms;
+}
+
 bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
 {
-    if (link->heard) {
-        link->heard = link->lost = false;
-        link->since_ms = now_ms;
-    }
+    if (link->heard)
+        javino_link_supervise(link, now_ms);
     if (link->lost || now_ms - link->since_ms <= silence_ms)
         return false;
     link->lost = true;

@@ -187,7 +187,7 @@ typedef struct {
     bool answered;
     bool version2; /* the far end has spoken version 2 */
     bool fragments;
-    bool heard; /* since javino_link_lost was asked */
+    bool heard; /* something valid, since javino_link_lost was asked */
     bool lost;
 } javino_link;
 
@@ -228,9 +228,11 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
  */
 void javino_link_finish(javino_link *link, bool done, uint16_t now_ms);
 
+/** Begins to supervise the link: silence counts from now. */
+void javino_link_supervise(javino_link *link, uint32_t now_ms);
+
 /**
- * Whether the far end has fallen silent, so that motors had better stop. Ask after every javino_link_poll; the
- * time counts from the first asking.
+ * Whether the far end has fallen silent, so that motors had better stop. Ask after every javino_link_poll.
  *
  * @param silence_ms  how long nothing valid has to have arrived
  * @return true once, and again only after something has arrived

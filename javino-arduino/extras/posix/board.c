@@ -143,6 +143,7 @@ int main(int count, char **words)
     port = open_port(words[1], baud);
     javino_board_init(&board, memory, sizeof memory, put_byte, NULL);
     javino_link_timeout(&board.link, JAVINO_TIMEOUT_MS(baud));
+    javino_link_supervise(&board.link, now_ms());
     for (;;) {
         struct pollfd source = {port, POLLIN, 0};
         poll(&source, 1, 10);
