@@ -7,10 +7,10 @@ import java.util.concurrent.atomic.AtomicReference
 /**
  * Where the sensing thread leaves snapshots and the reasoning cycle takes them, without either waiting for the other.
  *
- * [put] and [clear] may be called by any thread; [isReady] and [take] belong to the agent's.
+ * [take] belongs to the agent's thread and is called in each of its perceptions; the others may be called by any.
  */
 internal interface HandOver {
-    /** Leaves [snapshot] for the agent. */
+    /** Leaves [snapshot] for the agent; one of an older message than what is there already may be left out. */
     fun put(snapshot: Snapshot)
 
     /** Whether [take] would give one now. */
@@ -33,13 +33,18 @@ internal interface HandOver {
  */
 internal class FreshHandOver(private val commands: CommandLedger, private val events: PerceptEvents) : HandOver {
     private val newest = AtomicReference<Snapshot?>()
+
+    @Volatile
     private var commandsToAwait = 0L
 
-    override fun put(snapshot: Snapshot) = newest.set(snapshot)
+    override fun put(snapshot: Snapshot) {
+        newest.updateAndGet { if (it != null && it.receivedNanos - snapshot.receivedNanos > 0) it else snapshot }
+    }
 
     override fun isReady() = newest.get() != null && commands.allDoneUpTo(commandsToAwait) && !events.wait()
 
     override fun take(): Snapshot? {
+        events.takenIn()
         if (!isReady()) return null
         return newest.getAndSet(null)?.also {
             commandsToAwait = commands.lastIssued()

@@ -7,26 +7,30 @@ import java.util.IdentityHashMap
 
 /**
  * Knows whether the events of the last snapshot have been taken from Jason's event queue. Later ones, such as those of a busy
- * Jason environment, do not count, or they could keep the agent from its sensors for good. Belongs to the agent's thread.
+ * Jason environment, do not count, or they could keep the agent from its sensors for good. [wait] may be asked by any thread, the
+ * rest belongs to the agent's.
  *
- * @param queue the agent's event queue
+ * @param queue the agent's event queue, which any thread may go through
  */
 internal class PerceptEvents(private val queue: () -> Collection<Event>) {
-    private var awaited: MutableSet<Event>? = null
+    /** The last snapshot's events that were still in the queue when it was last looked at; null: it has not been since. */
+    @Volatile
+    private var awaited: Set<Event>? = null
 
     /** A snapshot is being handed over: what it adds to the queue is awaited. */
     fun handedOver() {
         awaited = null
     }
 
-    /** Whether some of the last snapshot's events are still in the queue. */
-    fun wait(): Boolean {
-        val still = queue().filterTo(identitySet()) { event -> awaited?.contains(event) ?: isPerceptEvent(event) }
-        awaited = still
-        return still.isNotEmpty()
+    /** The last snapshot has been taken in: later events than those that are in the queue now are not its own. */
+    fun takenIn() {
+        awaited = queue().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }
     }
 
-    private fun identitySet(): MutableSet<Event> = Collections.newSetFromMap(IdentityHashMap())
+    /** Whether some of the last snapshot's events are still in the queue. */
+    fun wait(): Boolean = queue().any { awaits(it) }
+
+    private fun awaits(event: Event): Boolean = awaited?.contains(event) ?: isPerceptEvent(event)
 }
 
 private fun isPerceptEvent(event: Event): Boolean =

@@ -41,6 +41,26 @@ class HandOverSpec : FunSpec({
             handOver.take()?.receivedNanos shouldBe 2
         }
 
+        test("a look from another thread before the snapshot has been taken in does not let its events go unawaited") {
+            val queue = ArrayDeque<Event>()
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            handOver.put(snapshot(1))
+            handOver.take()?.receivedNanos shouldBe 1
+            handOver.put(snapshot(2))
+            handOver.isReady()
+            queue += percept("+dist(f,1)[source(percept)]")
+            handOver.take() shouldBe null
+            queue.clear()
+            handOver.take()?.receivedNanos shouldBe 2
+        }
+
+        test("a snapshot of an older message does not take the place of a newer one") {
+            val handOver = FreshHandOver(CommandLedger(), noEvents)
+            handOver.put(snapshot(2))
+            handOver.put(snapshot(1))
+            handOver.take()?.receivedNanos shouldBe 2
+        }
+
         test("other events than those of percepts are nothing to wait for") {
             val queue = ArrayDeque<Event>()
             val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
