@@ -49,7 +49,7 @@ open class Arch : AgArch() {
         board = BoardPercepts(BeliefReader { log.warning(it) }, log, ::steadyMs)
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
-        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, settle = ::applySensing)
+        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, settle = ::senseAnew)
     }
 
     private fun sensingPolicy(): SensingPolicy {
@@ -75,8 +75,9 @@ open class Arch : AgArch() {
 
     /** Starts or stops perceiving. */
     internal fun perceive(open: Boolean) {
+        if (perceiving == open) return
         perceiving = open
-        applySensing()
+        senseAnew()
     }
 
     /** Sets the sensing interval in ms; 0: as fast as the line allows. */
@@ -115,7 +116,13 @@ open class Arch : AgArch() {
     private fun applySensing() {
         val current = ports.current
         if (policy != SensingPolicy.IN_CYCLE) ports.all().forEach { it.sensing.set(perceiving && it === current, intervalMs) }
+    }
+
+    /** What was sensed so far and has not been perceived is of another time or place. */
+    private fun senseAnew() {
+        board.forgetHeldBack()
         handOver.clear()
+        applySensing()
     }
 
     /** What is new since the last call: from the board in use, about the ports, from the Jason environment; null if nothing is. */
@@ -123,9 +130,9 @@ open class Arch : AgArch() {
         val environmentNews = environment.update(super.perceive())
         if (policy == SensingPolicy.IN_CYCLE) senseInCycle()
         if (perceiving) board.due()?.let(handOver::put)
-        val snapshot = handOver.take()?.let(board::current)
+        val snapshot = handOver.take()?.takeIf { perceiving && it.port === ports.current }?.let(board::current)
         if (snapshot != null) sensed = snapshot.percepts
-        listOfNotNull(environment.dueInMs(), board.dueInMs()).minOrNull()?.let(waker::wakeIn)
+        listOfNotNull(environment.dueInMs(), board.dueInMs().takeIf { perceiving }).minOrNull()?.let(waker::wakeIn)
         if (!environmentNews && snapshot == null && !states.hasNews()) return null
         return (environment.percepts + sensed + states.beliefs()).toMutableList()
     }
@@ -156,9 +163,8 @@ open class Arch : AgArch() {
 
     private inner class Listener : SensingListener {
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
-            val snapshot = board.snapshot(message, receivedNanos)
             if (port !== ports.current || !perceiving) return
-            handOver.put(snapshot)
+            handOver.put(board.snapshot(port, message, receivedNanos))
             port.terms.forEach { states.set(it, PortStatus.ON) }
             waker.wake { !handOver.isReady() }
         }

@@ -33,21 +33,21 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
         filterVersion++
     }
 
-    /** What the agent perceives of a [message] whose last byte came at [receivedNanos] by [System.nanoTime]. */
-    fun snapshot(message: String, receivedNanos: Long): Snapshot {
+    /** What the agent perceives of a [message] of the board on [port], whose last byte came at [receivedNanos] by [System.nanoTime]. */
+    fun snapshot(port: OpenPort?, message: String, receivedNanos: Long): Snapshot {
         val texts = perceptsOf(message)
-        return lock.withLock { snapshot(texts, receivedNanos) }
+        return lock.withLock { snapshot(port, texts, receivedNanos) }
     }
 
     /** [snapshot] as it is with the filter that is active now. */
     fun current(snapshot: Snapshot): Snapshot = lock.withLock {
-        if (snapshot.filterVersion == filterVersion) snapshot else snapshot(snapshot.texts, snapshot.receivedNanos)
+        if (snapshot.filterVersion == filterVersion) snapshot else snapshot(snapshot.port, snapshot.texts, snapshot.receivedNanos)
     }
 
-    private fun snapshot(texts: List<String>, receivedNanos: Long): Snapshot {
+    private fun snapshot(port: OpenPort?, texts: List<String>, receivedNanos: Long): Snapshot {
         explainTo(log, texts)
         val kept = session.perceive(texts, nowMs())
-        return remember(Snapshot(texts, filterVersion, kept.flatMap(reader::read), receivedNanos))
+        return remember(Snapshot(port, texts, filterVersion, kept.flatMap(reader::read), receivedNanos))
     }
 
     private fun explainTo(log: Logger, texts: List<String>) {
@@ -64,10 +64,16 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
         try {
             val last = newest ?: return null
             val kept = session.due(nowMs()) ?: return null
-            return remember(Snapshot(last.texts, filterVersion, kept.flatMap(reader::read), last.receivedNanos))
+            return remember(Snapshot(last.port, last.texts, filterVersion, kept.flatMap(reader::read), last.receivedNanos))
         } finally {
             lock.unlock()
         }
+    }
+
+    /** The sensors are not looked at for a while: what is held back now will be too old when they are again. */
+    fun forgetHeldBack() = lock.withLock {
+        newest = null
+        dueMs = null
     }
 
     private fun remember(snapshot: Snapshot): Snapshot {

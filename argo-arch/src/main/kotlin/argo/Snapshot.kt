@@ -5,9 +5,16 @@ import jason.asSyntax.Literal
 /**
  * What the sensors said in one message.
  *
+ * @property port whose board said it
  * @property texts the percepts as they came off the line
  * @property filterVersion which of the filters that the agent has chosen so far was active
  * @property percepts what that filter let through
  * @property receivedNanos when its last byte came, by [System.nanoTime]
  */
-internal class Snapshot(val texts: List<String>, val filterVersion: Long, val percepts: List<Literal>, val receivedNanos: Long)
+internal class Snapshot(
+    val port: OpenPort?,
+    val texts: List<String>,
+    val filterVersion: Long,
+    val percepts: List<Literal>,
+    val receivedNanos: Long,
+)
