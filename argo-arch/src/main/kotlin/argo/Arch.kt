@@ -127,6 +127,7 @@ open class Arch : AgArch() {
 
     /** What is new since the last call: from the board in use, about the ports, from the Jason environment; null if nothing is. */
     override fun perceive(): MutableCollection<Literal>? {
+        waker.perceives()
         val environmentNews = environment.update(super.perceive())
         if (policy == SensingPolicy.IN_CYCLE) senseInCycle()
         if (perceiving) board.due()?.let(handOver::put)

@@ -20,6 +20,7 @@ internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<
     fun explain(percept: Literal): String = environment.explain(percept)
 
     override fun perceive(): MutableCollection<Literal>? {
+        waker.perceives()
         val isNew = environment.update(super.perceive())
         environment.dueInMs()?.let(waker::wakeIn)
         return if (isNew) environment.percepts.toMutableList() else null

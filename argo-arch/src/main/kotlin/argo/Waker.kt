@@ -18,13 +18,21 @@ internal class Waker(private val arch: AgArch) {
 
     private val nextWake = AtomicLong(Long.MAX_VALUE)
 
-    /** Wakes the agent in [delayMs] ms, unless it will be woken earlier anyway. */
+    @Volatile
+    private var perceivedMs = Long.MIN_VALUE
+
+    /** The agent begins to perceive, and so has seen what [wakeIn] woke it for. Called by its thread. */
+    fun perceives() {
+        perceivedMs = steadyMs()
+    }
+
+    /** Wakes the agent in [delayMs] ms to perceive, unless it will be woken earlier anyway. */
     fun wakeIn(delayMs: Long) {
         val at = steadyMs() + delayMs
         if (nextWake.getAndUpdate { minOf(it, at) } <= at) return
         later(delayMs) {
             nextWake.compareAndSet(at, Long.MAX_VALUE)
-            wake(FIRST_REPEAT_MS) { steadyMs() > at }
+            wake(FIRST_REPEAT_MS) { perceivedMs >= at }
         }
     }
 
