@@ -166,12 +166,12 @@ open class Arch : AgArch() {
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
             if (port !== ports.current || !perceiving) return
             handOver.put(board.snapshot(port, message, receivedNanos))
-            port.terms.forEach { states.set(it, PortStatus.ON) }
+            ports.report(port, PortStatus.ON)
             waker.wake { !handOver.isReady() }
         }
 
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) =
-            port.terms.forEach { states.set(it, PortStatus.TIMEOUT, trouble.message) }
+            ports.report(port, PortStatus.TIMEOUT, trouble.message)
 
         override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)
     }

@@ -19,9 +19,14 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
     private var version = 0L
     private var believedVersion = 0L
 
-    /** Sets the state of the port that the agent calls [port]; [reason] is for the log. */
-    fun set(port: Term, status: PortStatus, reason: String? = null) {
+    /**
+     * Sets the state of the port that the agent calls [port]; [reason] is for the log.
+     *
+     * @param isHeld whether the port is still the agent's, else nothing is set: a port that was given up before [clear] stays forgotten
+     */
+    fun set(port: Term, status: PortStatus, reason: String? = null, isHeld: () -> Boolean = { true }) {
         val isNew = lock.withLock {
+            if (!isHeld()) return
             val before = states.put(port.toString(), port to status)
             (before?.second != status).also { if (it) version++ }
         }

@@ -64,7 +64,7 @@ internal class Ports(
         lastOptions[key] = wanted
         port.isCalled(term)
         current = port
-        states.set(term, PortStatus.ON)
+        report(port, PortStatus.ON)
         settle()
         null
     } catch (trouble: PortException) {
@@ -94,6 +94,10 @@ internal class Ports(
         if (tooLate) port.close()
         return port
     }
+
+    /** What is known of [port] now; nothing is said of one that has been given up. */
+    fun report(port: OpenPort, status: PortStatus, reason: String? = null) =
+        port.terms.forEach { states.set(it, status, reason) { lock.withLock { open.containsValue(port) } } }
 
     /** [port] cannot be used any more, for the reason given; nothing new if it has been given up already. */
     fun lost(port: OpenPort, trouble: PortException) {
