@@ -93,15 +93,14 @@ open class Arch : AgArch() {
     /** Closes all ports; [closed] is called by another thread. */
     internal fun closePorts(closed: () -> Unit) = ports.closeAll(closed)
 
-    /** Whether a port is in use. */
-    internal fun hasPort() = ports.current != null
+    /** The port in use, or null. */
+    internal fun portInUse(): OpenPort? = ports.current
 
     /**
-     * Sends [text] to the board in use, of which there must be one.
+     * Sends [text] to the board on [port].
      * @param outcome is called once, with null when its last byte has left the line, else with the reason why it has not
      */
-    internal fun send(text: String, outcome: (Failure?) -> Unit) {
-        val port = checkNotNull(ports.current) { "no port is in use" }
+    internal fun send(port: OpenPort, text: String, outcome: (Failure?) -> Unit) {
         if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(text))
         val number = commands.issue()
         port.commands.submit(text) {

@@ -21,8 +21,8 @@ open class act : BoardAction("argo.act", 1..1) {
     override fun run(call: Call) {
         val arch = call.arch
         val text = commandText(call.args[0])
-        if (!arch.hasPort()) throw call.failure("no_port", "no port is in use; choose one with argo.port first")
-        arch.send(text, call.suspendIntention())
+        val port = arch.portInUse() ?: throw call.failure("no_port", "no port is in use; choose one with argo.port first")
+        arch.send(port, text, call.suspendIntention())
     }
 }
 
