@@ -32,6 +32,7 @@ final class LineSchedule {
     private long frameEnd; // of the last frame
     private long actionEnd; // of the last action
     private boolean awaitingAnswer;
+    private boolean actionSinceRequest;
     private long busyUntil;
     private int actionsMeanwhile; // written while the board may have been busy with the last request
     private int bytesMeanwhile;
@@ -80,6 +81,7 @@ final class LineSchedule {
      * @return when its last byte has left
      */
     long wroteAction(int bytes, long start, long now) {
+        actionSinceRequest = true;
         if (mayBeBusy(start)) {
             actionsMeanwhile++;
             bytesMeanwhile += bytes;
@@ -91,6 +93,7 @@ final class LineSchedule {
     /** Says that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
         wrote(bytes, start, now);
+        actionSinceRequest = false;
         actionsMeanwhile = 0;
         bytesMeanwhile = 0;
         awaitingAnswer = true;
@@ -115,10 +118,13 @@ final class LineSchedule {
         }
     }
 
-    /** Says that the answer is complete. */
+    /** Says that a message is complete: the answer, if one is awaited. */
     void answered(long now) {
+        if (!awaitingAnswer) {
+            return;
+        }
         awaitingAnswer = false;
-        if (actionsMeanwhile == 0) {
+        if (!actionSinceRequest) {
             frameEnd = now - spacingNanos; // the board has handled all it got: what comes next need not keep its distance
             lineFreeAt = now; // so all has left, if the line is faster than its rate says, as a pseudo-terminal is
             busyUntil = now;

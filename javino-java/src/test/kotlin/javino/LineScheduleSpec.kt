@@ -86,6 +86,22 @@ class LineScheduleSpec : FunSpec({
         schedule.nanosUntilAction(11, MILLI) shouldBe 0
     }
 
+    test("an answer says nothing of an action that was written after its request") {
+        val schedule = schedule()
+        val late = schedule.wroteRequest(17, 0, 0) + 60 * MILLI // a slow board, which is taken to be silent
+        val sent = schedule.wroteAction(11, late, late)
+        schedule.answered(late + MILLI)
+        schedule.nanosUntilAction(11, late + MILLI) shouldBe sent - (late + MILLI)
+        schedule.nanosUntilRequest(late + MILLI) shouldBe sent + 10 * MILLI - (late + MILLI)
+    }
+
+    test("a message that nobody asked for says nothing of the line") {
+        val schedule = schedule()
+        val sent = schedule.wroteAction(11, 0, 0)
+        schedule.answered(MILLI)
+        schedule.nanosUntilAction(11, MILLI) shouldBe sent - MILLI
+    }
+
     test("bytes that arrive say that the board is still busy") {
         val schedule = schedule()
         val asked = schedule.wroteRequest(17, 0, 0)
