@@ -18,6 +18,8 @@ final class TimedWriter {
         int write(byte[] bytes);
     }
 
+    private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
+
     /** How a write ended. */
     enum Outcome { WRITTEN, FAILED, TOO_LATE, CLOSED }
 
@@ -87,9 +89,17 @@ final class TimedWriter {
     private void work() {
         Job job = next();
         while (job != null) {
-            int count = target.write(job.bytes);
-            finish(job, count == job.bytes.length ? Outcome.WRITTEN : Outcome.FAILED);
+            finish(job, write(job));
             job = next();
+        }
+    }
+
+    private Outcome write(Job job) {
+        try {
+            return target.write(job.bytes) == job.bytes.length ? Outcome.WRITTEN : Outcome.FAILED;
+        } catch (RuntimeException e) { // the thread must go on, or every later write would wait for it in vain
+            LOG.log(System.Logger.Level.ERROR, "the driver failed", e);
+            return Outcome.FAILED;
         }
     }
 

@@ -18,6 +18,7 @@ private class Gated : AutoCloseable {
         begun.countDown()
         gate.await()
         taken += bytes.decodeToString()
+        check(bytes.decodeToString() != "worse") { "a driver that throws" }
         if (bytes.decodeToString() == "bad") -1 else bytes.size
     }.apply { start() }
 
@@ -35,6 +36,7 @@ class TimedWriterSpec : FunSpec({
             driver.gate.countDown()
             driver.write("abc") shouldBe TimedWriter.Outcome.WRITTEN
             driver.write("bad") shouldBe TimedWriter.Outcome.FAILED
+            driver.write("worse") shouldBe TimedWriter.Outcome.FAILED
             driver.write("abc") shouldBe TimedWriter.Outcome.WRITTEN
         }
     }
