@@ -59,6 +59,7 @@ final class Exchange {
             return null;
         }
         ready = true;
+        writer.answered(clock.nanos()); // who speaks is not busy with a request that nobody waits for any more
         return newest(message);
     }
 

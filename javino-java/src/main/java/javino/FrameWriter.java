@@ -129,7 +129,7 @@ final class FrameWriter {
         }
     }
 
-    /** Says that the answer to the last request is complete, which lets actions go out that waited for it. */
+    /** Says that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */
     void answered(long now) {
         lock.lock();
         try {

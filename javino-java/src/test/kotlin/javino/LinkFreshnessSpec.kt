@@ -76,6 +76,20 @@ class LinkFreshnessSpec : FunSpec({
         }
     }
 
+    test("a board that never answered a request but speaks by itself is not taken to be busy answering") {
+        val board = VirtualBoard().apply { silent = true }
+        VirtualBench(LinkSettings.defaults(), board).use { bench ->
+            bench.link.send("a", 500) // asks the board whether it has started, and gets no answer
+            (1..20).forEach { board.say(bench.millis + it * 40, "tick($it);") }
+            repeat(5) {
+                bench.link.listen(500)
+                val before = bench.millis
+                bench.link.send("b", 500)
+                bench.millis - before shouldBeLessThan 30.0
+            }
+        }
+    }
+
     test("an action returns when its last byte has left by the line's rate") {
         val board = VirtualBoard()
         VirtualBench(RUNNING, board).use { bench ->
