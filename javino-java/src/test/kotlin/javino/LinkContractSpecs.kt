@@ -12,8 +12,8 @@ internal class SimulatedLinkSpec : LinkContract(Enabled.enabled, {
 })
 
 /** The same, through the operating system: the fake board sits at the other end of a pseudo-terminal. */
-internal class SerialLinkSpec : LinkContract(PseudoTerminals.available, {
-    val terminals = PseudoTerminals.open()
+internal class SerialLinkSpec : LinkContract(Terminals.available, {
+    val terminals = Terminals.open()
     val board = FakeBoard.plugIn("contract${boards.incrementAndGet()}").lenient()
     val end = SerialTransport.open(terminals.board, Bench.FAST.line())
     val running = async { board.program().run(end) }

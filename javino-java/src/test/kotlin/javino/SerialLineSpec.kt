@@ -17,7 +17,7 @@ private const val LONG_MILLIS = 20_000
 private val descriptors: Path = Path.of("/proc/self/fd")
 private val withProc: Enabled = when {
     !Files.isDirectory(descriptors) -> Enabled.disabled("needs /proc to see what is open")
-    else -> PseudoTerminals.available
+    else -> Terminals.available
 }
 
 private fun openDescriptors(): Int = Files.list(descriptors).use { it.count().toInt() }
@@ -28,8 +28,8 @@ private fun liveThreads(): Int = Thread.getAllStackTraces().size
 class SerialLineSpec : FunSpec({
     val settings = LinkSettings.defaults().withBaud(115_200)
 
-    fun onTerminals(name: String, enabled: Enabled = PseudoTerminals.available, body: (PseudoTerminals) -> Unit) =
-        test(name).config(enabledOrReasonIf = { enabled }, timeout = 120.seconds, blockingTest = true) { PseudoTerminals.open().use(body) }
+    fun onTerminals(name: String, enabled: Enabled = Terminals.available, body: (Terminals) -> Unit) =
+        test(name).config(enabledOrReasonIf = { enabled }, timeout = 120.seconds, blockingTest = true) { Terminals.open().use(body) }
 
     onTerminals("a device has one owner, whichever of its names is used") { terminals ->
         val device = Path.of(terminals.computer).toRealPath().toString()
@@ -70,8 +70,8 @@ class SerialLineSpec : FunSpec({
         val link = Link.open(terminals.computer, settings.withBootMillis(0), "the test")
         terminals.unplug()
         shouldThrow<PortGoneException> { link.listen(LONG_MILLIS) }
-        PseudoTerminals.open().use { again ->
-            Files.deleteIfExists(Path.of(terminals.computer))
+        Terminals.open().use { again ->
+            Files.createDirectories(Path.of(terminals.computer).parent)
             Files.createSymbolicLink(Path.of(terminals.computer), Path.of(again.computer).toRealPath())
             Link.open(terminals.computer, settings, "the test").close()
         }
