@@ -1,7 +1,6 @@
 package argo
 
 import argo.filters.FilterFinder
-import argo.filters.FilterNotFoundException
 import argo.filters.PerceptionFilter
 import jason.asSemantics.Agent
 import java.net.URI
@@ -9,24 +8,14 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Finds the filter that [agent] calls [name]: in the directory that the project was started in, then in that of the agent's
- * `.asl`, in `filters/` under each, and in `filters/` on the class path.
+ * Finds the filter that [agent] calls [name]: among those that services offer, in the directory that the project was started in and
+ * in `filters/` under it, in the same two for the agent's `.asl`, and in `filters/` on the class path.
  *
- * @throws FilterNotFoundException if there is none
+ * @throws argo.filters.FilterNotFoundException if there is none
  * @throws argo.filters.FilterException if it is refused
  */
-internal fun filterOf(agent: Agent, name: String): PerceptionFilter {
-    val finders = projectDirectories(agent).map { FilterFinder(it, agent.javaClass.classLoader) }
-    var notFound: FilterNotFoundException? = null
-    for (finder in finders) {
-        try {
-            return finder.find(name)
-        } catch (missing: FilterNotFoundException) {
-            notFound = notFound ?: missing
-        }
-    }
-    throw checkNotNull(notFound)
-}
+internal fun filterOf(agent: Agent, name: String): PerceptionFilter =
+    FilterFinder(projectDirectories(agent), agent.javaClass.classLoader).find(name)
 
 private fun projectDirectories(agent: Agent): List<Path> {
     val started = Path.of("").toAbsolutePath()

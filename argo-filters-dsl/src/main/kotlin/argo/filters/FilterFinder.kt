@@ -3,20 +3,24 @@ package argo.filters
 import java.nio.file.Path
 
 /**
- * Finds filters by name: among those that [FilterProvider]s on the class path of [classLoader] offer, then in the files of
- * [projectDirectory], in those of `filters/` under it and in `filters/` on the class path, in this order.
+ * Finds filters by name: among those that [FilterProvider]s on the class path of [classLoader] offer, then for each of
+ * [projectDirectories] in its files and in those of `filters/` under it, and last in `filters/` on the class path, in this order.
  *
  * Safe for use by several threads at once.
  *
  * Files are XML (`.xml`) or JSON (`.json`), and a name may leave that off; then XML comes first. A name may hold folders (`night/dark`). It
  * may not lead out of those places: no absolute paths, no `..`, no backslashes, no links that end elsewhere.
  */
-class FilterFinder(projectDirectory: Path, classLoader: ClassLoader) {
-    private val places = listOf(
-        ProvidedFilters(classLoader),
-        FilterDirectory(projectDirectory, projectDirectory, foreignFiles = true),
-        FilterDirectory(projectDirectory.resolve(FOLDER), projectDirectory, foreignFiles = false),
-        FilterResources(classLoader, FOLDER),
+class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
+    private val places: List<FilterPlace> =
+        listOf(ProvidedFilters(classLoader)) + projectDirectories.flatMap(::placesOf) + FilterResources(classLoader, FOLDER)
+
+    /** As the other form, with a single project directory. */
+    constructor(projectDirectory: Path, classLoader: ClassLoader) : this(listOf(projectDirectory), classLoader)
+
+    private fun placesOf(project: Path) = listOf(
+        FilterDirectory(project, project, foreignFiles = true),
+        FilterDirectory(project.resolve(FOLDER), project, foreignFiles = false),
     )
 
     /**

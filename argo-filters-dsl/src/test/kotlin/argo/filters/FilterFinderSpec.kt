@@ -79,6 +79,20 @@ class FilterFinderSpec : FreeSpec({
         }
     }
 
+    "of two project directories the first comes first, and a filter that neither has is told with those of both" {
+        val first = project()
+        val second = project()
+        val finder = FilterFinder(listOf(first, second), noResources)
+        second.filter("filters/a.xml", "in_second")
+        finder.find("a").predicate() shouldBe "in_second"
+        first.filter("filters/a.xml", "in_first")
+        finder.find("a").predicate() shouldBe "in_first"
+        second.filter("b.xml")
+        val message = shouldThrow<FilterNotFoundException> { finder.find("nowhere") }.message!!
+        message shouldContain "$first, ${first.resolve("filters")}, $second, ${second.resolve("filters")}, filters/ on the class path"
+        message shouldContain "There are these filters: a, b."
+    }
+
     "a filter that does not exist" - {
         val project = project()
         project.filter("near.xml")
