@@ -47,10 +47,13 @@ open class Arch : AgArch() {
         policy = sensingPolicy()
         waker = Waker(this)
         board = BoardPercepts(BeliefReader { log.warning(it) }, log, ::steadyMs)
-        handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents { ts.c.events }) else EveryHandOver { log.warning(it) }
+        handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, settle = ::senseAnew)
     }
+
+    /** An atomic plan holds back all events; with `events=requeue` those that no plan applies to come back for ever. */
+    private fun eventsStand() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
     private fun sensingPolicy(): SensingPolicy {
         ts.settings.userParameters.keys.filter { it.startsWith("argo_") && it != SENSING }.forEach {

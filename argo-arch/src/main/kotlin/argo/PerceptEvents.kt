@@ -10,9 +10,11 @@ import java.util.IdentityHashMap
  * Jason environment, do not count, or they could keep the agent from its sensors for good. [wait] may be asked by any thread, the
  * rest belongs to the agent's.
  *
+ * @param queueStands whether Jason takes no event from the queue for good now, as while an atomic plan runs or waits; then nothing is
+ * awaited, for that plan must see the world too
  * @param queue the agent's event queue, which any thread may go through
  */
-internal class PerceptEvents(private val queue: () -> Collection<Event>) {
+internal class PerceptEvents(private val queueStands: () -> Boolean = { false }, private val queue: () -> Collection<Event>) {
     /** The last snapshot's events that were still in the queue when it was last looked at; null: it has not been since. */
     @Volatile
     private var awaited: Set<Event>? = null
@@ -28,7 +30,7 @@ internal class PerceptEvents(private val queue: () -> Collection<Event>) {
     }
 
     /** Whether some of the last snapshot's events are still in the queue. */
-    fun wait(): Boolean = queue().any { awaits(it) }
+    fun wait(): Boolean = !queueStands() && queue().any { awaits(it) }
 
     private fun awaits(event: Event): Boolean = awaited?.contains(event) ?: isPerceptEvent(event)
 }

@@ -71,6 +71,20 @@ class HandOverSpec : FunSpec({
             handOver.take()?.receivedNanos shouldBe 2
         }
 
+        test("does not wait for events while Jason takes none, as in an atomic plan") {
+            val queue = ArrayDeque<Event>()
+            var stands = true
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents({ stands }) { queue })
+            handOver.put(snapshot(1))
+            handOver.take()
+            queue += percept("+dist(f,1)[source(percept)]")
+            handOver.put(snapshot(2))
+            handOver.take()?.receivedNanos shouldBe 2
+            stands = false
+            handOver.put(snapshot(3))
+            handOver.take() shouldBe null
+        }
+
         test("waits for the commands issued before the last hand-over and for no others") {
             val ledger = CommandLedger()
             val handOver = FreshHandOver(ledger, noEvents)

@@ -60,6 +60,36 @@ class PerceivingSpec : FunSpec({
         }
     }
 
+    context("the world does not stand still for") {
+        val drives = mapOf(
+            "an atomic plan that calls itself" to """
+                @drive[atomic] +!drive : dist(f,X) & X > 40 <- argo.act(front); !drive.
+                +!drive <- argo.act(stop).
+            """,
+            "an atomic plan that waits for a percept" to "@drive[atomic] +!drive <- argo.act(front); .wait(dist(f,X) & X <= 40); argo.act(stop).",
+            "an agent that keeps the events no plan applies to" to """
+                +!drive : dist(f,X) & X > 40 <- argo.act(front); !drive.
+                +!drive <- argo.act(stop).
+            """,
+        )
+        for ((who, drive) in drives) test(who) {
+            FakeBoard.plugIn("robot").use { board ->
+                board.lenient()
+                var n = 80
+                board.whenAsked("getPercepts").answer { "dist(f,${n--});light(f,$n);" }
+                TestMas().use { mas ->
+                    mas.agent("bob", """
+                        !start.
+                        +!start <- argo.port("sim:robot", [baud(115200)]); argo.limit(5); argo.percepts(open); .wait(dist(f,_)); !drive.
+                        $drive
+                        +light(f,X) : X > 1000 <- argo.act(bright).
+                    """, options = if ("keeps" in who) mapOf("events" to "requeue") else emptyMap())
+                    eventually({ board.received().takeLast(20) }) { "stop" in board.received() }
+                }
+            }
+        }
+    }
+
     test("a percept that Jason cannot read, or that no board may claim, costs itself alone") {
         FakeBoard.plugIn("robot").use { board ->
             board.whenAsked("getPercepts").answer("dist(f,;shutdown[source(self)];port(\"sim:robot\",off);a((;.stopMAS;X;say(\"a;b\");last;")
