@@ -25,8 +25,8 @@
 
 #include "JavinoActions.h"
 #include "JavinoArguments.h"
-#include "javino_core.h"
 #include "javino_board.h"
+#include "javino_core.h"
 
 #ifndef JAVINO_BYTES
 #if defined(RAMEND) && RAMEND < 0x0900
@@ -116,7 +116,7 @@ public:
   /**
    * Writes one percept of the answer: `percept("dist", "front", 30)` is dist(front,30).
    *
-   * @param functor  an atom
+   * @param functor  an atom, with a ~ before it where the percept is negated
    * @param terms    whole numbers; numbers with decimals, of which two are written; true and false; text,
    *                 which becomes an atom where it is one and otherwise a string
    * @return false if it will not be sent, being longer than a frame, or because the memory is full and nobody
@@ -168,7 +168,8 @@ public:
   void refuse() { javino_link_finish(&board_.link, false, clock()); }
 
   /**
-   * Sends a message, at once or as an answer: percepts, each with a `;` after it.
+   * Sends a message, at once or as an answer: percepts, each with a `;` after it. It goes out as it is, whatever
+   * functors the request names.
    *
    * @return false if a percept in it is longer than version 1 can send
    */
@@ -243,16 +244,18 @@ private:
 template <uint16_t Bytes> class JavinoSized : public JavinoBoard {
 public:
   /** On Serial. */
-  JavinoSized() : JavinoBoard(Serial, NULL, memory_, Bytes) {}
+  JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
   /** On a port that start() opens, such as Serial1 or a SoftwareSerial. */
-  template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, begin<Port>, memory_, Bytes) {}
+  template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, begin<Port>, memory_, USED) {}
 
   /** On a stream that the sketch opens. */
-  explicit JavinoSized(Stream &stream) : JavinoBoard(stream, open, memory_, Bytes) {}
+  explicit JavinoSized(Stream &stream) : JavinoBoard(stream, open, memory_, USED) {}
 
 private:
   static_assert(Bytes >= JAVINO_MEMORY_MIN, "JavinoSized: too few bytes");
+  /* The actions' table is at the end. */
+  static const uint16_t USED = Bytes / sizeof(void *) * sizeof(void *);
   alignas(void *) uint8_t memory_[Bytes];
 };
 

@@ -52,7 +52,10 @@ public:
   /** How many actions there are. */
   uint8_t count() const { return count_; }
 
-  /** Whether an action has been left out because the memory was full; JavinoSized has more. */
+  /**
+   * Whether an action has been left out because the memory was full, of which JavinoSized has more, or because
+   * percepts had already been written.
+   */
   bool full() const { return full_; }
 
 private:

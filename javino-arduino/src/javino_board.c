@@ -87,7 +87,8 @@ static bool make_room(javino_board *b)
 
 bool javino_percept_begin(javino_board *board, const char *functor)
 {
-    if (!javino_board_wants(board, functor, strlen(functor)))
+    const char *name = *functor == '~' ? functor + 1 : functor; /* A negation is not part of it. */
+    if (!javino_board_wants(board, name, strlen(name)))
         return false;
     javino_percept_text(board, functor);
     return true;

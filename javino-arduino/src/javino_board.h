@@ -56,7 +56,7 @@ void *javino_board_take(javino_board *board, uint16_t size);
 bool javino_board_wants(const javino_board *board, const char *functor, size_t length);
 
 /**
- * Begins a percept with its functor, which must be an atom.
+ * Begins a percept with its functor, which must be an atom, a ~ before it where it is negated.
  *
  * @return whether it is wanted; if not, write nothing and do not end it
  */

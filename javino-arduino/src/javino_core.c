@@ -49,7 +49,6 @@ static JAVINO_OUTLINE void set_up(javino_decoder *decoder, uint8_t *bytes, uint1
     decoder->bytes = bytes;
     decoder->size = size;
     decoder->timeout_ms = timeout_ms;
-    decoder->read.clean = true;
 }
 
 void javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
@@ -62,8 +61,11 @@ void javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size,
  * counts, since what lies before it has been waiting longer. */
 static JAVINO_OUTLINE void note_silence(javino_decoder *d, uint16_t now_ms)
 {
-    if (!d->gap && passed(now_ms, d->last_ms, d->timeout_ms))
+    if (!d->gap && passed(now_ms, d->last_ms, d->timeout_ms)) {
         d->gap = d->end;
+        if (!d->end)
+            d->read.clean = true;
+    }
 }
 
 bool javino_decoder_ready(javino_decoder *decoder, uint16_t now_ms)

@@ -89,6 +89,12 @@ TEST_CASE("perceive's function writes the answer") {
   board.javino.perceive(look);
   CHECK(board.run(frame1("getPercepts")) == frame1("dist(front,120);light(b,40);ready;"));
   CHECK(board.run(frame2("getPercepts(light)", 0, 1)) == frame2("light(b,40);", 0, 1));
+  board.javino.perceive([] {
+    percepts_of->percept("~open", "door");
+    percepts_of->addPercept("~open(window)");
+    percepts_of->addPercept("closed(gate)");
+  });
+  CHECK(board.run(frame2("getPercepts(open)", 0, 2)) == frame2("~open(door);~open(window);", 0, 2));
 }
 
 TEST_CASE("a board without percepts answers all the same") {
@@ -377,6 +383,16 @@ TEST_CASE("actions beyond the memory are reported, and those before them still w
   CHECK(added == 5);
   CHECK(javino.act.count() == 5);
   CHECK(javino.act.full());
+  done.clear();
+  Serial.receive(frame1("ledOn"));
+  javino.run();
+  CHECK(done.size() == 1);
+}
+
+TEST_CASE("any size of memory keeps the actions' table aligned") {
+  JavinoSized<JAVINO_MEMORY + 255 + 3> javino;
+  Serial.in.clear();
+  javino.act["ledOn"] = ledOn;
   done.clear();
   Serial.receive(frame1("ledOn"));
   javino.run();

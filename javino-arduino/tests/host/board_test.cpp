@@ -258,9 +258,16 @@ TEST_CASE("a version 1 action is carried out although version 2 was spoken befor
   CHECK(c.hear(frame1("ledOn")) == JAVINO_ACTION);
   c.now += 101;
   c.poll();
+  CHECK(c.hear("noise") == JAVINO_NOTHING);
+  CHECK(c.hear(frame1("ledOff")) == JAVINO_NOTHING);
+  c.now += 101;
+  CHECK(c.hear(frame1("ledOff")) == JAVINO_ACTION);
   c.receive("noise");
   c.now += 101;
   c.poll();
+  CHECK(c.hear(frame1("ledOff")) == JAVINO_ACTION);
+  CHECK(c.hear("\r\n") == JAVINO_NOTHING);
+  c.now += 101;
   CHECK(c.hear(frame1("ledOff")) == JAVINO_ACTION);
 }
 
