@@ -6,7 +6,7 @@ import subprocess
 import sys
 import tty
 
-from board import Line, reference
+from board import HALT_MS, Line, reference
 
 frame1, frame2 = reference.frame1, reference.frame2
 
@@ -16,7 +16,7 @@ class FarEnd(Line):
 
     def __init__(self, fd):
         self.fd = fd
-        self.decoder = reference.Decoder()
+        self.decoder = reference.Decoder(timeout=HALT_MS)
         self.taken = 0
         self.damage = lambda data: data
 
