@@ -91,7 +91,7 @@ class FilteringSpec : FunSpec({
             val answers = ArrayDeque(listOf("temp(1);", "temp(2);", "temp(3);"))
             board.whenAsked("getPercepts").answer { if (answers.size > 1) answers.removeFirst() else answers.first() }
             TestMas().use { mas ->
-                mas.filter("calm", "<filter everyMs=\"300\"><predicate>temp</predicate></filter>")
+                mas.filter("calm", "<filter everyMs=\"2000\"><predicate>temp</predicate></filter>")
                 mas.agent("bob", """
                     !start.
                     +!start <- argo.port("sim:robot"); argo.limit(5); argo.change_filter(calm); argo.percepts(open).
