@@ -5,6 +5,7 @@ import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
 import javino.PseudoTerminals
 import java.io.File
+import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
@@ -18,17 +19,18 @@ private const val EXCHANGES = 1500
 fun latency() {
     PseudoTerminals.open().use { line ->
         val board = PingBoard(line.board(), WARM_UP + EXCHANGES)
-        val mas = startAgent(line.computer())
+        val directory = createTempDirectory("argo-bench")
+        val mas = startAgent(directory, line.computer())
         val latencies = board.measure().drop(WARM_UP).sorted()
         mas.finish(0, false, 0)
+        directory.toFile().deleteRecursively()
         fun ms(share: Double) = latencies[((latencies.size - 1) * share).toInt()] / 1e6
         println("frame to command over a pseudo-terminal, 12 percepts, ${latencies.size} exchanges after $WARM_UP to warm up, ${machine()}:")
         println("median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(ms(0.5), ms(0.99), ms(1.0)))
     }
 }
 
-private fun startAgent(port: File): RunLocalMAS {
-    val directory = createTempDirectory("argo-bench")
+private fun startAgent(directory: Path, port: File): RunLocalMAS {
     val program = directory.resolve("ping.asl").apply {
         writeText("!start.\n+!start <- argo.port(\"$port\", [baud(115200)]); argo.limit(20); argo.percepts(open).\n+ping(N) <- argo.act(pong(N)).\n")
     }
@@ -39,6 +41,5 @@ private fun startAgent(port: File): RunLocalMAS {
     mas.start()
     val agent = RuntimeServicesFactory.get().createAgent("ping", program.toString(), null, listOf("argo.Arch"), null, Settings(), null)
     RuntimeServicesFactory.get().startAgent(agent)
-    directory.toFile().deleteOnExit()
     return mas
 }
