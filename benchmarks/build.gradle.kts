@@ -7,4 +7,7 @@ dependencies {
     annotationProcessor(libs.jmh.processor)
 }
 
-application { mainClass = "benchmarks.MainKt" }
+application {
+    mainClass = "benchmarks.MainKt"
+    applicationDefaultJvmArgs = listOf("--enable-native-access=ALL-UNNAMED") // jSerialComm loads a native library
+}
