@@ -33,7 +33,7 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
         val literal = parser.read(percept)
         when {
             literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
-            !literal.isGround -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
+            !literal.isGround || literal.ns.isVar -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
             claimsToBeAPort(literal) -> Reading.Unreadable("port/2 with on, off or timeout tells the state of a port, which no board can claim")
             else -> Reading.Belief(ownSource(literal))
         }
@@ -60,7 +60,7 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
 }
 
 private fun claimsToBeAPort(literal: Literal) =
-    literal.functor == "port" && literal.arity == 2 && literal.getTerm(1).toString() in PortStatus.WORDS
+    literal.functor == "port" && literal.arity == 2 && (literal.getTerm(1) as? Literal)?.functor in PortStatus.WORDS // off[x] matches off
 
 /** [literal] without the sources it claims: what a board sends is a percept and nothing else. */
 private fun ownSource(literal: Literal): Literal {

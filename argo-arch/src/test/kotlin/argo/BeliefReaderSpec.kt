@@ -43,12 +43,16 @@ class BeliefReaderSpec : FunSpec({
 
     test("a variable is not a percept") {
         read("dist(F,3)").shouldBeEmpty()
-        warnings.single() shouldContain "variable"
+        read("Room::dist(f,3)").shouldBeEmpty()
+        warnings.forEach { it shouldContain "variable" }
+        warnings shouldHaveSize 2
     }
 
     test("a board cannot claim the state of a port") {
         read("port(ttyACM0,off)").shouldBeEmpty()
-        warnings.single() shouldContain "port"
+        read("port(ttyACM0,off[x])").shouldBeEmpty()
+        warnings.forEach { it shouldContain "port" }
+        warnings shouldHaveSize 2
         read("port(left,open)") shouldHaveSize 1
     }
 

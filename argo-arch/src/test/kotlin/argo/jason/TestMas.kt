@@ -45,7 +45,7 @@ class TestMas : AutoCloseable {
     /** Starts an agent with [program]; [options] are those in brackets in a `.mas2j`. */
     fun agent(name: String, program: String, arch: String? = "argo.Arch", options: Map<String, String> = emptyMap()) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
-        val settings = Settings().apply { options.forEach(::addOption) }
+        val settings = Settings().apply { setOptions(HashMap<String, Any>(options)) }
         val services = RuntimeServicesFactory.get()
         val created = services.createAgent(name, source.toString(), null, listOfNotNull(arch), null, settings, null)
         services.startAgent(created)
