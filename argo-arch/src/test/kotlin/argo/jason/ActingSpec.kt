@@ -63,6 +63,26 @@ class ActingSpec : FunSpec({
         }
     }
 
+    test("commands of a port that is closed and opened again all the while go out or fail for that reason, and no intention is lost") {
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient()
+            TestMas().use { mas ->
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.port("sim:robot", [boot(0), spacing(0), baud(2000000)]); for (.range(I,1,10)) { !!act(I) }; !swap(100).
+                    +!act(I) : over <- argo.act(alive(I)).
+                    +!act(I) <- argo.act(front); !act(I).
+                    -!act(I)[error(E)] : E == no_port | E == port_gone <- .wait(1); !act(I).
+                    -!act(I)[error(E),error_msg(M)] <- .print("ODD ", E, " ", M); !act(I).
+                    +!swap(0) <- +over.
+                    +!swap(N) <- argo.port(none); argo.port("sim:robot"); !swap(N-1).
+                """)
+                eventually({ board.received().takeLast(20) + mas.log }) { (1..10).all { "alive($it)" in board.received() } }
+                mas.log.lines().filter { "ODD" in it || "SEVERE" in it }.shouldBeEmpty()
+            }
+        }
+    }
+
     test("an intention that waits for its command does not stop the agent") {
         FakeBoard.plugIn("robot").use { board ->
             board.bootTakes(1_000)
