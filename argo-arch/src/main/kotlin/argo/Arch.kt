@@ -6,6 +6,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import javino.PortException
 import javino.PortTimeoutException
+import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Level
 import java.util.logging.Logger
 
@@ -31,6 +32,7 @@ open class Arch : AgArch() {
     private lateinit var waker: Waker
     private lateinit var policy: SensingPolicy
     private val commands = CommandLedger()
+    private val actedThrough = AtomicReference<OpenPort?>()
     private val environment = EnvironmentPercepts(nowMs = ::steadyMs)
 
     @Volatile
@@ -49,7 +51,7 @@ open class Arch : AgArch() {
         board = BoardPercepts(BeliefReader { log.warning(it) }, log, ::steadyMs)
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
-        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, settle = ::senseAnew)
+        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, settle = ::settle)
     }
 
     /** An atomic plan holds back all events; with `events=requeue` those that no plan applies to come back for ever. */
@@ -114,6 +116,13 @@ open class Arch : AgArch() {
 
     /** Wakes the agent until [seen]: see [Waker]. */
     internal fun wake(seen: () -> Boolean) = waker.wake(seen)
+
+    /** Commands that wait for another port than the one in use do not hold back what that one says. */
+    private fun settle() {
+        val current = ports.current
+        if (actedThrough.getAndSet(current) !== current) commands.forget()
+        senseAnew()
+    }
 
     private fun applySensing() {
         val current = ports.current

@@ -22,6 +22,9 @@ internal class CommandLedger {
         lock.withLock { pending -= number }
     }
 
+    /** What has been issued is awaited no longer. */
+    fun forget() = lock.withLock { pending.clear() }
+
     /** The number of the command issued last, 0 if there is none. */
     fun lastIssued(): Long = lock.withLock { issued }
 

@@ -102,6 +102,25 @@ class HandOverSpec : FunSpec({
             handOver.take()?.receivedNanos shouldBe 3
         }
 
+        test("does not wait for commands that have been forgotten, as those of a port that is not in use any more") {
+            val ledger = CommandLedger()
+            val handOver = FreshHandOver(ledger, noEvents)
+            val first = ledger.issue()
+            handOver.put(snapshot(1))
+            handOver.take()
+            ledger.forget()
+            handOver.put(snapshot(2))
+            handOver.take()?.receivedNanos shouldBe 2
+            val second = ledger.issue()
+            handOver.put(snapshot(3))
+            handOver.take()
+            ledger.done(first)
+            handOver.put(snapshot(4))
+            handOver.take() shouldBe null
+            ledger.done(second)
+            handOver.take()?.receivedNanos shouldBe 4
+        }
+
         test("a plan that always has a command on its way does not starve it") {
             val ledger = CommandLedger()
             val handOver = FreshHandOver(ledger, noEvents)

@@ -60,6 +60,25 @@ class PerceivingSpec : FunSpec({
         }
     }
 
+    test("commands that wait for a slow board do not hold back what another board says") {
+        FakeBoard.plugIn("slow").use { slow -> FakeBoard.plugIn("robot").use { board ->
+            slow.lenient()
+            board.lenient()
+            var n = 0
+            board.whenAsked("getPercepts").answer { "count(${++n});" }
+            TestMas().use { mas ->
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.port("sim:slow", [baud(300), boot(0)]); for (.range(I,1,200)) { !!send(I) }; .wait(100);
+                               argo.port("sim:robot", [baud(115200)]); argo.limit(5); argo.percepts(open).
+                    +!send(I) <- argo.act(takes_a_second_and_a_half_or_so(I)).
+                    +count(N) : N > 20 <- argo.act(counted).
+                """)
+                board.awaitMessage("counted", LIMIT_MS)
+            }
+        } }
+    }
+
     context("the world does not stand still for") {
         val drives = mapOf(
             "an atomic plan that calls itself" to """
