@@ -6,6 +6,7 @@ import picocli.CommandLine.ExitCode
 import picocli.CommandLine.Option
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.TypeConversionException
+import picocli.CommandLine.UnmatchedArgumentException
 import samples.collision.CollisionCommand
 import samples.lamp.BlinkCommand
 import samples.lamp.TwoBoardsCommand
@@ -13,19 +14,41 @@ import samples.delegation.DelegationCommand
 import samples.typedfilters.TypedFiltersCommand
 import kotlin.system.exitProcess
 
-/** Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. */
-fun main(args: Array<String>): Unit = exitProcess(commandLine().execute(*args))
+/**
+ * Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. `demo` is the sample
+ * `collision` under the name that it has at the front door.
+ */
+fun main(args: Array<String>): Unit = exitProcess(
+    if (args.firstOrNull() == "demo") {
+        commandLine(CollisionCommand(), "./argo demo").execute(*args.drop(1).toTypedArray())
+    } else {
+        commandLine(Samples(), "./argo sample").execute(*args)
+    },
+)
 
-private fun commandLine() = CommandLine(Samples())
-    .registerConverter(Int::class.java, ::wholeNumber)
+private fun commandLine(command: Any, name: String) = CommandLine(command)
+    .setCommandName(name)
+    .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
+    .registerConverter(Long::class.javaObjectType) { wholeNumber(it, String::toLongOrNull) }
     .setParameterExceptionHandler { wrong, _ ->
-        val command = wrong.commandLine
-        command.err.println(wrong.message)
-        command.err.println("${command.commandSpec.qualifiedName()} --help shows what there is")
+        val refused = wrong.commandLine
+        refused.err.println(reason(wrong))
+        refused.err.println("${refused.commandSpec.qualifiedName()} --help shows what there is")
         ExitCode.USAGE
     }
 
-private fun wholeNumber(text: String): Int = text.toIntOrNull() ?: throw TypeConversionException("$text is not a whole number that can be used here")
+private fun reason(wrong: ParameterException): String? {
+    val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()
+    val samples = wrong.commandLine.subcommands.keys
+    return when {
+        surplus == null -> wrong.message
+        samples.isEmpty() -> "there is nothing to do with '$surplus' here"
+        else -> "there is no sample '$surplus'; there are: ${samples.joinToString()}"
+    }
+}
+
+private fun <N> wholeNumber(text: String, read: (String) -> N?): N =
+    read(text) ?: throw TypeConversionException("$text is not a whole number that can be used here")
 
 @Command(
     name = "samples",

@@ -17,7 +17,10 @@ class CommandLineSpec : FunSpec({
             "collision --port sim:robot --seed 3" to "--seed is for the simulated robot",
             "collision --fast" to "Unknown option: '--fast'",
             "blink --seconds 0" to "--seconds is at least 1, not 0",
-            "race" to "'race'",
+            "collision --seed x" to "'--seed': x is not a whole number",
+            "collision faster" to "there is nothing to do with 'faster' here",
+            "race" to "there is no sample 'race'; there are: collision, blink",
+            "demo --limit far" to "./argo demo --help shows what there is",
             "" to "name a sample: collision, blink, delegation, two-boards",
         ).forEach { (line, reason) ->
             test("samples $line") {
@@ -34,8 +37,13 @@ class CommandLineSpec : FunSpec({
             test("samples $command".trim()) {
                 val (status, printed) = Program.run(*listOf(command, "--help").filter { it.isNotEmpty() }.toTypedArray())
                 status shouldBe 0
-                printed shouldStartWith "Usage: samples $command".trim()
+                printed shouldStartWith "Usage: ./argo sample $command".trim()
             }
+        }
+        test("the demo") {
+            val (status, printed) = Program.run("demo", "--help")
+            status shouldBe 0
+            printed shouldStartWith "Usage: ./argo demo"
         }
     }
 })
