@@ -12,7 +12,7 @@ open class percepts : BoardAction("argo.percepts", 1..1) {
         val open = when (call.args[0].toString()) {
             "open" -> true
             "block", "close" -> false
-            else -> throw ArgumentException("perception is set to open or block, not ${call.args[0]}")
+            else -> throw ArgumentException("perception is set to open, block or close, not ${call.args[0]}")
         }
         call.arch.perceive(open)
     }
