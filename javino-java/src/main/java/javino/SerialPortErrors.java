@@ -37,7 +37,7 @@ final class SerialPortErrors {
         String what = device.exists() && device.hasNode() ? device.path() + " is not a serial device, or nothing is connected to it"
                 : device.hasNode() ? "there is no port " + device.name() + " (looked for " + device.path() + ")"
                 : "there is no port " + device.name();
-        String present = ports.isEmpty() ? "there are no serial ports now; is the board plugged in?"
+        String present = ports.isEmpty() ? "there are no serial ports now (is the board plugged in?)"
                 : "the serial ports there are: " + String.join(", ", ports);
         String hint = device.hasNode() ? "; a pseudo-terminal is given by its path, as /dev/pts/3" + dosHint(device) : "";
         return new NoSuchPortException(device.name(), what + "; " + present + hint);

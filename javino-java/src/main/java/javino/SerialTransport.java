@@ -72,10 +72,16 @@ final class SerialTransport implements Transport {
     /** The names of the serial devices there are, in alphabetical order; none where jSerialComm cannot run. */
     static List<String> ports() {
         try {
-            return Arrays.stream(SerialPort.getCommPorts()).map(SerialPort::getSystemPortName).sorted().toList();
+            return Arrays.stream(SerialPort.getCommPorts()).map(SerialTransport::nameOf).sorted().toList();
         } catch (LinkageError e) {
             return List.of(); // opening one says why
         }
+    }
+
+    /** The name to open the port by: a device that is not in {@code /dev} itself, as pseudo-terminals are, has its path. */
+    private static String nameOf(SerialPort port) {
+        SerialDevice device = SerialDevice.of(port.getSystemPortName());
+        return device.hasNode() && !device.path().equals(port.getSystemPortPath()) ? port.getSystemPortPath() : device.name();
     }
 
     @Override
