@@ -21,6 +21,16 @@ class LinkFreshnessSpec : FunSpec({
         }
     }
 
+    test("a message that came of its own accord between two requests is not an answer") {
+        val board = VirtualBoard()
+        VirtualBench(RUNNING, board).use { bench ->
+            bench.link.request(REQUEST, 500) shouldBe "1;"
+            board.say(bench.millis + 50, "old;")
+            bench.awayFor(100)
+            bench.link.request(REQUEST, 500) shouldBe "2;"
+        }
+    }
+
     test("an answer that comes between two requests is dropped") {
         val board = VirtualBoard(answersAfter = 600.0)
         VirtualBench(RUNNING, board).use { bench ->

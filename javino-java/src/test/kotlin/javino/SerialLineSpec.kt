@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
 
 private const val LONG_MILLIS = 20_000
+private const val CLOSINGS = 30
 
 private val descriptors: Path = Path.of("/proc/self/fd")
 private val withProc: Enabled = when {
@@ -79,13 +80,13 @@ class SerialLineSpec : FunSpec({
     }
 
     onTerminals("what was written right before a port is closed is not dropped with it") { terminals ->
-        val bytes = ByteArray(200)
         SerialTransport.open(terminals.board, settings.line()).use { end ->
-            val arrived = (1..20).count {
-                SerialTransport.open(terminals.computer, settings.line()).use { it.write(bytes, 0, bytes.size, LONG_MILLIS) }
-                end.read(bytes, 0, bytes.size, 1_000) > 0
+            val arrived = (1..CLOSINGS).count { round ->
+                SerialTransport.open(terminals.computer, settings.line()).use { it.write(byteArrayOf(round.toByte()), 0, 1, LONG_MILLIS) }
+                val byte = ByteArray(1)
+                end.read(byte, 0, 1, 500) == 1 && byte[0] == round.toByte()
             }
-            arrived shouldBeGreaterThan 17 // a machine that is very busy moves the bytes later than any closing can wait for
+            arrived shouldBeGreaterThan CLOSINGS - 4 // a machine that is very busy moves bytes later than any closing can wait for
         }
     }
 
