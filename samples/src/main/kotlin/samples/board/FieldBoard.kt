@@ -29,26 +29,23 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
     fun run(line: Transport) {
         var message: String? = null
         val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line())) { message = it.text() }
-        val arrived = ByteArray(MOST_WAITING)
-        var hasLookedAway = false
+        val unread = Unread(line, clock)
         while (true) {
-            val count = line.read(arrived, 0, if (hasLookedAway) arrived.size else 1, READ_LIMIT_MS)
-            if (count == 0) decoder.idle(clock.nanos()) else decoder.accept(arrived, 0, count, clock.nanos())
-            hasLookedAway = message?.let { handle(it, line) } ?: false
+            val burst = unread.take()
+            if (burst.isEmpty()) decoder.idle(clock.nanos())
+            decoder.accept(burst, 0, burst.size, clock.nanos())
+            message?.let { handle(it, line, unread) }
             message = null
         }
     }
 
-    /** Does what [message] asks for; returns whether that took time in which the board did not read. */
-    private fun handle(message: String, line: Transport): Boolean {
-        if (message != REQUEST) {
-            sketch.act(message)
-            return false
-        }
+    private fun handle(message: String, line: Transport, unread: Unread) {
+        if (message != REQUEST) return sketch.act(message)
         val answer = Frame.of(sketch.percepts()).toBytes()
         line.write(answer, 0, answer.size, WRITE_LIMIT_MS)
-        pause(answer.size * line.line().byteNanos())
-        return true
+        val end = clock.nanos() + answer.size * line.line().byteNanos()
+        pause(end - clock.nanos())
+        unread.lookedAwayUntil(end)
     }
 
     private fun pause(nanos: Long) = lock.withLock {
@@ -58,8 +55,41 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
 
     private companion object {
         const val REQUEST = "getPercepts"
+        const val WRITE_LIMIT_MS = 10_000
+    }
+}
+
+/**
+ * What has arrived at a board and has not been read: byte by byte, but all at once what came while it looked away.
+ *
+ * A machine that is busy with other things wakes the board too late. What has arrived since it should have looked again is not
+ * part of the burst, or commands would be lost that no real board loses.
+ */
+private class Unread(private val line: Transport, private val clock: LineClock) {
+    private val arrived = ByteArray(MOST_WAITING)
+    private var waiting = ByteArray(0)
+    private var lookedAwayUntil: Long? = null
+
+    /** The board has not looked until then, by the line's clock. */
+    fun lookedAwayUntil(end: Long) {
+        lookedAwayUntil = end
+    }
+
+    /** The next bytes to read; empty if none came for a while. */
+    fun take(): ByteArray {
+        val end = lookedAwayUntil
+        if (end != null || waiting.isEmpty()) {
+            val count = line.read(arrived, 0, if (end == null) 1 else arrived.size, READ_LIMIT_MS)
+            waiting += arrived.copyOf(count)
+        }
+        val late = if (end == null) 0 else ((clock.nanos() - end) / line.line().byteNanos()).coerceIn(0, waiting.size.toLong()).toInt()
+        val burst = if (end == null) minOf(1, waiting.size) else waiting.size - late
+        lookedAwayUntil = null
+        return waiting.copyOf(burst).also { waiting = waiting.copyOfRange(burst, waiting.size) }
+    }
+
+    private companion object {
         const val MOST_WAITING = 4096
         const val READ_LIMIT_MS = 100
-        const val WRITE_LIMIT_MS = 10_000
     }
 }
