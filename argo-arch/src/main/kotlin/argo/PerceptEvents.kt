@@ -15,7 +15,7 @@ import java.util.IdentityHashMap
  * @param queue the agent's event queue, which any thread may go through
  */
 internal class PerceptEvents(private val queueStands: () -> Boolean = { false }, private val queue: () -> Collection<Event>) {
-    /** The last snapshot's events that were still in the queue when it was last looked at; null: it has not been since. */
+    /** The percept events that were in the queue once the last snapshot had been taken in; null: it has not been, or the queue stands. */
     @Volatile
     private var awaited: Set<Event>? = null
 
@@ -26,6 +26,7 @@ internal class PerceptEvents(private val queueStands: () -> Boolean = { false },
 
     /** The last snapshot has been taken in: later events than those that are in the queue now are not its own. */
     fun takenIn() {
+        if (awaited != null || queueStands()) return // once for each snapshot: an atomic plan can leave tens of thousands of events
         awaited = queue().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }
     }
 

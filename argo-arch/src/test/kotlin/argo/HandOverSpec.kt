@@ -54,6 +54,23 @@ class HandOverSpec : FunSpec({
             handOver.take()?.receivedNanos shouldBe 2
         }
 
+        test("a long queue, as an atomic plan leaves it, is not gone through in each perception") {
+            var looks = 0
+            val events = ArrayDeque<Event>()
+            val queue = object : AbstractCollection<Event>() {
+                override val size get() = events.size
+                override fun iterator() = events.asSequence().onEach { looks++ }.iterator()
+            }
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            handOver.put(snapshot(1))
+            handOver.take()
+            repeat(1_000) { events += percept("+dist(f,$it)[source(percept)]") }
+            handOver.put(snapshot(2))
+            while (handOver.take() == null) events.removeFirst()
+            events.size shouldBe 0
+            check(looks < 10_000) { "$looks looks at 1000 events" }
+        }
+
         test("a snapshot of an older message does not take the place of a newer one") {
             val handOver = FreshHandOver(CommandLedger(), noEvents)
             handOver.put(snapshot(2))
