@@ -88,14 +88,18 @@ class HandOverSpec : FunSpec({
             handOver.take()?.receivedNanos shouldBe 2
         }
 
-        test("does not wait for events while Jason takes none, as in an atomic plan") {
+        test("while Jason takes no events, as in an atomic plan, it waits a while instead, so that not too many pile up") {
             val queue = ArrayDeque<Event>()
             var stands = true
-            val handOver = FreshHandOver(CommandLedger(), PerceptEvents({ stands }) { queue })
+            var nowMs = 0L
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents({ stands }, { nowMs }) { queue })
             handOver.put(snapshot(1))
             handOver.take()
             queue += percept("+dist(f,1)[source(percept)]")
             handOver.put(snapshot(2))
+            nowMs = 99
+            handOver.take() shouldBe null
+            nowMs = 100
             handOver.take()?.receivedNanos shouldBe 2
             stands = false
             handOver.put(snapshot(3))
