@@ -20,8 +20,14 @@
     !start.
 
 +!start <-
+    .wait(dist(f, _)); // nor into one that has not been seen yet
     .act(front);
     +status(front);
+    !moving.
+
++!moving : port(_, timeout) & status(front) <- // nobody drives into a world that is not seen any more
+    .act(stop);
+    .wait(not port(_, timeout));
     !moving.
 
 +!moving : dist(f, Cm) & value(Limit) & Cm > Limit & status(front) <-

@@ -71,13 +71,15 @@ internal class Commands(private val link: Link, private val owner: String, priva
         if (closed) wasClosed() else failureOf(trouble) // close() interrupts what the link has not ended yet
     } catch (unforeseen: RuntimeException) { // the commands behind it must go on, whatever a transport throws
         Failure("port_failed", "$unforeseen")
+    } catch (unforeseen: LinkageError) { // the driver's native library
+        Failure("port_failed", "$unforeseen")
     }
 
     private fun failWaiting() {
         while (true) finish(queue.poll() ?: return, wasClosed())
     }
 
-    private fun wasClosed() = Failure("port_gone", "the port ${link.port()} was closed before it was sent")
+    private fun wasClosed() = Failure("port_gone", "the port ${link.port()} was closed, or its device went, before it was sent")
 
     private fun finish(command: Command, failure: Failure?) {
         command.outcome(failure)

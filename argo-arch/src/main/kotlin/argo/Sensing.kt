@@ -125,9 +125,16 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
     } catch (trouble: PortException) {
         listener.lost(port, trouble)
         false
-    } catch (unforeseen: RuntimeException) { // a thread that dies silently would leave a stale world
-        listener.lost(port, PortFaultException(port.link.port(), "sensing ended: $unforeseen", unforeseen))
-        false
+    } catch (unforeseen: RuntimeException) {
+        unforeseen(unforeseen)
+    } catch (unforeseen: LinkageError) { // the driver's native library
+        unforeseen(unforeseen)
+    }
+
+    /** A thread that dies silently would leave a stale world. */
+    private fun unforeseen(cause: Throwable): Boolean {
+        listener.lost(port, PortFaultException(port.link.port(), "sensing ended: $cause", cause))
+        return false
     }
 
     private companion object {

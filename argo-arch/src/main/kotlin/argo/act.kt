@@ -33,6 +33,7 @@ private fun commandText(term: Term): String {
         term is Literal && !term.isList -> term.toString()
         else -> throw ArgumentException("a command is a literal such as ledOn or speed(120), not $term")
     }
+    if (text.isEmpty()) throw ArgumentException("a command has at least one character")
     try {
         return Frame.of(text).text()
     } catch (unsendable: IllegalArgumentException) {

@@ -39,6 +39,8 @@ open class change_filter : BoardAction("argo.change_filter", 1..1) {
         throw call.failure("bad_filter", refused.message.orEmpty())
     } catch (broken: ServiceConfigurationError) {
         throw call.failure("bad_filter", "a filter provider on the class path cannot be used: ${broken.message}")
+    } catch (broken: RuntimeException) {
+        throw call.failure("bad_filter", "looking for the filter $name ended in $broken")
     } catch (unreadable: IOException) {
         throw call.failure("bad_filter", "the filter $name cannot be read: $unreadable")
     }

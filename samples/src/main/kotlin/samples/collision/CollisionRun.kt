@@ -41,7 +41,7 @@ internal class CollisionRun(private val levels: Levels, private val progress: Pr
     private fun project() = SampleProject("collision").apply {
         believe(
             AGENT,
-            createLiteral("board", createString(levels.port ?: SIMULATED), createList(createLiteral("baud", createNumber(levels.baud.toDouble())))),
+            createLiteral("board", createString(levels.port ?: SIMULATED), createList(createLiteral("baud", createNumber(levels.baud.toDouble())), createLiteral("timeout", createNumber(ANSWER_LIMIT_MS)))),
             createLiteral("value", createNumber(levels.limit.toDouble())),
             createLiteral("interval", createNumber(levels.interval.toDouble())),
             createLiteral("view", createAtom(levels.filter)),
@@ -97,6 +97,9 @@ internal class CollisionRun(private val levels: Levels, private val progress: Pr
         const val STOPPED = "stopped"
         val OPEN = setOf("on", "timeout")
         const val SIMULATED = "sim:${RobotBoard.NAME}"
+
+        /** How long the board may take to answer, in ms: three times what it takes at 9600 baud while a command waits. */
+        const val ANSWER_LIMIT_MS = 1000.0
         const val LOOK_MS = 50L
         const val LONGEST_S = 60L
         const val NANOS_PER_SECOND = 1_000_000_000L
