@@ -40,6 +40,7 @@ internal class Waker(private val arch: AgArch) {
         if (!arch.isRunning) return
         arch.firstAgArch.wakeUpSense()
         arch.firstAgArch.wakeUpDeliberate()
+        arch.firstAgArch.wake() // JADE's architecture knows this call alone
         if (repeatMs <= LAST_REPEAT_MS) later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
     }
 

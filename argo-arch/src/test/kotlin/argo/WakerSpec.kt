@@ -2,6 +2,7 @@ package argo
 
 import argo.jason.eventually
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainAll
 import jason.architecture.AgArch
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -17,5 +18,17 @@ class WakerSpec : FunSpec({
         waker.perceives()
         waker.wakeIn(1)
         eventually({ "${wakes.get()} wake-ups" }) { wakes.get() >= 4 }
+    }
+
+    test("an agent is woken by each call that one infrastructure or another knows") {
+        val calls = HashSet<String>()
+        val arch = object : AgArch() {
+            override fun isRunning() = true
+            override fun wake() { calls += "wake" }
+            override fun wakeUpSense() { calls += "wakeUpSense" }
+            override fun wakeUpDeliberate() { calls += "wakeUpDeliberate" }
+        }
+        Waker(arch).wake { true }
+        calls shouldContainAll setOf("wake", "wakeUpSense", "wakeUpDeliberate")
     }
 })
