@@ -1,10 +1,14 @@
 package javino;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
- * One message of version 1 of the Javino protocol: {@code fffe}, the payload's length in two hexadecimal digits, the payload.
+ * What travels as a unit: of version 1 of the Javino protocol {@code fffe}, the payload's length in two hexadecimal digits, the payload; of
+ * version 2 {@code fffd}, the length, a digit of flags, a digit that counts the sender's frames, the payload, and four digits of
+ * CRC-16/CCITT-FALSE over all of that but the preamble. In version 1 a frame is a message; in version 2 it may be a part of one.
  *
  * <p>A payload is 0 to {@value #MAX_PAYLOAD} bytes. As text it is read as ISO-8859-1, one byte a character, whatever the
  * platform's charset is, so that bytes outside ASCII are carried untouched. Immutable, hence safe on any thread.
@@ -13,20 +17,47 @@ public final class Frame {
     /** The longest payload, in bytes: the length field has two hexadecimal digits. */
     public static final int MAX_PAYLOAD = 255;
 
-    /** Bytes on the line before the payload: four of preamble, two of length. */
+    /** Bytes on the line that begin a frame of either version, and all before the payload in version 1: four of preamble, two of length. */
     public static final int HEADER_LENGTH = 6;
 
-    private static final byte[] PREAMBLE = {'f', 'f', 'f', 'e'};
+    /** Flag of version 2: more fragments of the same message follow. */
+    public static final int MORE = 1;
+
+    /** Flag of version 2: the sender repeats this frame until it is acknowledged or refused. */
+    public static final int ACK_WANTED = 2;
+
+    /** Flag of version 2: the action with this sequence number has been carried out. */
+    public static final int ACK = 4;
+
+    /** Flag of version 2: the action with this sequence number is unknown or malformed. */
+    public static final int REFUSAL = 8;
+
+    /** Bytes before the payload in version 2. */
+    static final int HEADER_LENGTH_2 = HEADER_LENGTH + 2;
+
+    /** Bytes behind the payload in version 2. */
+    static final int CRC_LENGTH = 4;
+
+    /** Sequence numbers count modulo this. */
+    static final int SEQUENCES = 16;
+
+    private static final int PREAMBLE_LENGTH = 4;
     private static final char[] DIGITS = "0123456789ABCDEF".toCharArray();
 
+    private final int version;
+    private final int flags;
+    private final int sequence;
     private final byte[] payload;
 
-    private Frame(byte[] payload) {
+    private Frame(int version, int flags, int sequence, byte[] payload) {
+        this.version = version;
+        this.flags = flags;
+        this.sequence = sequence;
         this.payload = payload;
     }
 
     /**
-     * The frame that carries {@code text}.
+     * The version 1 frame that carries {@code text}.
      *
      * @throws IllegalArgumentException if the text has more than {@value #MAX_PAYLOAD} characters, or one above U+00FF,
      *     which does not fit into a byte
@@ -41,22 +72,65 @@ public final class Frame {
             }
         }
         checkLength(text.length(), text);
-        return new Frame(text.getBytes(StandardCharsets.ISO_8859_1));
+        return new Frame(1, 0, 0, text.getBytes(StandardCharsets.ISO_8859_1));
     }
 
     /**
-     * The frame that carries a copy of {@code payload}.
+     * The version 1 frame that carries a copy of {@code payload}.
      *
      * @throws IllegalArgumentException if the payload has more than {@value #MAX_PAYLOAD} bytes
      */
     public static Frame of(byte[] payload) {
         checkLength(payload.length, new String(payload, StandardCharsets.ISO_8859_1));
-        return new Frame(payload.clone());
+        return new Frame(1, 0, 0, payload.clone());
     }
 
-    /** The frame that carries a copy of {@code length} bytes of {@code source}; the caller has checked the length. */
+    /**
+     * The version 2 frame that carries a copy of {@code payload}.
+     *
+     * @param flags 0, or the sum of some of {@link #MORE}, {@link #ACK_WANTED}, {@link #ACK} and {@link #REFUSAL}
+     * @param sequence the sender's count of frames modulo 16; a frame that is sent again has the same, an acknowledgement that of its action
+     * @throws IllegalArgumentException if the payload has more than {@value #MAX_PAYLOAD} bytes, or another argument is not 0 to 15
+     */
+    public static Frame version2(byte[] payload, int flags, int sequence) {
+        checkLength(payload.length, new String(payload, StandardCharsets.ISO_8859_1));
+        checkDigit("flags", flags);
+        checkDigit("a sequence number", sequence);
+        return new Frame(2, flags, sequence, payload.clone());
+    }
+
+    /** This frame's payload as version 2 sends it; as {@link #version2(byte[], int, int)}. */
+    Frame toVersion2(int flags, int sequence) {
+        return new Frame(2, flags, sequence, payload);
+    }
+
+    /** The version 2 frames of one message of any length, in their order; {@code sequence} is the first one's. */
+    static List<Frame> fragments(byte[] message, int sequence) {
+        List<Frame> frames = new ArrayList<>();
+        int from = 0;
+        do {
+            int to = Math.min(message.length, from + MAX_PAYLOAD);
+            int flags = to < message.length ? MORE : 0;
+            frames.add(new Frame(2, flags, (sequence + frames.size()) % SEQUENCES, Arrays.copyOfRange(message, from, to)));
+            from = to;
+        } while (from < message.length);
+        return frames;
+    }
+
+    /** The version 1 frame that carries a copy of {@code length} bytes of {@code source}; the caller has checked the length. */
     static Frame copyOf(byte[] source, int offset, int length) {
-        return new Frame(Arrays.copyOfRange(source, offset, offset + length));
+        return new Frame(1, 0, 0, Arrays.copyOfRange(source, offset, offset + length));
+    }
+
+    /** As {@link #copyOf}, of version 2. */
+    static Frame copyOf2(byte[] source, int offset, int length, int flags, int sequence) {
+        return new Frame(2, flags, sequence, Arrays.copyOfRange(source, offset, offset + length));
+    }
+
+    private static void checkDigit(String what, int value) {
+        if (value < 0 || value >= SEQUENCES) {
+            throw new IllegalArgumentException(what + " of a frame is 0 to " + (SEQUENCES - 1) + ", but " + value + " was given");
+        }
     }
 
     private static void checkLength(int length, String text) {
@@ -70,6 +144,25 @@ public final class Frame {
         return text.length() <= 40 ? '"' + text + '"' : '"' + text.substring(0, 40) + "...\"";
     }
 
+    /** The version of the protocol that this frame is of: 1 or 2. */
+    public int version() {
+        return version;
+    }
+
+    /** The flags, a sum of {@link #MORE} and so on; version 1 has none: 0. */
+    public int flags() {
+        return flags;
+    }
+
+    /** The sequence number, 0 to 15; version 1 has none: 0. */
+    public int sequence() {
+        return sequence;
+    }
+
+    boolean has(int flag) {
+        return (flags & flag) != 0;
+    }
+
     /** A copy of the payload's bytes. */
     public byte[] payload() {
         return payload.clone();
@@ -80,29 +173,43 @@ public final class Frame {
         return new String(payload, StandardCharsets.ISO_8859_1);
     }
 
-    /** Bytes this frame takes on the line: its payload and {@value #HEADER_LENGTH} of header. */
+    /** Bytes this frame takes on the line: its payload and what is around it, {@value #HEADER_LENGTH} in version 1 and 12 in version 2. */
     public int length() {
-        return HEADER_LENGTH + payload.length;
+        return (version == 1 ? HEADER_LENGTH : HEADER_LENGTH_2 + CRC_LENGTH) + payload.length;
     }
 
-    /** The bytes for the line, in an array of the caller's own; the length is written in upper-case digits. */
+    /** The bytes for the line, in an array of the caller's own; digits are written in upper case. */
     public byte[] toBytes() {
-        byte[] bytes = Arrays.copyOf(PREAMBLE, length());
-        bytes[4] = (byte) DIGITS[payload.length >> 4];
-        bytes[5] = (byte) DIGITS[payload.length & 0xF];
-        System.arraycopy(payload, 0, bytes, HEADER_LENGTH, payload.length);
+        byte[] bytes = new byte[length()];
+        Arrays.fill(bytes, 0, PREAMBLE_LENGTH - 1, (byte) 'f');
+        bytes[PREAMBLE_LENGTH - 1] = (byte) (version == 1 ? 'e' : 'd');
+        putDigits(bytes, PREAMBLE_LENGTH, 2, payload.length);
+        int before = version == 1 ? HEADER_LENGTH : HEADER_LENGTH_2;
+        System.arraycopy(payload, 0, bytes, before, payload.length);
+        if (version == 2) {
+            putDigits(bytes, HEADER_LENGTH, 2, flags << 4 | sequence);
+            int checked = HEADER_LENGTH_2 - PREAMBLE_LENGTH + payload.length;
+            putDigits(bytes, bytes.length - CRC_LENGTH, CRC_LENGTH, Crc16.of(bytes, PREAMBLE_LENGTH, checked));
+        }
         return bytes;
     }
 
-    /** Whether {@code other} is a frame with the same payload. */
+    private static void putDigits(byte[] bytes, int offset, int count, int value) {
+        for (int i = 0; i < count; i++) {
+            bytes[offset + i] = (byte) DIGITS[value >> 4 * (count - 1 - i) & 0xF];
+        }
+    }
+
+    /** Whether {@code other} is a frame of the same bytes. */
     @Override
     public boolean equals(Object other) {
-        return other instanceof Frame frame && Arrays.equals(payload, frame.payload);
+        return other instanceof Frame frame && version == frame.version && flags == frame.flags && sequence == frame.sequence
+                && Arrays.equals(payload, frame.payload);
     }
 
     @Override
     public int hashCode() {
-        return Arrays.hashCode(payload);
+        return 31 * (version << 8 | flags << 4 | sequence) + Arrays.hashCode(payload);
     }
 
     /** The frame as it is on the line, for logs and test reports. */
