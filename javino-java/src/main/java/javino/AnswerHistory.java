@@ -35,6 +35,16 @@ final class AnswerHistory {
         asked = 0;
     }
 
+    /** Says how long an answer took that was asked for more than once. */
+    void took(long nanos) {
+        longestNanos = Math.max(longestNanos, nanos);
+    }
+
+    /** Nanoseconds after which an answer is late: twice the longest that one has taken, at least {@code leastNanos}; if none is known, never. */
+    long patienceNanos(long leastNanos) {
+        return longestNanos == 0 ? Long.MAX_VALUE / 2 : Math.max(leastNanos, 2 * longestNanos);
+    }
+
     /** Says that the line has fallen silent: nothing is owed any more. */
     void settled() {
         asked = 0;

@@ -163,6 +163,11 @@ public final class Frame {
         return (flags & flag) != 0;
     }
 
+    /** Bytes of payload. */
+    int payloadLength() {
+        return payload.length;
+    }
+
     /** A copy of the payload's bytes. */
     public byte[] payload() {
         return payload.clone();

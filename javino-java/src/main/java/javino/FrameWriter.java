@@ -140,6 +140,17 @@ final class FrameWriter {
         }
     }
 
+    /** Says that the board speaks version 2. */
+    void boardIsVersion2() {
+        lock.lock();
+        try {
+            schedule.boardIsVersion2();
+            changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
     /** Says that the line is gone: who waits here, or comes later, gets a {@link PortGoneException} with {@code why}. */
     void end(String why) {
         lock.lock();

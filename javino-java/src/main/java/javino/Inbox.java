@@ -2,57 +2,125 @@ package javino;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 
-/** Reads a line on the caller's thread and keeps the messages that came. One thread at a time. */
+/**
+ * Reads a line and keeps what came until it is asked for: messages, and what the board says of an action.
+ *
+ * <p>There is no thread for it: of those who wait for something one reads, keeps what is for the others, and leaves the reading to the next
+ * when it has what it waits for. One thread at a time waits for messages, and one for the outcome of an action.
+ */
 final class Inbox {
+    /** What a board says of an action. */
+    enum Outcome { DONE, REFUSED }
+
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int BUFFER = 1024;
     /** Reads at most, one after the other, of what a line has ready: more than any driver holds, but an end for a line that never rests. */
     private static final int READS = 64;
 
-    private final Deque<Frame> messages = new ArrayDeque<>();
-    private final byte[] buffer = new byte[BUFFER];
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition changed = lock.newCondition();
+    private final Deque<Message> messages = new ArrayDeque<>();
+    private final byte[] buffer = new byte[BUFFER]; // belongs to who reads
     private final Transport transport;
     private final LineClock clock;
     private final FrameDecoder decoder;
+    private final Fragments fragments;
     private final LongConsumer received;
-    private long lastByteNanos;
+    private final long interByteTimeoutNanos;
+    private boolean beingRead;
+    private boolean version2; // and nothing else
+    private int awaited; // the action whose outcome is waited for
+    private Outcome outcome;
+    private long wasted; // bytes that had made no frame by the last one that did, or a silence behind them
+    private volatile long lastByteNanos;
 
-    /** @param received told the time whenever bytes have arrived */
+    /**
+     * An inbox for version 1.
+     *
+     * @param received told the time whenever bytes have arrived
+     */
     Inbox(Transport transport, LineClock clock, LongConsumer received) {
+        this(transport, clock, received, Protocol.V1, Frame.MAX_PAYLOAD);
+    }
+
+    /**
+     * @param received told the time whenever bytes have arrived
+     * @param messageLimit bytes that a message of several fragments has at most
+     */
+    Inbox(Transport transport, LineClock clock, LongConsumer received, Protocol protocol, int messageLimit) {
         this.transport = transport;
         this.clock = clock;
         this.received = received;
-        decoder = new FrameDecoder(FrameDecoder.interByteTimeoutNanos(transport.line()), messages::add);
+        interByteTimeoutNanos = FrameDecoder.interByteTimeoutNanos(transport.line());
+        decoder = new FrameDecoder(interByteTimeoutNanos, protocol, this::keep);
+        fragments = new Fragments(messageLimit);
+        version2 = protocol == Protocol.V2;
         lastByteNanos = clock.nanos();
     }
 
-    /** The next message, or null if none is complete when the clock shows {@code deadlineNanos}; one that has passed does not wait. */
-    Frame next(long deadlineNanos) throws PortException {
-        while (messages.isEmpty()) {
-            long now = clock.nanos();
-            long left = Math.max(0, deadlineNanos - now);
-            readFor(Math.min(left, decoder.nanosUntilIdle(now)));
-            if (left == 0) {
-                break;
-            }
+    /** Reads this version alone from now on. */
+    void read(Protocol protocol) {
+        lock.lock();
+        try {
+            version2 = protocol == Protocol.V2;
+            decoder.read(protocol);
+        } finally {
+            lock.unlock();
         }
-        return messages.poll();
+    }
+
+    /** The next message, or null if none is complete when the clock shows {@code deadlineNanos}; one that has passed does not wait. */
+    Message next(long deadlineNanos) throws PortException {
+        return await(messages::poll, deadlineNanos);
+    }
+
+    /** Says that action {@code sequence} is about to go out; outcomes of others are of no interest any more. */
+    void expectOutcome(int sequence) {
+        lock.lock();
+        try {
+            awaited = sequence;
+            outcome = null;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** The outcome of the action that is expected, or null if it is not known when the clock shows {@code deadlineNanos}. */
+    Outcome outcome(long deadlineNanos) throws PortException {
+        return await(() -> outcome, deadlineNanos);
     }
 
     /** Reads what the line has ready, and returns the newest message among that and what was read before, or null. */
-    Frame newest() throws PortException {
-        for (int reads = 0; reads < READS && readFor(0) > 0; reads++) { }
-        Frame newest = messages.peekLast();
-        messages.clear();
-        return newest;
+    Message newest() throws PortException {
+        lock.lock();
+        try {
+            for (int reads = 0; reads < READS && !beingRead && readFor(0) > 0; reads++) { }
+            Message newest = messages.peekLast();
+            messages.clear();
+            return newest;
+        } finally {
+            lock.unlock();
+        }
     }
 
-    /** Reads what the line has ready, and forgets it with all that was read before, unfinished messages too. */
+    /** Reads what the line has ready, and forgets all messages with that and what was read before, unfinished ones too. */
     void clear() throws PortException {
-        newest();
-        decoder.reset();
+        lock.lock();
+        try {
+            newest();
+            if (!version2) {
+                decoder.reset(); // in version 2 what is unfinished may be the outcome of an action
+            }
+            fragments.asked();
+            wasted = decoder.discarded();
+        } finally {
+            lock.unlock();
+        }
     }
 
     /** When the last byte arrived. */
@@ -60,9 +128,60 @@ final class Inbox {
         return lastByteNanos;
     }
 
+    /** Whether bytes have come that made no frame. */
+    boolean hasHeardNoise() {
+        lock.lock();
+        try {
+            return decoder.discarded() > 0;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Frames so far whose checksum was wrong. */
+    long corrupt() {
+        lock.lock();
+        try {
+            return decoder.corrupt();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private <T> T await(Supplier<T> wanted, long deadlineNanos) throws PortException {
+        lock.lock();
+        try {
+            for (T found = wanted.get(); true; found = wanted.get()) {
+                long now = clock.nanos();
+                long left = Math.max(0, deadlineNanos - now);
+                if (found != null || left == 0 && beingRead) {
+                    return found;
+                }
+                if (beingRead) {
+                    awaitReader(left);
+                } else {
+                    readFor(Math.min(left, decoder.nanosUntilIdle(now)));
+                    if (left == 0) {
+                        return wanted.get();
+                    }
+                }
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void awaitReader(long nanos) throws PortInterruptedException {
+        try {
+            clock.await(changed, nanos);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new PortInterruptedException(transport.name());
+        }
+    }
+
     private int readFor(long nanos) throws PortException {
-        long millis = nanos / NANOS_PER_MILLI + (nanos % NANOS_PER_MILLI > 0 ? 1 : 0);
-        int count = transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE));
+        int count = readUnlocked(nanos / NANOS_PER_MILLI + (nanos % NANOS_PER_MILLI > 0 ? 1 : 0));
         long now = clock.nanos();
         if (count > 0) {
             lastByteNanos = now;
@@ -70,7 +189,47 @@ final class Inbox {
             received.accept(now);
         } else {
             decoder.idle(now);
+            noteSilence(now);
         }
         return count;
+    }
+
+    private int readUnlocked(long millis) throws PortException {
+        beingRead = true;
+        lock.unlock();
+        try {
+            return transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE));
+        } finally {
+            lock.lock();
+            beingRead = false;
+            changed.signalAll(); // it takes effect when the lock is free, hence after what was read has been kept
+        }
+    }
+
+    private void noteSilence(long now) {
+        if (decoder.discarded() > wasted && now - lastByteNanos > interByteTimeoutNanos) {
+            wasted = decoder.discarded();
+            fragments.excuse();
+        }
+    }
+
+    private void keep(Frame frame) {
+        if (frame.version() == 1) {
+            messages.add(new Message(1, frame.text()));
+        } else if (frame.has(Frame.ACK | Frame.REFUSAL)) {
+            keepOutcome(frame);
+        } else {
+            Message message = fragments.accept(frame, decoder.discarded() > wasted);
+            wasted = decoder.discarded();
+            if (message != null) {
+                messages.add(message);
+            }
+        }
+    }
+
+    private void keepOutcome(Frame frame) {
+        if (frame.sequence() == awaited && outcome == null) {
+            outcome = frame.has(Frame.REFUSAL) ? Outcome.REFUSED : Outcome.DONE;
+        }
     }
 }

@@ -13,7 +13,8 @@ package javino;
  *       {@value #QUIET_MILLIS} ms;
  *   <li>a request waits until it has had time for the actions it got meanwhile.
  * </ul>
- * A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
+ * Version 2 boards hold what they receive, and acknowledge actions, of which one is on its way at a time. They are left their receive buffer,
+ * and no other courtesy. A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class LineSchedule {
     static final int QUIET_MILLIS = 50;
@@ -27,6 +28,7 @@ final class LineSchedule {
     private final long byteNanos;
     private final long spacingNanos;
     private final int boardQueue;
+    private boolean version2;
 
     private long lineFreeAt;
     private long frameEnd; // of the last frame
@@ -47,6 +49,12 @@ final class LineSchedule {
         frameEnd = now - spacingNanos;
         actionEnd = now - spacingNanos;
         busyUntil = now;
+        version2 = settings.protocol() == Protocol.V2;
+    }
+
+    /** Says that the board speaks version 2. */
+    void boardIsVersion2() {
+        version2 = true;
     }
 
     /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
@@ -54,7 +62,7 @@ final class LineSchedule {
         if (!paced) {
             return 0;
         }
-        long at = later(lineFreeAt, frameEnd + spacingNanos - bytes * byteNanos);
+        long at = version2 ? lineFreeAt : later(lineFreeAt, frameEnd + spacingNanos - bytes * byteNanos);
         if (overfills(bytes)) {
             at = later(at, busyUntil);
         }
@@ -65,6 +73,9 @@ final class LineSchedule {
     long nanosUntilRequest(long now) {
         if (!paced) {
             return 0;
+        }
+        if (version2) {
+            return Math.max(0, lineFreeAt - now);
         }
         long at = later(lineFreeAt, actionEnd + spacingNanos);
         if (actionsMeanwhile > 0) {
@@ -134,7 +145,7 @@ final class LineSchedule {
     }
 
     private boolean overfills(int bytes) {
-        return actionsMeanwhile >= boardQueue || bytesMeanwhile + bytes > RECEIVE_BUFFER;
+        return !version2 && actionsMeanwhile >= boardQueue || bytesMeanwhile + bytes > RECEIVE_BUFFER;
     }
 
     private boolean mayBeBusy(long now) {

@@ -15,24 +15,34 @@ import java.util.concurrent.locks.ReentrantLock;
  * come from the board, or {@link LinkSettings#bootMillis()} since opening have passed, a request is repeated every 250 ms (or its own time
  * limit, if that is shorter), and the first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  *
+ * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with it:
+ * what is asked first is asked in version 2, and if there is no answer within 0.4 s, in version 1. From a board of version 2 messages come
+ * whole or not at all, and {@link #send} knows what became of an action.
+ *
  * <p>Once the device has gone, or the link is closed, every call throws {@link PortGoneException}, those that wait promptly, and the port is
  * free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
  */
 public final class Link implements AutoCloseable {
+    private static final long LONGEST_WAIT_NANOS = 600_000_000L;
+
     private final ReentrantLock ending = new ReentrantLock();
     private final ReentrantLock reading = new ReentrantLock(true); // fair: a sender that must wait for readiness gets its turn too
     private final Transport transport;
     private final LinkSettings settings;
     private final PortOwners.Claim claim;
     private final FrameWriter writer;
+    private final Inbox inbox;
     private final Exchange exchange; // used by who holds reading
+    private final Delivery delivery;
 
     Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
         this.transport = transport;
         this.settings = settings;
         this.claim = claim;
         writer = new FrameWriter(transport, new LineSchedule(settings, clock.nanos()), clock);
-        exchange = new Exchange(new Inbox(transport, clock, writer::received), writer, clock, settings.bootMillis());
+        inbox = new Inbox(transport, clock, writer::received, settings.protocol(), settings.messageLimit());
+        exchange = new Exchange(inbox, writer, clock, settings);
+        delivery = new Delivery(transport.name(), inbox, writer, clock, settings.line());
     }
 
     /**
@@ -74,6 +84,16 @@ public final class Link implements AutoCloseable {
         return settings;
     }
 
+    /** The version that is spoken; {@link Protocol#AUTO} while it has not been found out. */
+    public Protocol protocol() {
+        return exchange.protocol();
+    }
+
+    /** Frames of version 2 that have arrived with a wrong checksum and were dropped. */
+    public long corruptFrames() {
+        return inbox.corrupt();
+    }
+
     /** Whether it can be used: it was not closed, and no call has found its device gone. */
     public boolean isOpen() {
         return writer.hasLine();
@@ -93,7 +113,7 @@ public final class Link implements AutoCloseable {
         Frame request = Frame.of(message);
         requireTime(timeoutMillis);
         return reading(() -> {
-            Frame answer = exchange.request(request, timeoutMillis);
+            Message answer = exchange.request(request, timeoutMillis);
             if (answer == null) {
                 throw new PortTimeoutException(port(), "port " + port() + " gave no answer to \"" + message + "\" within " + timeoutMillis
                         + " ms; does the board run a Javino sketch at " + settings.baud() + " baud?");
@@ -103,9 +123,13 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Sends an action and returns when its last byte has left by the line's rate (if the link is not paced: when the driver has it).
+     * Sends an action. To a version 1 board: returns when its last byte has left by the line's rate (if the link is not paced: when the
+     * driver has it). To a version 2 board: returns when the board has said that it has acted; until then the action is sent up to four times,
+     * which the board takes for one, and it is waited for up to some five seconds, less if the board is known to be quick.
      *
      * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
+     * @throws ActionRefusedException if a version 2 board does not know the action, or not with these arguments
+     * @throws ActionUnconfirmedException if a version 2 board has not said that it acted; it may have
      * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some of it
      *     may have been
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
@@ -114,8 +138,12 @@ public final class Link implements AutoCloseable {
         Frame action = Frame.of(message);
         requireTime(timeoutMillis);
         noticing(() -> {
-            if (exchange.nanosUntilStarted() > 0) {
+            if (exchange.mustAsk()) {
                 awaitStart();
+            }
+            if (exchange.protocol() == Protocol.V2) {
+                delivery.deliver(action, timeoutMillis);
+                return null;
             }
             writer.awaitTime(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> { }));
             return null;
@@ -131,7 +159,7 @@ public final class Link implements AutoCloseable {
     public String listen(int timeoutMillis) throws PortException {
         requireTime(timeoutMillis);
         return reading(() -> {
-            Frame message = exchange.listen(timeoutMillis);
+            Message message = exchange.listen(timeoutMillis);
             if (message == null) {
                 throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
@@ -159,8 +187,8 @@ public final class Link implements AutoCloseable {
     /** Returns when the board has said something, or must have started. */
     private void awaitStart() throws PortException {
         try {
-            if (!reading.tryLock(exchange.nanosUntilStarted(), TimeUnit.NANOSECONDS)) {
-                return; // another call waited for it meanwhile
+            if (!reading.tryLock(Math.max(exchange.nanosUntilStarted(), LONGEST_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
+                return; // another call waited for it meanwhile, or listens for so long that the action must not wait for it
             }
         } catch (InterruptedException e) {
             throw interrupted();

@@ -6,12 +6,18 @@ import java.util.concurrent.locks.Condition
 /**
  * A link and a board on one thread, in a time of their own: whenever the link waits, time goes on by a step and the board has a look at its
  * end of the line. What is tested so takes no time and gives the same result on any machine.
+ *
+ * @param protocol what the link speaks, whatever the settings say
  */
-internal class VirtualBench(settings: LinkSettings = LinkSettings.defaults(), private val board: VirtualBoard) : AutoCloseable {
+internal class VirtualBench(
+    settings: LinkSettings = LinkSettings.defaults(),
+    private val board: LineEnd,
+    protocol: Protocol = Protocol.V1,
+) : AutoCloseable {
     private val clock = Time()
     private val name = "virtual${benches.incrementAndGet()}"
     private val line: MemoryLine = MemoryLine.paced(name, settings.line(), clock)
-    val link = Link(line.computer(), settings, PortOwners.claim(name, "the test"), clock)
+    val link = Link(line.computer(), settings.withProtocol(protocol), PortOwners.claim(name, "the test"), clock)
 
     /** The time, in ms since the link was opened. */
     val millis: Double get() = clock.now / 1e6
@@ -43,13 +49,19 @@ internal class VirtualBench(settings: LinkSettings = LinkSettings.defaults(), pr
     }
 }
 
+/** What is at the far end of a line. */
+internal interface LineEnd {
+    /** Does what there is to do [now], in ms since the link was opened; called again and again. */
+    fun look(end: Transport, now: Double)
+}
+
 /**
  * A board that answers each request with `n;`, n counting them.
  *
  * @param startsAt the time in ms until which what comes is lost
  * @param answersAfter ms between the last byte of a request and the first of its answer
  */
-internal class VirtualBoard(private val startsAt: Double = 0.0, var answersAfter: Double = 0.0, private val padding: Int = 0) {
+internal class VirtualBoard(private val startsAt: Double = 0.0, var answersAfter: Double = 0.0, private val padding: Int = 0) : LineEnd {
     /** What was received and when, in ms. */
     val received = mutableListOf<Pair<String, Double>>()
     var stopped = false
@@ -65,7 +77,7 @@ internal class VirtualBoard(private val startsAt: Double = 0.0, var answersAfter
         outgoing += atMillis to message
     }
 
-    fun look(end: Transport, now: Double) {
+    override fun look(end: Transport, now: Double) {
         if (stopped) return
         val bytes = ByteArray(1024)
         val length = end.read(bytes, 0, bytes.size, 0)

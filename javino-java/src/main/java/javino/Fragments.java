@@ -1,0 +1,96 @@
+package javino;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * Makes messages of version 2 frames. A message of which any part is missing is dropped as a whole: what follows a part that was lost must
+ * not be taken for a message of its own. Only the sequence numbers tell, and no frame says that it is its message's first; so a
+ * frame begins a message if it continues the count behind a last part. Where the count breaks, it does so only if the board has not sent
+ * parts so far and either there is a known reason for the break, or the board does not count at all.
+ *
+ * <p>Guarded by its user's lock.
+ */
+final class Fragments {
+    private final int limit;
+    private final ByteArrayOutputStream parts = new ByteArrayOutputStream();
+    private Frame last; // the last one that came; null: none has
+    private boolean gathering; // the parts so far are a message's beginning
+    private boolean sendsParts;
+    private boolean excused;
+    private int requests; // since a message came
+    private long dropped;
+
+    /** @param limit bytes that a message has at most; a longer one is dropped */
+    Fragments(int limit) {
+        this.limit = limit;
+    }
+
+    /**
+     * Takes the next frame.
+     *
+     * @param damaged whether bytes that made no frame came right before it
+     * @return the message that it completes, or null
+     */
+    Message accept(Frame frame, boolean damaged) {
+        Frame before = last;
+        if (gathering && frame.equals(before)) {
+            return null; // the line has doubled it
+        }
+        boolean counts = before != null && frame.sequence() == (before.sequence() + 1) % Frame.SEQUENCES;
+        boolean usable = gathering ? counts : begins(frame, before, counts, damaged);
+        last = frame;
+        sendsParts |= frame.has(Frame.MORE);
+        excused = false;
+        if (!usable || parts.size() + frame.payloadLength() > limit) {
+            drop();
+            return null;
+        }
+        gathering = true;
+        parts.writeBytes(frame.payload());
+        return frame.has(Frame.MORE) ? null : complete();
+    }
+
+    private boolean begins(Frame frame, Frame before, boolean counts, boolean damaged) {
+        if (before == null) {
+            return !damaged;
+        }
+        if (before.has(Frame.MORE)) {
+            return false; // a later part of one that was dropped
+        }
+        boolean known = (excused || requests > 1) && !damaged || frame.sequence() == before.sequence();
+        return counts || known && !sendsParts;
+    }
+
+    private Message complete() {
+        Message message = new Message(2, parts.toString(StandardCharsets.ISO_8859_1));
+        gathering = false;
+        parts.reset();
+        requests = 0;
+        return message;
+    }
+
+    private void drop() {
+        dropped++;
+        gathering = false;
+        parts.reset();
+    }
+
+    /** Says that a request is about to go out, so that the message which is coming in is of no use any more. */
+    void asked() {
+        if (gathering) {
+            drop();
+        }
+        requests++;
+    }
+
+    /** Says that frames may have been lost before a silence. */
+    void excuse() {
+        excused = true;
+    }
+
+    /** Messages, or parts of them, that were dropped so far. */
+    long dropped() {
+        return dropped;
+    }
+}

@@ -1,0 +1,187 @@
+package javino
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeInRange
+import io.kotest.matchers.shouldBe
+
+private const val REQUEST = "getPercepts"
+
+private fun bench(board: LineEnd, settings: LinkSettings = LinkSettings.defaults()) = VirtualBench(settings, board, Protocol.AUTO)
+
+/** A board as they are in the field: it forgets a frame that a stray f precedes, or that is not whole 300 ms after its first byte. */
+private class FieldBoard(private val startsAt: Double = 0.0, private val blockwise: Boolean = false) : LineEnd {
+    val received = mutableListOf<String>()
+    private var bytes = ""
+    private var began = 0.0
+
+    override fun look(end: Transport, now: Double) {
+        val buffer = ByteArray(64)
+        val length = end.read(buffer, 0, buffer.size, 0)
+        if (now < startsAt) return
+        if (bytes.isNotEmpty() && now - began > 300) bytes = ""
+        for (byte in buffer.take(length)) {
+            if (bytes.isEmpty()) began = now
+            bytes += byte.toInt().toChar()
+            read(end)
+        }
+    }
+
+    private fun read(end: Transport) {
+        val header = "fffe".take(bytes.length)
+        if (!bytes.startsWith(header)) {
+            if (!blockwise || bytes.length == 32) bytes = "" // a block-wise reader is out of step until it gives up
+        } else if (bytes.length >= 6 && bytes.length == 6 + bytes.substring(4, 6).toInt(16)) {
+            received += bytes.substring(6)
+            bytes = ""
+            if (received.last() == REQUEST) Frame.of("${received.size};").toBytes().let { end.write(it, 0, it.size, 0) }
+        }
+    }
+}
+
+class LinkVersionSpec : FunSpec({
+    test("a version 2 board that runs is asked in version 2 from the beginning") {
+        val board = VirtualBoard2()
+        bench(board).use { bench ->
+            bench.link.protocol() shouldBe Protocol.AUTO
+            bench.link.request(REQUEST, 500) shouldBe "1;"
+            bench.millis shouldBeLessThan 60.0
+            bench.link.protocol() shouldBe Protocol.V2
+            bench.link.request(REQUEST, 500) shouldBe "2;"
+            board.handled shouldContainExactly listOf("2:$REQUEST", "2:$REQUEST")
+        }
+    }
+
+    for (blockwise in listOf(false, true)) test("a version 1 board that runs answers within half a second, blockwise: $blockwise") {
+        val board = FieldBoard(blockwise = blockwise)
+        bench(board).use { bench ->
+            bench.link.request(REQUEST, 500) shouldBe "1;"
+            bench.millis shouldBeLessThan 500.0
+            bench.link.protocol() shouldBe Protocol.V1
+            val before = bench.millis
+            bench.link.request(REQUEST, 500) shouldBe "2;"
+            bench.millis - before shouldBeLessThan 50.0
+            bench.link.send("ledOn", 500)
+            bench.awayFor(5)
+            board.received shouldContainExactly listOf(REQUEST, REQUEST, "ledOn")
+        }
+    }
+
+    for (starts in listOf(30.0, 90.0, 200.0, 400.0, 700.0, 1_000.0, 1_500.0, 1_800.0, 2_000.0, 2_400.0)) {
+        test("a version 1 board that starts for $starts ms loses no more than one request's time to the other version") {
+            val board = FieldBoard(starts)
+            bench(board).use { bench ->
+                bench.link.request(REQUEST, 500)
+                bench.link.protocol() shouldBe Protocol.V1
+                bench.millis - starts shouldBeLessThan 1_300.0
+                val before = bench.millis
+                bench.link.send("ledOn", 500)
+                bench.link.request(REQUEST, 500)
+                bench.millis - before shouldBeLessThan 100.0
+                board.received.filter { it != REQUEST } shouldContainExactly listOf("ledOn")
+            }
+        }
+
+        for (both in listOf(true, false)) test("a version 2 board that starts for $starts ms is found to be one, reads version 1: $both") {
+            val board = VirtualBoard2(starts, both)
+            val unnoticed = both && starts in 85.0..420.0 // it misses the probes and answers the first request of version 1
+            bench(board).use { bench ->
+                bench.link.request(REQUEST, 500)
+                bench.link.protocol() shouldBe if (unnoticed) Protocol.V1 else Protocol.V2
+                bench.link.send("ledOn", 500)
+                bench.awayFor(5)
+                board.handled shouldContain if (unnoticed) "1:ledOn" else "2:ledOn"
+            }
+        }
+    }
+
+    test("a version 2 board that says something while it starts is found to be one") {
+        val board = VirtualBoard2(300.0)
+        var said = false
+        val talker = object : LineEnd {
+            override fun look(end: Transport, now: Double) {
+                if (!said && now > 250) "rst:0x1 (POWERON)".toByteArray().let { end.write(it, 0, it.size, 0) }
+                said = now > 250
+                board.look(end, now)
+            }
+        }
+        bench(talker).use { bench ->
+            bench.link.request(REQUEST, 500)
+            bench.link.protocol() shouldBe Protocol.V2
+        }
+    }
+
+    test("an agent that only acts finds a version 2 board too, and probes with no action") {
+        val board = VirtualBoard2(1_800.0)
+        bench(board).use { bench ->
+            bench.link.send("ledOn", 500)
+            bench.link.protocol() shouldBe Protocol.V2
+            board.handled.filter { REQUEST !in it } shouldContainExactly listOf("2:ledOn")
+        }
+    }
+
+    test("an agent that only acts reaches a version 1 board, once for each action") {
+        val board = FieldBoard(1_800.0)
+        bench(board).use { bench ->
+            bench.link.send("ledOn", 500)
+            bench.link.send("ledOff", 500)
+            bench.awayFor(20)
+            board.received.filter { it != REQUEST } shouldContainExactly listOf("ledOn", "ledOff")
+        }
+    }
+
+    test("a board that never answers is sent its action when it must have started, in version 1") {
+        val board = VirtualBoard().apply { silent = true }
+        bench(board).use { bench ->
+            bench.link.send("ledOn", 500)
+            bench.millis shouldBeLessThan 4_000.0
+            bench.awayFor(5)
+            board.texts.last() shouldBe "ledOn"
+            val before = bench.millis
+            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }
+            bench.millis - before shouldBeLessThan 900.0
+        }
+    }
+
+    test("a slow version 2 board is found to be one") {
+        for (takes in listOf(50.0, 150.0, 350.0, 450.0)) {
+            val board = VirtualBoard2().apply { this.takes = takes }
+            bench(board).use { bench ->
+                bench.link.request(REQUEST, 1_000)
+                bench.link.protocol() shouldBe Protocol.V2
+                val handled = board.handled.size
+                bench.link.request(REQUEST, 1_000).trimEnd(';').toInt() shouldBeInRange handled..board.handled.size
+            }
+        }
+    }
+
+    test("a board that speaks unasked in version 2 is a version 2 board, and one that does in version 1 is asked once") {
+        val board = VirtualBoard2()
+        bench(board).use { bench ->
+            board.say("bump;")
+            bench.link.listen(1_000) shouldBe "bump;"
+            bench.link.protocol() shouldBe Protocol.V2
+        }
+        val old = VirtualBoard().apply { say(1.0, "bump;") }
+        bench(old).use { bench ->
+            bench.link.listen(1_000) shouldBe "bump;"
+            bench.link.send("ledOn", 500)
+            bench.link.protocol() shouldBe Protocol.V1
+            bench.awayFor(5)
+            old.texts shouldContainExactly listOf("ledOn")
+        }
+    }
+
+    test("a version that is forced is spoken alone") {
+        val second = VirtualBoard2()
+        VirtualBench(LinkSettings.defaults(), second, Protocol.V2).use { it.link.request(REQUEST, 500) }
+        second.handled shouldNotContain "1:$REQUEST"
+        val first = VirtualBoard2()
+        VirtualBench(LinkSettings.defaults(), first, Protocol.V1).use { it.link.request(REQUEST, 500) }
+        first.received.map { it.version() } shouldContainExactly listOf(1)
+    }
+})
