@@ -12,6 +12,8 @@ final class AnswerHistory {
     /** A board that has never answered and does so later than this was starting, not slow. */
     private static final long SLOWEST_BOARD_NANOS = 1_000_000_000L;
 
+    private static final long UNKNOWN_NANOS = 60_000_000_000L;
+
     private int asked; // requests since the line was last known to owe no answer
     private long firstAskedAt;
     private long longestNanos;
@@ -35,14 +37,9 @@ final class AnswerHistory {
         asked = 0;
     }
 
-    /** Says how long an answer took that was asked for more than once. */
-    void took(long nanos) {
-        longestNanos = Math.max(longestNanos, nanos);
-    }
-
-    /** Nanoseconds after which an answer is late: twice the longest that one has taken, at least {@code leastNanos}; if none is known, never. */
+    /** Nanoseconds after which an answer is late: twice the longest that one has taken, at least {@code leastNanos}; if none is known, a minute. */
     long patienceNanos(long leastNanos) {
-        return longestNanos == 0 ? Long.MAX_VALUE / 2 : Math.max(leastNanos, 2 * longestNanos);
+        return longestNanos == 0 ? UNKNOWN_NANOS : Math.max(leastNanos, 2 * longestNanos);
     }
 
     /** Says that the line has fallen silent: nothing is owed any more. */

@@ -15,6 +15,7 @@ final class Exchange {
     private static final long LEAST_PATIENCE_NANOS = 100 * NANOS_PER_MILLI;
     /** A request is sent so often at most on a line whose damage is seen. */
     private static final int TRIES = 3;
+    private static final int MOST_BACKOFF = 4;
 
     private final Inbox inbox;
     private final FrameWriter writer;
@@ -25,6 +26,7 @@ final class Exchange {
     private volatile boolean ready;
     private volatile boolean heard; // the board has said something
     private int sequence;
+    private int backoff;
     private AnswerHistory history = new AnswerHistory();
     private AnswerHistory asIfVersion2; // what is owed if the board turns out to be of version 2 and slow; null: nothing
 
@@ -118,25 +120,43 @@ final class Exchange {
         return answer == null ? null : completed(answer, timeoutMillis);
     }
 
-    /** Asks a version 2 board, again if the answer is later than any before or was damaged; null: no answer in time. */
+    /**
+     * Asks a version 2 board, and again if the answer was damaged, or is later than others were. An answer to one of several requests says
+     * nothing about how long the board takes, so the time that is given it is doubled until a request is answered at once.
+     */
     private Message askAgain(Frame request, int timeoutMillis) throws PortException {
-        long first = ask(request, timeoutMillis);
-        long giveUp = first + timeoutMillis * NANOS_PER_MILLI;
-        long sent = first;
+        long sent = ask(request, timeoutMillis);
+        long giveUp = sent + timeoutMillis * NANOS_PER_MILLI;
         for (int tries = 1; true; tries++) {
-            long patience = tries < TRIES ? history.patienceNanos(LEAST_PATIENCE_NANOS) : Long.MAX_VALUE / 2;
-            Message answer = answerBy(sent, sent + Math.min(patience, giveUp - sent), giveUp);
-            if (answer != null && tries > 1) {
-                history.took(clock.nanos() - first);
-            }
+            long noise = inbox.noise();
+            long patience = tries < TRIES ? history.patienceNanos(LEAST_PATIENCE_NANOS) << backoff : Long.MAX_VALUE / 2;
+            Message answer = answerOrDamage(sent, noise, sent + Math.min(patience, giveUp - sent), giveUp);
             if (answer != null) {
+                backoff = tries == 1 ? 0 : backoff;
                 return completed(answer, timeoutMillis);
             }
             if (giveUp - clock.nanos() <= 0) {
                 return null;
             }
+            if (inbox.noise() > noise) {
+                history.settled(); // that was it
+            } else {
+                backoff = Math.min(backoff + 1, MOST_BACKOFF);
+            }
             sent = ask(request, timeoutMillis);
         }
+    }
+
+    /** As {@link #answerBy}, but null as soon as the line is silent behind more than {@code noise}. */
+    private Message answerOrDamage(long sent, long noise, long deadline, long giveUp) throws PortException {
+        Message answer = null;
+        for (long now = clock.nanos(); answer == null && deadline - now > 0; now = clock.nanos()) {
+            if (inbox.noise() > noise && now - inbox.lastByteNanos() >= QUIET_NANOS) {
+                return null;
+            }
+            answer = inbox.next(Math.min(deadline - now, QUIET_NANOS) + now);
+        }
+        return answer != null ? answer : answerBy(sent, deadline, giveUp);
     }
 
     /** The answer, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
@@ -251,7 +271,7 @@ final class Exchange {
                 if (answer == null && starting) {
                     return probe(request, timeoutMillis); // the board may know nothing else
                 }
-                runs = asked == 1 && !inbox.hasHeardNoise();
+                runs = asked == 1 && inbox.noise() == 0;
                 if (answer == null || protocol != Protocol.AUTO) {
                     return answer;
                 }

@@ -128,11 +128,11 @@ final class Inbox {
         return lastByteNanos;
     }
 
-    /** Whether bytes have come that made no frame. */
-    boolean hasHeardNoise() {
+    /** Bytes so far that made no frame. */
+    long noise() {
         lock.lock();
         try {
-            return decoder.discarded() > 0;
+            return decoder.discarded();
         } finally {
             lock.unlock();
         }

@@ -60,7 +60,7 @@ internal class VirtualBoard2(
             val percepts = answer(++answers)
             post(if (frame.version() == 1) listOf(Frame.of(percepts)) else message(percepts))
         } else if (frame.version() == 1) {
-            handled += "1:$text"
+            if (!text.take(1).all(Char::isDigit)) handled += "1:$text" // no action: what is left of a version 2 frame with a damaged preamble
         } else {
             if (!(frame == last && now - lastAt < 3_000)) act(frame)
             if (frame.flags() and Frame.ACK_WANTED != 0) post(listOf(Frame.version2(ByteArray(0), lastFlags, frame.sequence())))
