@@ -2,6 +2,7 @@ package javino;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 
@@ -90,6 +91,16 @@ public final class FakeBoard implements AutoCloseable {
             throw new IllegalArgumentException("a board holds at least 1 message, but a queue of " + messages + " was asked for");
         }
         sketch.queueSize(messages);
+        return this;
+    }
+
+    /**
+     * Lets the board speak version 2 of the protocol with those who speak it, and version 1 with others. In version 2 it acknowledges
+     * actions once it has handled them, and handles an action that is repeated once; answers may be longer than a frame. To be
+     * called before the port is opened.
+     */
+    public FakeBoard version2() {
+        sketch.version2();
         return this;
     }
 
@@ -198,7 +209,8 @@ public final class FakeBoard implements AutoCloseable {
     /** How a board handles a message: after a delay it answers, or does not. Without an answer it stays silent. */
     public static final class Rule {
         private volatile int delayMillis;
-        private volatile FakeBoardScript.Reply reply = message -> null;
+        private volatile boolean refused;
+        private volatile FakeBoardScript.Reply reply = (message, framed) -> null;
 
         Rule() {}
 
@@ -216,9 +228,9 @@ public final class FakeBoard implements AutoCloseable {
 
         /** Answers with what {@code answer} makes of the message; null: no answer. It is called on the board's thread. */
         public Rule answer(UnaryOperator<String> answer) {
-            reply = message -> {
+            reply = (message, framed) -> {
                 String text = answer.apply(message);
-                return text == null ? null : Frame.of(text).toBytes();
+                return text == null ? null : framed.apply(text);
             };
             return this;
         }
@@ -226,13 +238,19 @@ public final class FakeBoard implements AutoCloseable {
         /** Answers with bytes as they are: a damaged frame, half of one, two at once. Characters are bytes (ISO-8859-1). */
         public Rule answerRaw(String bytes) {
             byte[] raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
-            reply = message -> raw.clone();
+            reply = (message, framed) -> raw.clone();
             return this;
         }
 
         /** Gives no answer. */
         public Rule staySilent() {
-            reply = message -> null;
+            reply = (message, framed) -> null;
+            return this;
+        }
+
+        /** Refuses the message as one that the board does not know; in version 1 it stays silent. */
+        public Rule refuse() {
+            refused = true;
             return this;
         }
 
@@ -240,8 +258,12 @@ public final class FakeBoard implements AutoCloseable {
             return delayMillis;
         }
 
-        byte[] reply(String message) {
-            return reply.to(message);
+        byte[] reply(String message, Function<String, byte[]> framed) {
+            return reply.to(message, framed);
+        }
+
+        boolean isRefused() {
+            return refused;
         }
     }
 }

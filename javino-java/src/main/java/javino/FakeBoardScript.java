@@ -4,13 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
 import java.util.function.Predicate;
 
 /** The rules of a {@link FakeBoard}. Safe on any thread. */
 final class FakeBoardScript {
-    /** The bytes that answer a message, or null. */
+    /** The bytes that answer a message, or null; {@code framed} makes them of a text. */
     interface Reply {
-        byte[] to(String message);
+        byte[] to(String message, Function<String, byte[]> framed);
     }
 
     private record Entry(String message, Predicate<String> kind, FakeBoard.Rule rule) {}
@@ -40,11 +41,10 @@ final class FakeBoardScript {
     }
 
     static Reply inTurn(String first, String... next) {
-        List<Frame> answers = new ArrayList<>(List.of(Frame.of(first)));
-        for (String text : next) {
-            answers.add(Frame.of(text));
-        }
+        List<String> answers = new ArrayList<>(List.of(first));
+        answers.addAll(List.of(next));
+        answers.stream().filter(text -> text.length() <= Frame.MAX_PAYLOAD).forEach(Frame::of); // else the test would learn too late
         AtomicInteger turn = new AtomicInteger();
-        return message -> answers.get(turn.getAndUpdate(i -> Math.min(i + 1, answers.size() - 1))).toBytes();
+        return (message, framed) -> framed.apply(answers.get(turn.getAndUpdate(i -> Math.min(i + 1, answers.size() - 1))));
     }
 }

@@ -22,6 +22,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     private volatile int queueSize = Integer.MAX_VALUE;
     private volatile int loopMillis;
     private volatile int bootMillis;
+    private volatile FakeBoardVoice voice = new FakeBoardVoice(Protocol.V1);
 
     FakeBoardSketch(FakeBoardScript script, FakeBoardRecord record) {
         this.script = script;
@@ -40,6 +41,10 @@ final class FakeBoardSketch implements SimulatedBoard {
         bootMillis = millis;
     }
 
+    void version2() {
+        voice = new FakeBoardVoice(Protocol.AUTO);
+    }
+
     void stall(boolean value) {
         lock.lock();
         try {
@@ -55,8 +60,10 @@ final class FakeBoardSketch implements SimulatedBoard {
         setOpen(line);
         try {
             boot(line);
-            Deque<String> queue = new ArrayDeque<>();
-            FrameDecoder decoder = new FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line()), frame -> enqueue(queue, frame.text()));
+            voice.reset();
+            Deque<Frame> queue = new ArrayDeque<>();
+            long timeout = FrameDecoder.interByteTimeoutNanos(line.line());
+            FrameDecoder decoder = new FrameDecoder(timeout, voice.reads(), frame -> enqueue(queue, frame));
             while (true) {
                 awaitRunning();
                 receive(line, decoder, queue.isEmpty() ? READ_MILLIS : 0);
@@ -90,21 +97,30 @@ final class FakeBoardSketch implements SimulatedBoard {
         decoder.idle(System.nanoTime());
     }
 
-    private void enqueue(Deque<String> queue, String message) {
+    private void enqueue(Deque<Frame> queue, Frame message) {
         if (queue.size() == queueSize) {
-            record.overwritten(queue.remove());
+            record.overwritten(queue.remove().text());
         }
         queue.add(message);
     }
 
-    private void handle(String message, Transport line) throws PortException, InterruptedException {
-        FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
-        record.received(message, rule != null);
-        if (rule == null) {
+    private void handle(Frame frame, Transport line) throws PortException, InterruptedException {
+        if (voice.isRepeated(frame)) {
+            answer(voice.outcome(frame), line);
             return;
         }
-        TimeUnit.MILLISECONDS.sleep(rule.delayMillis());
-        byte[] answer = rule.reply(message);
+        String message = frame.text();
+        FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
+        record.received(message, rule != null);
+        if (rule != null) {
+            TimeUnit.MILLISECONDS.sleep(rule.delayMillis());
+            answer(rule.reply(message, text -> voice.message(text, frame.version())), line);
+        }
+        voice.handled(frame, rule != null && rule.isRefused());
+        answer(voice.outcome(frame), line);
+    }
+
+    private void answer(byte[] answer, Transport line) throws PortException, InterruptedException {
         if (answer != null) {
             write(line, answer);
             TimeUnit.NANOSECONDS.sleep(answer.length * line.line().byteNanos()); // a board does not read while it sends

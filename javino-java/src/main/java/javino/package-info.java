@@ -1,5 +1,5 @@
 /**
- * Messages between a program and a microcontroller board, over a serial line, in version 1 of the Javino protocol.
+ * Messages between a program and a microcontroller board, over a serial line, in versions 1 and 2 of the Javino protocol.
  *
  * <p>{@link javino.Link} is the way in: it opens a port for one owner, asks the board that is there until it answers, and exchanges messages
  * at the pace of the line. {@link javino.Javino} is the classic interface on top of it. Below it a {@link javino.Transport} moves bytes, and
@@ -26,6 +26,10 @@
  *   <tr><td>{@link javino.PortFaultException}</td><td>the driver refuses for another reason; carries its code</td><td>opening</td>
  *     <td>is not open</td></tr>
  *   <tr><td>{@link javino.PortTimeoutException}</td><td>what was asked for did not happen in time</td><td>reading, writing</td>
+ *     <td>can be used on</td></tr>
+ *   <tr><td>{@link javino.ActionRefusedException}</td><td>a version 2 board does not know the action</td><td>sending</td>
+ *     <td>can be used on</td></tr>
+ *   <tr><td>{@link javino.ActionUnconfirmedException}</td><td>a version 2 board did not say that it acted</td><td>sending</td>
  *     <td>can be used on</td></tr>
  *   <tr><td>{@link javino.PortInterruptedException}</td><td>the calling thread was interrupted</td><td>any call that waits</td>
  *     <td>can be used on</td></tr>

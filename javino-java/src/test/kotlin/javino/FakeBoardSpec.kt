@@ -34,6 +34,20 @@ class FakeBoardSpec : FunSpec({
         }
     }
 
+    test("a board of version 2 answers at any length, acknowledges and refuses") {
+        FakeBoard.plugIn("fake${names.incrementAndGet()}").version2().use { board ->
+            board.whenAsked("getPercepts").answer("x".repeat(1_000))
+            board.whenAsked("fly").refuse()
+            board.expect("ledOn").expect("ledOn")
+            Link.open(board.port(), SETTINGS, "the test").use { link ->
+                link.request("getPercepts", LONG_MILLIS) shouldBe "x".repeat(1_000)
+                link.protocol() shouldBe Protocol.V2
+                repeat(2) { link.send("ledOn", LONG_MILLIS) }
+                shouldThrow<ActionRefusedException> { link.send("fly", LONG_MILLIS) }
+            }
+        }
+    }
+
     test("a message that nobody expected fails the test with a list of all that came") {
         val failure = shouldThrow<AssertionError> {
             withBoard { board, link ->
