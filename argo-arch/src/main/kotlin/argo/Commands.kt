@@ -28,7 +28,7 @@ internal class Commands(private val link: Link, private val owner: String, priva
     /**
      * Queues [text].
      *
-     * @param outcome is called once by another thread, with null when the command's last byte has left the line, else with
+     * @param outcome is called once by another thread, with null when the command's last byte has left the line or, in version 2, the board has acted, else with
      * the reason why it has not
      */
     fun submit(text: String, outcome: (Failure?) -> Unit) {

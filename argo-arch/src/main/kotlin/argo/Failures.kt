@@ -2,6 +2,8 @@ package argo
 
 import jason.JasonException
 import jason.asSyntax.ASSyntax
+import javino.ActionRefusedException
+import javino.ActionUnconfirmedException
 import javino.NoSuchPortException
 import javino.PortBusyException
 import javino.PortException
@@ -31,6 +33,8 @@ internal fun failureOf(trouble: PortException): Failure = Failure(
         is PortPermissionException -> "port_permission"
         is PortGoneException -> "port_gone"
         is PortTimeoutException -> "port_timeout"
+        is ActionRefusedException -> "act_refused"
+        is ActionUnconfirmedException -> "act_unconfirmed"
         else -> "port_failed"
     },
     trouble.message ?: trouble.javaClass.simpleName,

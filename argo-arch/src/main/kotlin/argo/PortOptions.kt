@@ -5,6 +5,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 import javino.LinkSettings
+import javino.Protocol
 
 /**
  * How a port is used: the second argument of `argo.port`.
@@ -42,13 +43,14 @@ internal data class PortOptions(
             "spacing" -> copy(link = link.withSpacingMillis(whole(option, 0..MOST_MS)))
             "queue" -> copy(link = link.withBoardQueue(whole(option, 1..MOST_QUEUE)))
             "mode" -> copy(listens = oneOf(option, "request", "listen") == "listen")
-            "protocol" -> also { oneOf(option, "1", "auto") }
+            "protocol" -> copy(link = link.withProtocol(PROTOCOLS.getValue(oneOf(option, *PROTOCOLS.keys.toTypedArray()))))
             else -> throw ArgumentException("$option is not an option; there are $KNOWN")
         }
     }
 }
 
-private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), boot(Ms), spacing(Ms) and queue(Messages)"
+private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), protocol(2) or protocol(auto), boot(Ms), spacing(Ms) and queue(Messages)"
+private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
 private const val MOST_BAUD = 20_000_000
 private const val MOST_MS = 600_000
 private const val MOST_QUEUE = 1000
@@ -60,7 +62,7 @@ private fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.ge
     ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")
 
 private fun oneOf(option: Literal, vararg words: String): String = option.getTerm(0).toString().takeIf { it in words }
-    ?: throw ArgumentException("$option: ${option.functor} is ${words.joinToString(" or ")} in this version")
+    ?: throw ArgumentException("$option: ${option.functor} is ${words.joinToString(" or ")}")
 
 /** [term] as a whole number, or null if it is none. */
 internal fun wholeNumber(term: Term): Int? {

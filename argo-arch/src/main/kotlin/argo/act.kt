@@ -9,10 +9,12 @@ import javino.Frame
  * The internal action `argo.act(W)`: sends the text of W, any literal, to the board in use: `ledOn`, `speed(120)`. A string
  * is sent without its quotes.
  *
- * The intention is suspended until the last byte has left the line; the agent is not. Commands go out in their order.
+ * The intention is suspended until the last byte has left the line, or, with a board of version 2 of the protocol, until the board has
+ * said that it acted; the agent is not. Commands go out in their order.
  *
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`,
- * `error(port_timeout)` or `error(not_argo)`.
+ * `error(port_timeout)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` if it does not know the action or not
+ * with these arguments, and with `error(act_unconfirmed)` if it has not said that it acted, though it may have.
  */
 @Suppress("ClassName")
 open class act : BoardAction("argo.act", 1..1) {

@@ -35,7 +35,7 @@ class PortOptionsSpec : FunSpec({
             "[baud(9600.5)]" to "whole number",
             "[timeout(-1)]" to "whole number",
             "[mode(push)]" to "request or listen",
-            "[protocol(2)]" to "protocol is 1 or auto",
+            "[protocol(3)]" to "protocol is 1 or 2 or auto",
             "[baud]" to "baud is not an option",
             "[X]" to "X is not an option",
             "baud(9600)" to "a list of options",
