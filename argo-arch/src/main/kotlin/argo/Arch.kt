@@ -6,6 +6,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import javino.PortException
 import javino.PortTimeoutException
+import javino.Protocol
 import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Level
 import java.util.logging.Logger
@@ -174,6 +175,8 @@ open class Arch : AgArch() {
     }
 
     private inner class Listener : SensingListener {
+        override fun request(port: OpenPort) = if (port.link.protocol() == Protocol.V2) board.request else PERCEPTS_REQUEST
+
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
             if (port !== ports.current || !perceiving) return
             handOver.put(board.snapshot(port, message, receivedNanos))

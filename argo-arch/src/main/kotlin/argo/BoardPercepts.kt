@@ -26,8 +26,14 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
     @Volatile
     private var dueMs: Long? = null
 
+    /** What a board of version 2 is to be asked, see [perceptsRequest]. */
+    @Volatile
+    var request: String = PERCEPTS_REQUEST
+        private set
+
     /** Perceives through [filter] from now on; null: everything. */
     fun switchTo(filter: PerceptionFilter?) = lock.withLock {
+        request = perceptsRequest(filter)
         session.switchTo(filter)
         dueMs = session.nextDueMs
         filterVersion++

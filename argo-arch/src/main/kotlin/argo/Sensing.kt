@@ -12,6 +12,9 @@ import kotlin.concurrent.withLock
 
 /** What the sensing of a port says; called by its thread. */
 internal interface SensingListener {
+    /** What the board is to be asked now. */
+    fun request(port: OpenPort): String
+
     /** A message came; its last byte at [receivedNanos] by [System.nanoTime]. */
     fun received(port: OpenPort, message: String, receivedNanos: Long)
 
@@ -112,7 +115,7 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
     fun exchange(): Boolean = using {
-        port.link.next(port.options)?.let { listener.received(port, it, System.nanoTime()) }
+        port.link.next(port.options) { listener.request(port) }?.let { listener.received(port, it, System.nanoTime()) }
     }
 
     /** Does [work] with the line; false when the port is lost. */
@@ -145,8 +148,8 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
 }
 
 /** The board's next message: the answer to a request, or what it says unasked; null when a board that speaks unasked is silent. */
-internal fun Link.next(options: PortOptions): String? =
-    if (options.listens) heard(options.timeoutMs) else request(PERCEPTS_REQUEST, options.timeoutMs)
+internal fun Link.next(options: PortOptions, request: () -> String): String? =
+    if (options.listens) heard(options.timeoutMs) else request(request(), options.timeoutMs)
 
 /** What the board says unasked within [timeoutMs] ms, or null. */
 private fun Link.heard(timeoutMs: Int): String? = try {
@@ -154,6 +157,3 @@ private fun Link.heard(timeoutMs: Int): String? = try {
 } catch (_: PortTimeoutException) {
     null // it speaks when it has something to say
 }
-
-/** The message that asks a board for its percepts. */
-internal const val PERCEPTS_REQUEST = "getPercepts"
