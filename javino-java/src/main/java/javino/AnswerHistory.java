@@ -31,6 +31,11 @@ final class AnswerHistory {
         return asked > 1;
     }
 
+    /** Answers that may come at most. */
+    int owed() {
+        return asked;
+    }
+
     /** Says that the one request there was has been answered. */
     void answered(long now) {
         longestNanos = Math.max(longestNanos, now - firstAskedAt);

@@ -216,17 +216,27 @@ final class Exchange {
         return newer == null ? message : newer;
     }
 
+    /**
+     * The last message before the board falls silent. A board of version 2 may acknowledge actions all the time, so there it is the time
+     * since a message that counts, and if there is one for each request no further is due.
+     */
     private Message lastBeforeSilence(Message first, long timeoutNanos) throws PortException {
         long now = clock.nanos();
         long giveUp = now + timeoutNanos;
         long settlingNanos = history.settlingNanos(now, timeoutNanos);
         Message last = first;
-        while (giveUp - clock.nanos() > 0) {
-            long left = Math.min(inbox.lastByteNanos() + settlingNanos - clock.nanos(), giveUp - clock.nanos());
+        long lastAt = now;
+        for (int messages = 1; giveUp - clock.nanos() > 0; ) {
+            boolean version2 = protocol == Protocol.V2;
+            long left = Math.min((version2 ? lastAt : inbox.lastByteNanos()) + settlingNanos, giveUp) - clock.nanos();
             Message later = inbox.next(clock.nanos() + left);
             if (later != null) {
                 last = later;
-            } else if (clock.nanos() - inbox.lastByteNanos() >= settlingNanos) {
+                lastAt = clock.nanos();
+                messages++;
+            }
+            boolean silent = later == null && clock.nanos() - (version2 ? lastAt : inbox.lastByteNanos()) >= settlingNanos;
+            if (silent || version2 && messages >= history.owed()) {
                 history.settled();
                 return last;
             }
