@@ -127,12 +127,12 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Sends a message that nobody asked for.
+     * Sends a message that nobody asked for, in the version of the protocol that it was spoken to last.
      *
      * @throws IllegalStateException if nobody has the port open
      */
     public void send(String message) throws PortException {
-        sketch.write(Frame.of(message).toBytes());
+        sketch.send(message);
     }
 
     /**

@@ -127,6 +127,11 @@ final class FakeBoardSketch implements SimulatedBoard {
         }
     }
 
+    /** Writes a message to the port that is open. */
+    void send(String message) throws PortException {
+        write(voice.message(message));
+    }
+
     /** Writes bytes to the port that is open. */
     void write(byte[] bytes) throws PortException {
         Transport line;

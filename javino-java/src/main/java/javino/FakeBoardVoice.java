@@ -3,9 +3,10 @@ package javino;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** How a {@link FakeBoard} speaks: it answers in the version it was asked in, and acknowledges actions that want it. Used by its thread. */
+/** How a {@link FakeBoard} speaks: it answers in the version it was asked in, and acknowledges actions that want it. Safe on any thread. */
 final class FakeBoardVoice {
     private final Protocol protocol;
+    private int version = 1; // of what was heard last
     private int sequence;
     private Frame acted; // the last action that wanted to be acknowledged; null: there was none
     private boolean refused;
@@ -16,7 +17,8 @@ final class FakeBoardVoice {
     }
 
     /** The board begins anew. */
-    void reset() {
+    synchronized void reset() {
+        version = 1;
         sequence = 0;
         acted = null;
     }
@@ -25,12 +27,13 @@ final class FakeBoardVoice {
         return protocol;
     }
 
-    /** Whether it is an action that has been handled, sent once more. */
-    boolean isRepeated(Frame frame) {
+    /** Takes the next frame: whether it is an action that has been handled, sent once more. */
+    synchronized boolean isRepeated(Frame frame) {
+        version = frame.version();
         return frame.has(Frame.ACK_WANTED) && frame.equals(acted);
     }
 
-    void handled(Frame frame, boolean refused) {
+    synchronized void handled(Frame frame, boolean refused) {
         if (frame.has(Frame.ACK_WANTED)) {
             acted = frame;
             this.refused = refused;
@@ -38,15 +41,20 @@ final class FakeBoardVoice {
     }
 
     /** What tells of the outcome of the action that was handled; null if nobody wants to know. */
-    byte[] outcome(Frame frame) {
+    synchronized byte[] outcome(Frame frame) {
         if (!frame.has(Frame.ACK_WANTED)) {
             return null;
         }
         return Frame.version2(new byte[0], refused ? Frame.REFUSAL : Frame.ACK, frame.sequence()).toBytes();
     }
 
+    /** The bytes of a message that nobody asked for, in the version that was heard last. */
+    synchronized byte[] message(String text) {
+        return message(text, version);
+    }
+
     /** The bytes of a message in this version. */
-    byte[] message(String text, int version) {
+    synchronized byte[] message(String text, int version) {
         if (version == 1) {
             return Frame.of(text).toBytes();
         }

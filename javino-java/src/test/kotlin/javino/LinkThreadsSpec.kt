@@ -1,0 +1,68 @@
+package javino
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.types.shouldBeInstanceOf
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.concurrent.thread
+import kotlin.time.Duration.Companion.seconds
+
+private const val LONG_MILLIS = 20_000
+private val boards = AtomicInteger()
+
+/** Several threads on one link to a version 2 board: who waits for an acknowledgement and who for an answer read for each other. */
+class LinkThreadsSpec : FunSpec({
+    fun robot(name: String, work: (FakeBoard, Link) -> Unit) = test(name).config(timeout = 60.seconds, blockingTest = true) {
+        FakeBoard.plugIn("threads${boards.incrementAndGet()}").version2().lenient().use { board ->
+            Link.open(board.port(), Bench.FAST.withProtocol(Protocol.V2), "the test").use { work(board, it) }
+        }
+    }
+
+    robot("requests and actions do not wait for each other, and each action is carried out once, in its order") { board, link ->
+        val actions = (1..100).map { "speed($it)" }
+        val sender = async { actions.forEach { link.send(it, LONG_MILLIS) } }
+        var answers = 0
+        while (!sender.isDone) {
+            link.request("getPercepts", LONG_MILLIS) shouldBe ""
+            answers++
+        }
+        sender.get()
+        board.received().filter { it != "getPercepts" } shouldContainExactly actions
+        check(answers > 10) { "$answers requests were answered meanwhile" }
+    }
+
+    robot("several senders and a listener share the line") { board, link ->
+        link.request("getPercepts", LONG_MILLIS)
+        val listener = async { link.listen(LONG_MILLIS) }
+        val senders = (1..4).map { n -> async { repeat(25) { link.send("at($n,$it)", LONG_MILLIS) } } }
+        senders.forEach { it.get(30, TimeUnit.SECONDS) }
+        board.received().count { it.startsWith("at(") } shouldBe 100
+        board.send("bump;")
+        listener.get(30, TimeUnit.SECONDS) shouldBe "bump;"
+    }
+
+    robot("who waits for an acknowledgement is told when the plug is pulled, or the link closed") { board, link ->
+        link.request("getPercepts", LONG_MILLIS)
+        board.whenAsked("walk").after(LONG_MILLIS)
+        val sender = async { link.send("walk", LONG_MILLIS) }
+        val next = async { link.send("walk", LONG_MILLIS) }
+        while ("walk" !in board.received()) Thread.onSpinWait()
+        link.close()
+        sender.failure().shouldBeInstanceOf<PortGoneException>()
+        next.failure().shouldBeInstanceOf<PortGoneException>()
+    }
+
+    robot("an interrupted sender throws, and the link stays usable") { board, link ->
+        link.request("getPercepts", LONG_MILLIS)
+        board.stall()
+        val sender = thread(isDaemon = true) { runCatching { link.send("walk", LONG_MILLIS) } }
+        sender.interrupt()
+        sender.join(TimeUnit.SECONDS.toMillis(20))
+        sender.isAlive shouldBe false
+        board.resume()
+        link.send("stop", LONG_MILLIS)
+        board.awaitMessage("stop", LONG_MILLIS)
+    }
+})
