@@ -42,7 +42,7 @@ final class AnswerHistory {
         asked = 0;
     }
 
-    /** Nanoseconds after which an answer is late: twice the longest that one has taken, at least {@code leastNanos}; if none is known, a minute. */
+    /** Nanoseconds after which an answer is late: twice the longest that one has taken, at least {@code leastNanos}; a minute if none has. */
     long patienceNanos(long leastNanos) {
         return longestNanos == 0 ? UNKNOWN_NANOS : Math.max(leastNanos, 2 * longestNanos);
     }

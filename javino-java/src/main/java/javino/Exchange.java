@@ -3,7 +3,7 @@ package javino;
 /**
  * Asks and listens: what is said to a board, what of that is an answer, whether the board runs yet, and which version it speaks.
  *
- * <p>One thread at a time, but for {@link #mustAsk}, {@link #nanosUntilStarted} and {@link #protocol}.
+ * <p>One thread at a time, but for what says that any may call it.
  */
 final class Exchange {
     /** What is asked of a board to find out whether it runs, and in which version: every board answers it and none acts on it. */
@@ -83,6 +83,11 @@ final class Exchange {
         }
         Message answer = inbox.next(ask(request, timeoutMillis) + timeoutNanos);
         return answer == null ? null : completed(answer, timeoutMillis);
+    }
+
+    /** Returns when a frame of version 1 may follow what was asked in version 2. Any thread. */
+    void awaitGap() throws PortException {
+        writer.awaitTime(negotiation.version1From);
     }
 
     /** The newest message that the board sends of its own accord, or null if none comes in time. */
@@ -265,13 +270,13 @@ final class Exchange {
 
         private boolean probed;
         private int asked;
-        private long version1From = clock.nanos();
+        private volatile long version1From = clock.nanos();
 
         /** As {@link Exchange#request}; {@code answered} says whether the answer must be fresh. */
         Message run(Frame request, int timeoutMillis, boolean answered) throws PortException {
             boolean runs = heard;
             Message answer = null;
-            if (!probed) {
+            if (!probed || runs) {
                 probed = true;
                 answer = probe(request, timeoutMillis);
             }
@@ -305,7 +310,7 @@ final class Exchange {
         }
 
         private long askVersion1(Frame request, int timeoutMillis) throws PortException {
-            writer.awaitTime(version1From);
+            awaitGap();
             return Exchange.this.ask(Protocol.V1, request, timeoutMillis);
         }
 

@@ -37,7 +37,7 @@ public class Javino implements AutoCloseable {
         this.timeoutMillis = timeoutMillis;
     }
 
-    /** Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. True when its last byte has left. */
+    /** Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. True when its last byte has left, or a version 2 board has acted. */
     public boolean sendCommand(String port, String msg) {
         return succeeds(() -> link(port).send(msg, timeoutMillis));
     }

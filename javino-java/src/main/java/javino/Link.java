@@ -145,7 +145,7 @@ public final class Link implements AutoCloseable {
                 delivery.deliver(action, timeoutMillis);
                 return null;
             }
-            writer.awaitTime(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> { }));
+            writer.awaitTime(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, exchange::awaitGap));
             return null;
         });
     }

@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
@@ -174,6 +175,43 @@ class LinkVersionSpec : FunSpec({
             bench.awayFor(5)
             old.texts shouldContainExactly listOf("ledOn")
         }
+    }
+
+    test("a version 2 board that starts late and speaks unasked in version 1 is found to be one") {
+        val board = VirtualBoard2(5_000.0)
+        bench(board).use { bench ->
+            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }
+            bench.awayFor(3_000)
+            board.say("bump;", version = 1)
+            bench.link.listen(500) shouldBe "bump;"
+            bench.link.send("ledOn", 500)
+            board.handled.last() shouldBe "2:ledOn"
+        }
+    }
+
+    test("a version 1 frame follows one of version 2 only when a board in the field has forgotten that") {
+        val board = FieldBoard()
+        val times = mutableListOf<Pair<Boolean, Double>>()
+        val watcher = object : LineEnd {
+            private val decoder = FrameDecoder(Long.MAX_VALUE, Protocol.AUTO) { times += (it.version() == 2) to now }
+            private var now = 0.0
+            override fun look(end: Transport, now: Double) {
+                this.now = now
+                board.look(object : Transport by end {
+                    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) =
+                        end.read(b, off, len, timeoutMillis).also { decoder.accept(b, off, it, 0) }
+                }, now)
+            }
+        }
+        bench(watcher, LinkSettings.defaults().withBaud(115_200)).use { bench ->
+            bench.link.request(REQUEST, 500)
+            bench.link.send("ledOn", 500)
+            bench.awayFor(5)
+        }
+        val lastOf2 = times.last { it.first }.second
+        val firstOf1 = times.first { !it.first }.second
+        firstOf1 - lastOf2 shouldBeGreaterThan 300.0
+        times.map { it.first } shouldContainExactly listOf(true, true, false, false)
     }
 
     test("a version that is forced is spoken alone") {
