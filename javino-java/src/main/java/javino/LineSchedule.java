@@ -13,7 +13,8 @@ package javino;
  *       {@value #QUIET_MILLIS} ms;
  *   <li>a request waits until it has had time for the actions it got meanwhile.
  * </ul>
- * Version 2 boards hold what they receive, and acknowledge actions, of which one is on its way at a time. They are left their receive buffer,
+ * {@code spacing} is what was asked for, or more for a board whose answers show that it looks at the line more seldom, see
+ * {@link LoopTime}. Version 2 boards hold what they receive, and acknowledge actions, of which one is on its way at a time. They are left their receive buffer,
  * and no other courtesy. A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class LineSchedule {
@@ -33,6 +34,9 @@ final class LineSchedule {
     private long lineFreeAt;
     private long frameEnd; // of the last frame
     private long actionEnd; // of the last action
+    private final LoopTime loop = new LoopTime();
+    private long requestEnd;
+    private boolean answerBegun;
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
     private long busyUntil;
@@ -62,7 +66,7 @@ final class LineSchedule {
         if (!paced) {
             return 0;
         }
-        long at = version2 ? lineFreeAt : later(lineFreeAt, frameEnd + spacingNanos - bytes * byteNanos);
+        long at = version2 ? lineFreeAt : later(lineFreeAt, frameEnd + spacing() - bytes * byteNanos);
         if (overfills(bytes)) {
             at = later(at, busyUntil);
         }
@@ -77,7 +81,7 @@ final class LineSchedule {
         if (version2) {
             return Math.max(0, lineFreeAt - now);
         }
-        long at = later(lineFreeAt, actionEnd + spacingNanos);
+        long at = later(lineFreeAt, actionEnd + spacing());
         if (actionsMeanwhile > 0) {
             at = later(at, busyUntil);
         }
@@ -103,7 +107,8 @@ final class LineSchedule {
 
     /** Says that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
-        wrote(bytes, start, now);
+        requestEnd = wrote(bytes, start, now);
+        answerBegun = false;
         actionSinceRequest = false;
         actionsMeanwhile = 0;
         bytesMeanwhile = 0;
@@ -125,6 +130,10 @@ final class LineSchedule {
     /** Says that bytes arrived. */
     void received(long now) {
         if (awaitingAnswer) {
+            if (!answerBegun) {
+                answerBegun = true;
+                loop.answeredAfter(now - requestEnd);
+            }
             busyUntil = later(busyUntil, now + QUIET_NANOS);
         }
     }
@@ -136,12 +145,17 @@ final class LineSchedule {
         }
         awaitingAnswer = false;
         if (!actionSinceRequest) {
-            frameEnd = now - spacingNanos; // the board has handled all it got: what comes next need not keep its distance
+            frameEnd = now - LoopTime.LONGEST_NANOS - spacingNanos; // the board has handled all it got: what comes next need not keep its distance
             lineFreeAt = now; // so all has left, if the line is faster than its rate says, as a pseudo-terminal is
             busyUntil = now;
         } else {
-            busyUntil = now + spacingNanos;
+            busyUntil = now + spacing();
         }
+    }
+
+    /** The distance to keep: what was asked for, and what the board's loop needs; none if none was asked for. */
+    private long spacing() {
+        return spacingNanos == 0 ? 0 : Math.max(spacingNanos, loop.nanos());
     }
 
     private boolean overfills(int bytes) {

@@ -102,6 +102,38 @@ class LineScheduleSpec : FunSpec({
         schedule.nanosUntilAction(11, MILLI) shouldBe sent - MILLI
     }
 
+    test("a board that looks at the line more seldom than messages are spaced gets them farther apart") {
+        val schedule = schedule()
+        val asked = schedule.wroteRequest(17, 0, 0)
+        schedule.received(asked + 30 * MILLI)
+        schedule.answered(asked + 40 * MILLI)
+        val sent = schedule.wroteAction(11, asked + 40 * MILLI, asked + 40 * MILLI)
+        schedule.nanosUntilRequest(sent) shouldBe 60 * MILLI
+        (schedule.nanosUntilAction(11, sent) > 48 * MILLI) shouldBe true
+    }
+
+    test("a board that takes long to measure is not taken for one that never looks, and one that holds messages is not waited for") {
+        fun apart(settings: LinkSettings): Long {
+            val schedule = schedule(settings)
+            val asked = schedule.wroteRequest(17, 0, 0)
+            schedule.received(asked + 400 * MILLI)
+            schedule.answered(asked + 410 * MILLI)
+            val sent = schedule.wroteAction(11, asked + 410 * MILLI, asked + 410 * MILLI)
+            return schedule.nanosUntilRequest(sent)
+        }
+        apart(LinkSettings.defaults()) shouldBe 10 * MILLI
+        apart(LinkSettings.defaults().withSpacingMillis(0)) shouldBe 0
+    }
+
+    test("only the last answers count for how often a board looks at the line") {
+        val loop = LoopTime()
+        loop.nanos() shouldBe 0
+        loop.answeredAfter(20 * MILLI)
+        loop.nanos() shouldBe 40 * MILLI
+        repeat(LoopTime.SAMPLES) { loop.answeredAfter(-1) }
+        loop.nanos() shouldBe 0
+    }
+
     test("bytes that arrive say that the board is still busy") {
         val schedule = schedule()
         val asked = schedule.wroteRequest(17, 0, 0)
