@@ -4,6 +4,7 @@ import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
@@ -14,6 +15,8 @@ final class SerialTransport implements Transport {
     private static final int SLICE_MILLIS = 100;
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final long SLICE_NANOS = SLICE_MILLIS * NANOS_PER_MILLI;
+    /** How long closing waits for a read that should have ended. */
+    private static final int READ_END_MILLIS = 2_000;
     /** How often the driver is asked when less than a slice is left. */
     private static final long POLL_NANOS = 250_000L;
     /** How long what was written may be on its way out of the driver, which drops it when it closes the port. */
@@ -175,11 +178,30 @@ final class SerialTransport implements Transport {
         writer.close();
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
         linger();
-        reading.lock();
+        if (!readingEnds()) {
+            System.getLogger(SerialTransport.class.getName()).log(System.Logger.Level.WARNING,
+                    "port " + name + " is given up as it is: its driver does not return from reading");
+            return;
+        }
         try {
             port.closePort(); // ends a write that waits
         } finally {
             reading.unlock();
+        }
+    }
+
+    /** Takes the reading's lock, for which a device that knows no time limits may let one wait for ever. */
+    private boolean readingEnds() {
+        boolean interrupted = Thread.interrupted();
+        try {
+            return reading.tryLock(READ_END_MILLIS, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+            interrupted = true;
+            return false;
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
         }
     }
 
