@@ -1,5 +1,6 @@
 package argo
 
+import jason.asSyntax.BinaryStructure
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
@@ -32,7 +33,7 @@ private fun commandText(term: Term): String {
     val text = when {
         term is StringTerm -> term.string
         !term.isGround -> throw ArgumentException("$term holds a variable that has no value")
-        term is Literal && !term.isList -> term.toString()
+        term is Literal && !term.isList && !term.isPlanBody && term !is BinaryStructure -> term.toString()
         else -> throw ArgumentException("a command is a literal such as ledOn or speed(120), not $term")
     }
     if (text.isEmpty()) throw ArgumentException("a command has at least one character")

@@ -107,6 +107,8 @@ class ActingSpec : FunSpec({
                     "argo.act" to "wrong_arguments",
                     "argo.act(5)" to "wrong_arguments",
                     "argo.act([a])" to "wrong_arguments",
+                    "argo.act(a & b)" to "wrong_arguments",
+                    "argo.act(\"\")" to "wrong_arguments",
                     "argo.act(X)" to "wrong_arguments",
                     "argo.act(speed(X))" to "wrong_arguments",
                     "argo.port(\"sim:nobody\")" to "no_such_port",
