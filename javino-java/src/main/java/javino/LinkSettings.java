@@ -8,7 +8,8 @@ import java.util.Objects;
  * @param baud bits a second
  * @param paced whether a frame is handed to the driver only when the one before has left the line by the baud rate, so that an
  *     urgent command never waits behind seconds of old ones; false writes at once
- * @param spacingMillis milliseconds that a board is left after an action before the next frame
+ * @param spacingMillis milliseconds at least that a board is left after an action before the next frame; more for a board that is
+ *     slow to begin its answers. 0 for a board that needs none
  * @param boardQueue received messages that the board can hold, at least 1; boards in the field hold one
  * @param bootMillis milliseconds since opening in which a board may not have started yet; 0 for a board that is known to run
  * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board does, else version 1
@@ -34,9 +35,9 @@ public record LinkSettings(
         }
     }
 
-    /** 9600 baud, paced, 10 ms of spacing, a board that holds one message and starts within 3 s, the version that it speaks. */
+    /** 9600 baud, paced, 10 ms of spacing, a board that holds one message and starts within 3 s, version 1. */
     public static LinkSettings defaults() {
-        return new LinkSettings(LineSettings.DEFAULT_BAUD, true, 10, 1, 3000, Protocol.AUTO, DEFAULT_MESSAGE_LIMIT);
+        return new LinkSettings(LineSettings.DEFAULT_BAUD, true, 10, 1, 3000, Protocol.V1, DEFAULT_MESSAGE_LIMIT);
     }
 
     /** These settings at another rate. */

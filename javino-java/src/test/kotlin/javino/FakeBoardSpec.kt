@@ -39,7 +39,7 @@ class FakeBoardSpec : FunSpec({
             board.whenAsked("getPercepts").answer("x".repeat(1_000))
             board.whenAsked("fly").refuse()
             board.expect("ledOn").expect("ledOn")
-            Link.open(board.port(), SETTINGS, "the test").use { link ->
+            Link.open(board.port(), SETTINGS.withProtocol(Protocol.AUTO), "the test").use { link ->
                 link.request("getPercepts", LONG_MILLIS) shouldBe "x".repeat(1_000)
                 link.protocol() shouldBe Protocol.V2
                 repeat(2) { link.send("ledOn", LONG_MILLIS) }
