@@ -51,7 +51,7 @@ internal class Waker(private val arch: AgArch) {
     }
 
     private companion object {
-        const val FIRST_REPEAT_MS = 2L
+        const val FIRST_REPEAT_MS = 1L
         const val LAST_REPEAT_MS = 1024L
     }
 }
