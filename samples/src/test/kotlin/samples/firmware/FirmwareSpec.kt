@@ -1,10 +1,15 @@
 package samples.firmware
 
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import javino.ActionRefusedException
+import javino.Link
+import javino.LinkSettings
+import javino.Protocol
 import samples.Program
 
 /** The agents of the samples drive the real firmware, over jSerialComm, from end to end. */
@@ -40,6 +45,20 @@ class FirmwareSpec : FunSpec({
         }
     }
 
+    test("in version 2 the board says that it has acted, and refuses what it does not know").config(enabledOrReasonIf = built) {
+        SimulatedUno("Blink").use { uno ->
+            uno.watch(LED)
+            Link.open(uno.port, LinkSettings.defaults().withProtocol(Protocol.AUTO), "the test").use { link ->
+                link.request("getPercepts", ANSWER_LIMIT_MS) shouldContain "ledStatus(off)"
+                link.protocol() shouldBe Protocol.V2
+                link.send("ledOn", ANSWER_LIMIT_MS)
+                uno.awaitPin(LED, "high")
+                shouldThrow<ActionRefusedException> { link.send("fly", ANSWER_LIMIT_MS) }
+                link.request("getPercepts(ledStatus)", ANSWER_LIMIT_MS) shouldContain "ledStatus(on)"
+            }
+        }
+    }
+
     test("the motors stop by themselves when the Java machine is killed").config(enabledOrReasonIf = built) {
         SimulatedUno("Robot4WD").use { robot ->
             robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
@@ -51,6 +70,7 @@ class FirmwareSpec : FunSpec({
 })
 
 private const val LED = 13
+private const val ANSWER_LIMIT_MS = 20_000
 private const val LEFT_FORWARD = 7
 private const val FRONT_DISTANCE = "A0"
 
