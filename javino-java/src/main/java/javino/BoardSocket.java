@@ -75,8 +75,7 @@ final class BoardSocket {
             try {
                 thread.join(LAST_RUN_MILLIS);
             } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                throw new PortInterruptedException(port);
+                throw PortInterruptedException.remarking(port);
             }
             if (thread.isAlive()) {
                 throw new PortBusyException(port, "the board's own program, which still runs " + LAST_RUN_MILLIS

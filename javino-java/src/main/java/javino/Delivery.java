@@ -75,8 +75,7 @@ final class Delivery {
                         + " ms; the board has not acknowledged the actions before it");
             }
         } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new PortInterruptedException(port);
+            throw PortInterruptedException.remarking(port);
         }
     }
 

@@ -203,7 +203,6 @@ final class FrameWriter {
     }
 
     private PortInterruptedException interrupted() {
-        Thread.currentThread().interrupt();
-        return new PortInterruptedException(transport.name());
+        return PortInterruptedException.remarking(transport.name());
     }
 }

@@ -175,8 +175,7 @@ final class Inbox {
         try {
             clock.await(changed, nanos);
         } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new PortInterruptedException(transport.name());
+            throw PortInterruptedException.remarking(transport.name());
         }
     }
 

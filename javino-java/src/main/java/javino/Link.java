@@ -237,7 +237,6 @@ public final class Link implements AutoCloseable {
     }
 
     private PortInterruptedException interrupted() {
-        Thread.currentThread().interrupt();
-        return new PortInterruptedException(port());
+        return PortInterruptedException.remarking(port());
     }
 }

@@ -7,4 +7,10 @@ public final class PortInterruptedException extends PortException {
     public PortInterruptedException(String port) {
         super(port, "interrupted while waiting for port " + port, null);
     }
+
+    /** What to throw in place of an {@link InterruptedException}, which has unmarked the calling thread: marks it again. */
+    static PortInterruptedException remarking(String port) {
+        Thread.currentThread().interrupt();
+        return new PortInterruptedException(port);
+    }
 }

@@ -146,8 +146,7 @@ final class SerialTransport implements Transport {
                 default -> throw broken();
             }
         } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new PortInterruptedException(name);
+            throw PortInterruptedException.remarking(name);
         }
     }
 
