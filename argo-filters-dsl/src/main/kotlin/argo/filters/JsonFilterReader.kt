@@ -17,8 +17,8 @@ internal class JsonFilterReader(text: String, private val source: String, privat
 
     private fun filter(node: JsonNode): PerceptionFilter? {
         val members = members(node, "a filter", RULES, KEEP, ON_SWITCH) ?: return null
-        val keep = oneOf(members[KEEP], false, MODES) ?: Mode.DROP
-        val onSwitch = oneOf(members[ON_SWITCH], true, ON_SWITCHES) ?: OnSwitch.FORGET
+        val keep = oneOf(members[KEEP], false, FilterWords.MODES) ?: Mode.DROP
+        val onSwitch = oneOf(members[ON_SWITCH], true, FilterWords.ON_SWITCHES) ?: OnSwitch.FORGET
         if (RULES !in members) report(node.position, "the filter has no \"$RULES\"; expected an array of rules, which may be empty")
         return PerceptionFilter(name, items(members[RULES]).mapNotNull(::rule), keep, onSwitch)
     }
@@ -187,8 +187,6 @@ internal class JsonFilterReader(text: String, private val source: String, privat
         const val OPERATOR = "operator"
         const val VALUE = "value"
         const val LIMITS = "limits"
-        val MODES = mapOf("true" to Mode.KEEP, "false" to Mode.DROP)
-        val ON_SWITCHES = mapOf("forget" to OnSwitch.FORGET, "freeze" to OnSwitch.FREEZE)
         val NUMBER = Regex("-?\\d.*")
     }
 }

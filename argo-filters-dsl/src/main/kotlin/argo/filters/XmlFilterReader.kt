@@ -20,8 +20,8 @@ internal class XmlFilterReader(text: String, private val source: String, private
         }
         val attributes = attributes(root, KEEP, ON_SWITCH)
         noText(root)
-        val mode = oneOf(attributes[KEEP], MODES) ?: PerceptionFilter.Mode.DROP
-        val onSwitch = oneOf(attributes[ON_SWITCH], ON_SWITCHES) ?: PerceptionFilter.OnSwitch.FORGET
+        val mode = oneOf(attributes[KEEP], FilterWords.MODES) ?: PerceptionFilter.Mode.DROP
+        val onSwitch = oneOf(attributes[ON_SWITCH], FilterWords.ON_SWITCHES) ?: PerceptionFilter.OnSwitch.FORGET
         return PerceptionFilter(name, children(root, FILTER).mapNotNull(::rule), mode, onSwitch)
     }
 
@@ -216,9 +216,6 @@ internal class XmlFilterReader(text: String, private val source: String, private
         const val ID = "id"
         const val NAME = "name"
         const val OPERATOR = "operator"
-
-        val MODES = mapOf("true" to PerceptionFilter.Mode.KEEP, "false" to PerceptionFilter.Mode.DROP)
-        val ON_SWITCHES = mapOf("forget" to PerceptionFilter.OnSwitch.FORGET, "freeze" to PerceptionFilter.OnSwitch.FREEZE)
 
         /** The second is how files of earlier versions spell it. */
         val ANNOTATION = arrayOf("annotation", "anotation")
