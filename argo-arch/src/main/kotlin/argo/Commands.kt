@@ -28,8 +28,8 @@ internal class Commands(private val link: Link, private val owner: String, priva
     /**
      * Queues [text].
      *
-     * @param outcome is called once by another thread, with null when the command's last byte has left the line or, in version 2, the board has acted, else with
-     * the reason why it has not
+     * @param outcome is called once by another thread, with null when the command's last byte has left the line or, in version 2,
+     * the board has acted, else with the reason why it has not
      */
     fun submit(text: String, outcome: (Failure?) -> Unit) {
         lock.withLock { submitted++ }
@@ -70,9 +70,9 @@ internal class Commands(private val link: Link, private val owner: String, priva
     } catch (trouble: PortException) {
         if (closed) wasClosed() else failureOf(trouble) // close() interrupts what the link has not ended yet
     } catch (unforeseen: RuntimeException) { // the commands behind it must go on, whatever a transport throws
-        Failure("port_failed", "$unforeseen")
-    } catch (unforeseen: LinkageError) { // the driver's native library
-        Failure("port_failed", "$unforeseen")
+        failureOf(unforeseen)
+    } catch (unloadable: LinkageError) { // the driver's native library
+        failureOf(unloadable)
     }
 
     private fun failWaiting() {

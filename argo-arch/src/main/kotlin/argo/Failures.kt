@@ -25,8 +25,11 @@ internal data class Failure(val error: String, val cause: String) {
 /** The argument is not of the kind that the action takes. */
 internal fun wrongArgument(cause: String) = Failure("wrong_arguments", cause)
 
-/** What [trouble] with a port means to a plan. */
-internal fun failureOf(trouble: PortException): Failure = Failure(
+/** What [trouble] with a port means to a plan; what no transport should throw is `port_failed` too. */
+internal fun failureOf(trouble: Throwable): Failure =
+    if (trouble is PortException) failureOf(trouble) else Failure("port_failed", "$trouble")
+
+private fun failureOf(trouble: PortException): Failure = Failure(
     when (trouble) {
         is NoSuchPortException -> "no_such_port"
         is PortBusyException -> "port_busy"

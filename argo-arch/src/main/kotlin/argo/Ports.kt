@@ -67,15 +67,16 @@ internal class Ports(
         report(port, PortStatus.ON)
         settle()
         null
-    } catch (trouble: PortException) {
-        failureOf(trouble).also { states.set(term, PortStatus.OFF, it.cause) }
     } catch (refused: ArgumentException) {
         Failure("too_many_ports", refused.message.orEmpty())
-    } catch (unforeseen: Exception) { // a plan that waits for its port must go on, whatever a transport throws
-        Failure("port_failed", "$unforeseen").also { states.set(term, PortStatus.OFF, it.cause) }
+    } catch (trouble: Exception) { // a plan that waits for its port must go on, whatever a transport throws
+        notOpened(term, trouble)
     } catch (unloadable: LinkageError) { // the driver's native library
-        Failure("port_failed", "$unloadable").also { states.set(term, PortStatus.OFF, it.cause) }
+        notOpened(term, unloadable)
     }
+
+    private fun notOpened(term: Term, trouble: Throwable): Failure =
+        failureOf(trouble).also { states.set(term, PortStatus.OFF, it.cause) }
 
     /** The port if it is open and used as [wanted]; closed if it is open and used otherwise. */
     private fun reusable(key: String, wanted: PortOptions): OpenPort? {

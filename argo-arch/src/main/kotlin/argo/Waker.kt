@@ -13,13 +13,13 @@ import java.util.concurrent.atomic.AtomicLong
  * So it is repeated, ever more slowly, until the agent has seen what it was woken for.
  */
 internal class Waker(private val arch: AgArch) {
-    /** Wakes the agent now and again until [seen]; [seen] is asked by other threads. */
-    fun wake(seen: () -> Boolean) = wake(FIRST_REPEAT_MS, seen)
-
     private val nextWake = AtomicLong(Long.MAX_VALUE)
 
     @Volatile
     private var perceivedMs = Long.MIN_VALUE
+
+    /** Wakes the agent now and again until [seen]; [seen] is asked by other threads. */
+    fun wake(seen: () -> Boolean) = wake(FIRST_REPEAT_MS, seen)
 
     /** The agent begins to perceive, and so has seen what [wakeIn] woke it for. Called by its thread. */
     fun perceives() {
