@@ -1,7 +1,7 @@
 package javino;
 
 /**
- * Asks and listens: what is said to a board, what of that is an answer, whether the board runs yet, and which version it speaks.
+ * Asks and listens: what is said to a board, what of that is an answer, and whether the board runs yet.
  *
  * <p>One thread at a time, but for what says that any may call it.
  */
@@ -11,8 +11,6 @@ final class Exchange {
 
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int REPEAT_MILLIS = 250;
-    private static final long QUIET_NANOS = LineSchedule.QUIET_MILLIS * NANOS_PER_MILLI;
-    private static final long LEAST_PATIENCE_NANOS = 100 * NANOS_PER_MILLI;
     /** A request is sent so often at most on a line whose damage is seen. */
     private static final int TRIES = 3;
     private static final int MOST_BACKOFF = 4;
@@ -20,6 +18,7 @@ final class Exchange {
     private final Inbox inbox;
     private final FrameWriter writer;
     private final LineClock clock;
+    private final Answers answers;
     private final Negotiation negotiation;
     private final long startedAt; // when a board that has not answered is taken to run
     private volatile Protocol protocol;
@@ -27,15 +26,17 @@ final class Exchange {
     private volatile boolean heard; // the board has said something
     private int sequence;
     private int backoff;
-    private AnswerHistory history = new AnswerHistory();
-    private AnswerHistory asIfVersion2; // what is owed if the board turns out to be of version 2 and slow; null: nothing
+    private boolean listens; // somebody wants what the board says unasked
+    private boolean forAction; // the board is asked since an action is to be sent, and nobody wants the answer
+    private Message overheard; // the newest that came meanwhile and is for who listens; null: none
 
     /** @param settings of which {@link LinkSettings#bootMillis()} counts from now */
     Exchange(Inbox inbox, FrameWriter writer, LineClock clock, LinkSettings settings) {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;
-        negotiation = new Negotiation();
+        answers = new Answers(inbox, clock);
+        negotiation = new Negotiation(this, inbox, answers, clock, settings);
         protocol = settings.protocol();
         startedAt = clock.nanos() + settings.bootMillis() * NANOS_PER_MILLI;
         ready = settings.bootMillis() == 0;
@@ -51,6 +52,11 @@ final class Exchange {
         return ready ? 0 : Math.max(0, startedAt - clock.nanos());
     }
 
+    /** Whether the board has said something. Any thread. */
+    boolean hasHeard() {
+        return heard;
+    }
+
     /** Whether the board has to be asked for something before it is sent an action: see {@link #awaitStart}. Any thread. */
     boolean mustAsk() {
         return nanosUntilStarted() > 0 || protocol == Protocol.AUTO && heard;
@@ -58,21 +64,29 @@ final class Exchange {
 
     /** Returns when the board has answered and it is known which version it speaks, or when it must have started. */
     void awaitStart() throws PortException {
-        if (mustAsk()) {
+        if (!mustAsk()) {
+            return;
+        }
+        forAction = true;
+        try {
             if (protocol == Protocol.AUTO) {
                 negotiation.run(READINESS_REQUEST, REPEAT_MILLIS, false);
             } else {
                 askUntil(startedAt, READINESS_REQUEST, REPEAT_MILLIS);
             }
+        } finally {
+            forAction = false;
         }
     }
 
     /** Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting. */
     Message request(Frame request, int timeoutMillis) throws PortException {
+        overheard = null;
         return protocol == Protocol.AUTO ? negotiation.run(request, timeoutMillis, true) : requestAsAgreed(request, timeoutMillis);
     }
 
-    private Message requestAsAgreed(Frame request, int timeoutMillis) throws PortException {
+    /** As {@link #request}, in the version that is spoken, or, if that is not known yet, in turns. */
+    Message requestAsAgreed(Frame request, int timeoutMillis) throws PortException {
         long timeoutNanos = timeoutMillis * NANOS_PER_MILLI;
         long starting = nanosUntilStarted();
         if (starting > 0) {
@@ -81,32 +95,42 @@ final class Exchange {
         if (protocol == Protocol.V2) {
             return askAgain(request, timeoutMillis);
         }
-        Message answer = inbox.next(ask(request, timeoutMillis) + timeoutNanos);
+        Message answer = inbox.next(askAsAgreed(request, timeoutMillis) + timeoutNanos);
         return answer == null ? null : completed(answer, timeoutMillis);
     }
 
     /** Returns when a frame of version 1 may follow what was asked in version 2. Any thread. */
     void awaitGap() throws PortException {
-        writer.awaitTime(negotiation.version1From);
+        writer.awaitTime(negotiation.version1From());
     }
 
     /** The newest message that the board sends of its own accord, or null if none comes in time. */
     Message listen(int timeoutMillis) throws PortException {
-        Message message = inbox.next(clock.nanos() + timeoutMillis * NANOS_PER_MILLI);
+        listens = true;
+        Message message = overheard != null ? overheard : inbox.next(clock.nanos() + timeoutMillis * NANOS_PER_MILLI);
+        overheard = null;
         if (message == null) {
             return null;
         }
         heard = true;
         ready = true;
         writer.answered(clock.nanos()); // who speaks is not busy with a request that nobody waits for any more
-        Message newest = newest(message);
+        Message newest = answers.newest(message);
         if (protocol == Protocol.AUTO && newest.version() == 2) {
             agreeOn(Protocol.V2);
         }
         return newest;
     }
 
-    private void agreeOn(Protocol version) {
+    /** Keeps what came unasked while the board was asked for the sake of an action. */
+    void overhear(Message message) {
+        if (forAction && listens) {
+            overheard = message;
+        }
+    }
+
+    /** Speaks this version from now on. */
+    void agreeOn(Protocol version) {
         inbox.read(version);
         if (version == Protocol.V2) {
             writer.boardIsVersion2();
@@ -119,8 +143,8 @@ final class Exchange {
         long repeatNanos = Math.min(timeoutMillis, REPEAT_MILLIS) * NANOS_PER_MILLI;
         Message answer = null;
         for (long left = giveUp - clock.nanos(); answer == null && left > 0; left = giveUp - clock.nanos()) {
-            long sent = ask(request, timeoutMillis);
-            answer = answerBy(sent, sent + Math.min(left, repeatNanos), giveUp);
+            long sent = askAsAgreed(request, timeoutMillis);
+            answer = answers.by(sent, sent + Math.min(left, repeatNanos), giveUp);
         }
         return answer == null ? null : completed(answer, timeoutMillis);
     }
@@ -130,12 +154,12 @@ final class Exchange {
      * nothing about how long the board takes, so the time that is given it is doubled until a request is answered at once.
      */
     private Message askAgain(Frame request, int timeoutMillis) throws PortException {
-        long sent = ask(request, timeoutMillis);
+        long sent = askAsAgreed(request, timeoutMillis);
         long giveUp = sent + timeoutMillis * NANOS_PER_MILLI;
         for (int tries = 1; true; tries++) {
             long noise = inbox.noise();
-            long patience = tries < TRIES ? history.patienceNanos(LEAST_PATIENCE_NANOS) << backoff : Long.MAX_VALUE / 2;
-            Message answer = answerOrDamage(sent, noise, sent + Math.min(patience, giveUp - sent), giveUp);
+            long patience = tries < TRIES ? answers.patienceNanos() << backoff : Long.MAX_VALUE / 2;
+            Message answer = answers.orDamage(sent, noise, sent + Math.min(patience, giveUp - sent), giveUp);
             if (answer != null) {
                 backoff = tries == 1 ? 0 : backoff;
                 return completed(answer, timeoutMillis);
@@ -144,198 +168,41 @@ final class Exchange {
                 return null;
             }
             if (inbox.noise() > noise) {
-                history.settled(); // that was it
+                answers.settled(); // that was it
             } else {
                 backoff = Math.min(backoff + 1, MOST_BACKOFF);
             }
-            sent = ask(request, timeoutMillis);
+            sent = askAsAgreed(request, timeoutMillis);
         }
     }
 
-    /** As {@link #answerBy}, but null as soon as the line is silent behind more than {@code noise}. */
-    private Message answerOrDamage(long sent, long noise, long deadline, long giveUp) throws PortException {
-        Message answer = null;
-        for (long now = clock.nanos(); answer == null && deadline - now > 0; now = clock.nanos()) {
-            if (inbox.noise() > noise && now - inbox.lastByteNanos() >= QUIET_NANOS) {
-                return null;
-            }
-            answer = inbox.next(Math.min(deadline - now, QUIET_NANOS) + now);
-        }
-        return answer != null ? answer : answerBy(sent, deadline, giveUp);
-    }
-
-    /** The answer, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
-    private Message answerBy(long sent, long deadline, long giveUp) throws PortException {
-        Message answer = inbox.next(deadline);
-        while (answer == null && answerIsComing(sent) && giveUp - clock.nanos() > 0) {
-            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // asking again would drop what has come of it
-        }
-        return answer;
-    }
-
-    private boolean answerIsComing(long sent) {
-        return inbox.lastByteNanos() - sent > 0 && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
-    }
-
-    /** Writes a request, and returns when its last byte leaves. */
-    private long ask(Frame request, int timeoutMillis) throws PortException {
+    private long askAsAgreed(Frame request, int timeoutMillis) throws PortException {
         return protocol == Protocol.AUTO ? negotiation.ask(request, timeoutMillis) : ask(protocol, request, timeoutMillis);
     }
 
-    private long ask(Protocol version, Frame request, int timeoutMillis) throws PortException {
+    /** Writes a request in this version, and returns when its last byte leaves. */
+    long ask(Protocol version, Frame request, int timeoutMillis) throws PortException {
         Frame frame = request;
         if (version == Protocol.V2) {
             frame = request.toVersion2(0, sequence);
             sequence = (sequence + 1) % Frame.SEQUENCES;
         }
-        long sent = writer.write(FrameWriter.Kind.REQUEST, frame, timeoutMillis, inbox::clear);
-        history.asked(sent);
+        long sent = writer.write(FrameWriter.Kind.REQUEST, frame, timeoutMillis, forAction && listens ? inbox::asked : inbox::clear);
+        answers.asked(sent);
         return sent;
     }
 
-    /** Brings the exchange whose first message has come to its end. */
-    private Message completed(Message answer, int timeoutMillis) throws PortException {
+    /** Brings the exchange whose first message has come to its end, and returns the answer. */
+    Message completed(Message first, int timeoutMillis) throws PortException {
         heard = true;
         ready = true;
-        if (protocol == Protocol.AUTO && answer.version() == 2) {
+        if (protocol == Protocol.AUTO && first.version() == 2) {
             agreeOn(Protocol.V2);
-            if (asIfVersion2 != null) {
-                asIfVersion2.asked(clock.nanos());
-                history = asIfVersion2;
-            }
+            answers.oweAllInVersion2();
         }
-        Message last = answer;
-        if (history.mayBeLate()) {
-            last = lastBeforeSilence(answer, timeoutMillis * NANOS_PER_MILLI);
-        } else {
-            history.answered(clock.nanos());
-            last = newest(answer); // behind a frame that was cut comes the intact one
-        }
+        Message answer = answers.last(first, timeoutMillis, protocol == Protocol.V2);
+        overhear(answer);
         writer.answered(clock.nanos());
-        return last;
-    }
-
-    /** The newest message that is there already: {@code message}, unless others have come behind it. */
-    private Message newest(Message message) throws PortException {
-        Message newer = inbox.newest();
-        return newer == null ? message : newer;
-    }
-
-    /**
-     * The last message before the board falls silent. A board of version 2 may acknowledge actions all the time, so there it is the time
-     * since a message that counts, and if there is one for each request no further is due.
-     */
-    private Message lastBeforeSilence(Message first, long timeoutNanos) throws PortException {
-        long now = clock.nanos();
-        long giveUp = now + timeoutNanos;
-        long settlingNanos = history.settlingNanos(now, timeoutNanos);
-        Message last = first;
-        long lastAt = now;
-        for (int messages = 1; giveUp - clock.nanos() > 0; ) {
-            boolean version2 = protocol == Protocol.V2;
-            long left = Math.min((version2 ? lastAt : inbox.lastByteNanos()) + settlingNanos, giveUp) - clock.nanos();
-            Message later = inbox.next(clock.nanos() + left);
-            if (later != null) {
-                last = later;
-                lastAt = clock.nanos();
-                messages++;
-            }
-            boolean silent = later == null && clock.nanos() - (version2 ? lastAt : inbox.lastByteNanos()) >= settlingNanos;
-            if (silent || version2 && messages >= history.owed()) {
-                history.settled();
-                return last;
-            }
-        }
-        return last; // the line does not rest: the next answer may be late too
-    }
-
-    /**
-     * Finds out which version a board speaks. It is asked in version 2, twice in case the line damages one; a version 1 board discards that.
-     * If there is no answer it is left a time in which boards in the field forget what they have begun to receive, and asked in version 1.
-     *
-     * <p>A version 2 board that was starting when it was asked in version 2 answers the request of version 1, in version 1. So one that did not
-     * answer the first of these, or had something else to say before, is asked in version 2 once more, now that it runs. A board
-     * that runs is asked in version 2 at one time only, and a board that starts at one more. What is not noticed is a version 2 board that
-     * starts in silence after the last probe and in less than the gap behind it; it is spoken to in version 1, which works as well.
-     */
-    private final class Negotiation {
-        private static final int PROBES = 2;
-        /** So many if bytes come back, which may be a damaged answer. */
-        private static final int MOST_PROBES = 5;
-        private static final long PROBE_NANOS = 60 * NANOS_PER_MILLI;
-        /** Boards in the field drop a frame 300 ms after its first byte. */
-        private static final long GAP_NANOS = 310 * NANOS_PER_MILLI;
-        /** While a board is starting, every so many requests one is of version 2, for a board that knows nothing else. */
-        private static final int CYCLE = 4;
-
-        private boolean probed;
-        private int asked;
-        private volatile long version1From = clock.nanos();
-
-        /** As {@link Exchange#request}; {@code answered} says whether the answer must be fresh. */
-        Message run(Frame request, int timeoutMillis, boolean answered) throws PortException {
-            boolean runs = heard;
-            Message answer = null;
-            if (!probed || runs) {
-                probed = true;
-                answer = probe(request, timeoutMillis);
-            }
-            if (answer == null && !runs) {
-                boolean starting = nanosUntilStarted() > 0;
-                answer = requestAsAgreed(request, timeoutMillis);
-                if (answer == null && starting) {
-                    return probe(request, timeoutMillis); // the board may know nothing else
-                }
-                runs = asked == 1 && inbox.noise() == 0;
-                if (answer == null || protocol != Protocol.AUTO) {
-                    return answer;
-                }
-                if (runs) {
-                    agreeOn(Protocol.V1);
-                    return answer;
-                }
-                answer = probe(request, timeoutMillis);
-            }
-            if (answer != null) {
-                return answer;
-            }
-            agreeOn(Protocol.V1);
-            return answered ? requestAsAgreed(request, timeoutMillis) : null;
-        }
-
-        /** Writes a request while the version is not known. */
-        long ask(Frame request, int timeoutMillis) throws PortException {
-            asked++;
-            return asked % CYCLE == 0 ? askVersion2(request, timeoutMillis) : askVersion1(request, timeoutMillis);
-        }
-
-        private long askVersion1(Frame request, int timeoutMillis) throws PortException {
-            awaitGap();
-            return Exchange.this.ask(Protocol.V1, request, timeoutMillis);
-        }
-
-        private long askVersion2(Frame request, int timeoutMillis) throws PortException {
-            long sent = Exchange.this.ask(Protocol.V2, request, timeoutMillis);
-            version1From = sent + GAP_NANOS;
-            return sent;
-        }
-
-        private Message probe(Frame request, int timeoutMillis) throws PortException {
-            int most = PROBES;
-            for (int probes = 1; probes <= most; probes++) {
-                long sent = askVersion2(request, timeoutMillis);
-                long deadline = sent + (probes < most ? PROBE_NANOS : GAP_NANOS);
-                Message answer = answerBy(sent, deadline, sent + REPEAT_MILLIS * NANOS_PER_MILLI);
-                if (answer != null && answer.version() == 2) {
-                    return completed(answer, timeoutMillis);
-                }
-                if (answer == null && inbox.lastByteNanos() - sent > 0) {
-                    most = MOST_PROBES;
-                }
-            }
-            asIfVersion2 = history;
-            history = new AnswerHistory(); // a version 1 board owes no answer to that
-            return null;
-        }
+        return answer;
     }
 }

@@ -123,6 +123,16 @@ final class Inbox {
         }
     }
 
+    /** Says that a request is about to go out for whose sake nothing is forgotten. */
+    void asked() {
+        lock.lock();
+        try {
+            fragments.asked();
+        } finally {
+            lock.unlock();
+        }
+    }
+
     /** When the last byte arrived. */
     long lastByteNanos() {
         return lastByteNanos;

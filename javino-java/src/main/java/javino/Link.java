@@ -16,7 +16,8 @@ import java.util.concurrent.locks.ReentrantLock;
  * limit, if that is shorter), and the first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  *
  * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with it:
- * what is asked first is asked in version 2, and if there is no answer within 0.4 s, in version 1. From a board of version 2 messages come
+ * what is asked first is asked in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not
+ * understand the former and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come
  * whole or not at all, and {@link #send} knows what became of an action.
  *
  * <p>Once the device has gone, or the link is closed, every call throws {@link PortGoneException}, those that wait promptly, and the port is

@@ -2,6 +2,7 @@ package javino
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldNotContain
@@ -40,6 +41,23 @@ private class FieldBoard(private val startsAt: Double = 0.0, private val blockwi
             received += bytes.substring(6)
             bytes = ""
             if (received.last() == REQUEST) Frame.of("${received.size};").toBytes().let { end.write(it, 0, it.size, 0) }
+        }
+    }
+}
+
+/** A board with a receive buffer and a loop of its own, that says when it is ready. */
+private class BusyBoard(val model: FieldBoardModel) : LineEnd {
+    private var ready = false
+    private var unsent = ArrayDeque<Byte>()
+
+    override fun look(end: Transport, now: Double) {
+        if (!ready) Frame.of("ready;").toBytes().let { end.write(it, 0, it.size, 0) }
+        ready = true
+        val buffer = ByteArray(64)
+        repeat(end.read(buffer, 0, buffer.size, 0)) { model.receive(buffer[it]) }
+        repeat(model.advance((now * 1e6).toLong())) {
+            if (unsent.isEmpty()) unsent += Frame.of("dist(f,1);").toBytes().toList()
+            end.write(byteArrayOf(unsent.removeFirst()), 0, 1, 0)
         }
     }
 }
@@ -89,7 +107,7 @@ class LinkVersionSpec : FunSpec({
 
         for (both in listOf(true, false)) test("a version 2 board that starts for $starts ms is found to be one, reads version 1: $both") {
             val board = VirtualBoard2(starts, both)
-            val unnoticed = both && starts in 85.0..420.0 // it misses the probes and answers the first request of version 1
+            val unnoticed = both && starts in 55.0..385.0 // it misses the probes and answers the first request of version 1
             bench(board).use { bench ->
                 bench.link.request(REQUEST, 500)
                 bench.link.protocol() shouldBe if (unnoticed) Protocol.V1 else Protocol.V2
@@ -174,6 +192,50 @@ class LinkVersionSpec : FunSpec({
             bench.link.protocol() shouldBe Protocol.V1
             bench.awayFor(5)
             old.texts shouldContainExactly listOf("ledOn")
+        }
+    }
+
+    for (at in listOf(5.0, 40.0, 90.0, 200.0, 340.0)) test("what a version 1 board says unasked $at ms after it is probed for an action reaches who listens") {
+        val board = VirtualBoard().apply { say(1.0, "ready;") }
+        bench(board).use { bench ->
+            bench.link.listen(1_000) shouldBe "ready;"
+            board.say(bench.millis + at, "bump;")
+            bench.link.send("ledOn", 500)
+            bench.link.listen(500) shouldBe "bump;"
+            board.texts shouldContainExactly listOf("ledOn")
+        }
+    }
+
+    test("what came before an action probes the board reaches who listens, unless something newer does") {
+        val board = VirtualBoard().apply { say(1.0, "ready;") }
+        bench(board).use { bench ->
+            bench.link.listen(1_000)
+            board.say(bench.millis, "bump;")
+            bench.awayFor(20)
+            bench.link.send("ledOn", 500)
+            bench.link.listen(500) shouldBe "bump;"
+            board.say(bench.millis, "old;")
+            board.say(bench.millis + 20, "new;")
+            bench.awayFor(60)
+            bench.link.send("ledOff", 500)
+            bench.link.listen(500) shouldBe "new;"
+        }
+    }
+
+    test("a version 1 board whose loop takes long loses no action to the probes") {
+        for (loop in listOf(100, 250, 400)) for (baud in listOf(9_600, 115_200)) {
+            val settings = LinkSettings.defaults().withBaud(baud).withSpacingMillis(loop)
+            val board = BusyBoard(FieldBoardModel(settings.line().byteNanos(), loop * 1_000_000L, Frame.of("dist(f,1);")))
+            bench(board, settings).use { bench ->
+                bench.link.listen(20_000) shouldBe "ready;"
+                bench.link.send("x".repeat(40), 5_000)
+                repeat(3) { bench.link.request(REQUEST, 5_000) shouldBe "dist(f,1);" }
+                bench.link.send("ledOn", 5_000)
+                bench.awayFor(2 * loop)
+                board.model.overflowed shouldBe 0
+                board.model.lost.shouldBeEmpty()
+                board.model.handled.filter { it != REQUEST } shouldContainExactly listOf("x".repeat(40), "ledOn")
+            }
         }
     }
 
