@@ -34,6 +34,15 @@ internal data class PortOptions(
         }
     }
 
+    /**
+     * How the link treats its line. One that is not [paced] is used as was published, with version 1 of the protocol unless version 2
+     * was asked for.
+     */
+    fun linkSettings(paced: Boolean): LinkSettings {
+        val version = if (!paced && link.protocol == Protocol.AUTO) Protocol.V1 else link.protocol
+        return link.withPaced(paced).withProtocol(version)
+    }
+
     private fun with(option: Term): PortOptions {
         val name = (option as? Literal)?.takeIf { it.arity == 1 && !it.isVar }?.functor
         return when (name) {

@@ -90,7 +90,7 @@ internal class Ports(
         if (lock.withLock { open.size } >= MOST_PORTS) {
             throw ArgumentException("an agent holds at most $MOST_PORTS ports; argo.port(none) closes them")
         }
-        val port = OpenPort(term, Link.open(name, options.link.withPaced(paced), owner), options, owner, listener)
+        val port = OpenPort(term, Link.open(name, options.linkSettings(paced), owner), options, owner, listener)
         val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
         if (tooLate) port.close()
         return port

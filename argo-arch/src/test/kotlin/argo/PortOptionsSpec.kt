@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax
+import javino.Protocol
 
 class PortOptionsSpec : FunSpec({
     fun of(text: String) = PortOptions.of(ASSyntax.parseTerm(text))
@@ -15,6 +16,15 @@ class PortOptionsSpec : FunSpec({
         options.link.baud() shouldBe 9600
         options.timeoutMs shouldBe 500
         options.listens shouldBe false
+        options.link.protocol() shouldBe Protocol.AUTO
+    }
+
+    test("a line that is not paced is spoken to in version 1, unless version 2 is asked for") {
+        of("[]").linkSettings(paced = true).protocol() shouldBe Protocol.AUTO
+        of("[]").linkSettings(paced = false).protocol() shouldBe Protocol.V1
+        of("[protocol(auto)]").linkSettings(paced = false).protocol() shouldBe Protocol.V1
+        of("[protocol(2)]").linkSettings(paced = false).protocol() shouldBe Protocol.V2
+        of("[]").linkSettings(paced = false).paced() shouldBe false
     }
 
     test("each option sets what it names") {

@@ -10,6 +10,8 @@ import java.util.concurrent.locks.ReentrantLock;
  * <p>A port is opened when it is first named and stays open until {@link #close()}, since opening it resets most boards; one whose device has
  * gone is opened anew by the next call. No call throws for what happens on the line: {@link #lastError()} says why one returned false.
  *
+ * <p>It speaks version 1 of the protocol, as programs of this interface expect, unless its settings ask for version 2.
+ *
  * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} speak of the latest call of all. Not final, so that programs
  * can put a class of their own in its place in tests.
  */
@@ -29,11 +31,11 @@ public class Javino implements AutoCloseable {
     }
 
     /**
-     * @param settings for every port that is opened
+     * @param settings for every port that is opened; unless they ask for version 2 of the protocol, version 1 is spoken
      * @param timeoutMillis milliseconds that a call waits for the line and for a message, at least 1
      */
     public Javino(LinkSettings settings, int timeoutMillis) {
-        this.settings = settings;
+        this.settings = settings.protocol() == Protocol.AUTO ? settings.withProtocol(Protocol.V1) : settings;
         this.timeoutMillis = timeoutMillis;
     }
 

@@ -35,9 +35,9 @@ public record LinkSettings(
         }
     }
 
-    /** 9600 baud, paced, 10 ms of spacing, a board that holds one message and starts within 3 s, version 1. */
+    /** 9600 baud, paced, 10 ms of spacing, a board that holds one message and starts within 3 s, the version that it speaks. */
     public static LinkSettings defaults() {
-        return new LinkSettings(LineSettings.DEFAULT_BAUD, true, 10, 1, 3000, Protocol.V1, DEFAULT_MESSAGE_LIMIT);
+        return new LinkSettings(LineSettings.DEFAULT_BAUD, true, 10, 1, 3000, Protocol.AUTO, DEFAULT_MESSAGE_LIMIT);
     }
 
     /** These settings at another rate. */

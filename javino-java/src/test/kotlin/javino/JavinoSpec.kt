@@ -3,6 +3,16 @@ package javino
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.util.concurrent.CopyOnWriteArrayList
+
+/** A board that says nothing, and notes in which version it is spoken to. */
+private class VersionsHeard(private val versions: MutableList<Int>) : SimulatedBoard {
+    override fun run(line: Transport) {
+        val decoder = FrameDecoder(Long.MAX_VALUE, Protocol.AUTO) { versions += it.version() }
+        val buffer = ByteArray(64)
+        while (true) decoder.accept(buffer, 0, line.read(buffer, 0, buffer.size, 100), 0)
+    }
+}
 
 class JavinoSpec : FunSpec({
     fun withBoard(name: String, work: (FakeBoard, Javino) -> Unit) =
@@ -21,6 +31,20 @@ class JavinoSpec : FunSpec({
             board.send("bump;")
             javino.listenHardware("sim:classic") shouldBe true
             javino.getData() shouldBe "bump;"
+        }
+    }
+
+    test("version 1 is spoken, even with a board that reads both, unless version 2 is asked for") {
+        for ((protocol, versions) in listOf(Protocol.AUTO to listOf(1, 1), Protocol.V1 to listOf(1, 1), Protocol.V2 to listOf(2, 2))) {
+            val heard = CopyOnWriteArrayList<Int>()
+            val board = VersionsHeard(heard)
+            SimulatedBoards.plugIn("versions", board)
+            try {
+                Javino(LinkSettings.defaults().withBootMillis(0).withProtocol(protocol), 50).use { javino -> repeat(2) { javino.requestData("sim:versions", "getPercepts") } }
+            } finally {
+                SimulatedBoards.unplug("versions")
+            }
+            heard.take(2) shouldBe versions
         }
     }
 

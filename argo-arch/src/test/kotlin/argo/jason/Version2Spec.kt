@@ -15,7 +15,7 @@ class Version2Spec : FunSpec({
             TestMas().use { mas ->
                 mas.agent("bob", """
                     !start.
-                    +!start <- argo.port("sim:robot", [protocol(auto)]); argo.act(ledOn); argo.act(fly).
+                    +!start <- argo.port("sim:robot"); argo.act(ledOn); argo.act(fly).
                     -!start[error(E)] <- argo.act(said(E)).
                 """)
                 board.awaitMessage("said(act_refused)", LIMIT_MS)
@@ -29,7 +29,7 @@ class Version2Spec : FunSpec({
             TestMas().use { mas ->
                 mas.agent("bob", """
                     !start.
-                    +!start <- argo.port("sim:robot", [protocol(auto)]); argo.act(ledOn).
+                    +!start <- argo.port("sim:robot"); argo.act(ledOn).
                     +!walk <- argo.act(walk).
                     -!walk[error(E)] <- +said(E).
                 """)
@@ -50,7 +50,7 @@ class Version2Spec : FunSpec({
                 mas.file("filters/near.xml", "<?xml version=\"1.0\"?>\n<PerceptionFilter keep=\"true\"><filter><predicate>dist</predicate></filter></PerceptionFilter>\n")
                 mas.agent("bob", """
                     !start.
-                    +!start <- argo.port("sim:robot", [protocol(auto)]); argo.limit(5); argo.percepts(open).
+                    +!start <- argo.port("sim:robot"); argo.limit(5); argo.percepts(open).
                     +light(f,_) <- argo.change_filter(near).
                     -light(f,_) : dist(f,1) <- argo.act(ok).
                 """)
