@@ -23,8 +23,10 @@ import java.util.logging.Logger
  * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.
  *
  * The methods of [AgArch] are called by Jason; a project has no reason to call any.
+ *
+ * @param platform its time, threads and ports; Jason makes it with those of the machine
  */
-open class Arch : AgArch() {
+open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private lateinit var log: Logger
     private lateinit var board: BoardPercepts
     private lateinit var handOver: HandOver
@@ -34,7 +36,7 @@ open class Arch : AgArch() {
     private lateinit var policy: SensingPolicy
     private val commands = CommandLedger()
     private val actedThrough = AtomicReference<OpenPort?>()
-    private val environment = EnvironmentPercepts(nowMs = ::steadyMs)
+    private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
     @Volatile
     private var perceiving = false
@@ -48,11 +50,11 @@ open class Arch : AgArch() {
         super.init()
         log = Logger.getLogger("${Arch::class.java.name}.$agName")
         policy = sensingPolicy()
-        waker = Waker(this)
-        board = BoardPercepts(BeliefReader { log.warning(it) }, log, ::steadyMs)
-        handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand) { ts.c.events }) else EveryHandOver { log.warning(it) }
+        waker = Waker(this, platform)
+        board = BoardPercepts(BeliefReader { log.warning(it) }, log, platform.nowMs)
+        handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand, platform.nowMs) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
-        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, settle = ::settle)
+        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle)
     }
 
     /** An atomic plan holds back all events; with `events=requeue` those that no plan applies to come back for ever. */
@@ -152,7 +154,7 @@ open class Arch : AgArch() {
 
     private fun senseInCycle() {
         val port = ports.current?.takeIf { perceiving && it.link.isOpen } ?: return
-        val start = System.nanoTime()
+        val start = platform.clock.nanos()
         if (start - (lastInCycle ?: (start - Long.MAX_VALUE / 2)) < intervalMs * NANOS_PER_MS) return
         lastInCycle = start
         port.sensing.exchange()

@@ -39,7 +39,7 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
         filterVersion++
     }
 
-    /** What the agent perceives of a [message] of the board on [port], whose last byte came at [receivedNanos] by [System.nanoTime]. */
+    /** What the agent perceives of a [message] of the board on [port], whose last byte came at [receivedNanos] by the platform's clock. */
     fun snapshot(port: OpenPort?, message: String, receivedNanos: Long): Snapshot {
         val texts = perceptsOf(message)
         return lock.withLock { snapshot(port, texts, receivedNanos) }

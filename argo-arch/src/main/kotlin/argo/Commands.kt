@@ -3,8 +3,6 @@ package argo
 import javino.Link
 import javino.PortException
 import javino.PortGoneException
-import java.util.concurrent.LinkedBlockingQueue
-import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
@@ -14,16 +12,21 @@ import kotlin.concurrent.withLock
  * @param owner the agent's name, for the thread's
  * @param lost is called when writing finds that the port has gone
  */
-internal class Commands(private val link: Link, private val owner: String, private val lost: (PortException) -> Unit) {
-    private val queue = LinkedBlockingQueue<Command>()
-    private val lock = ReentrantLock()
+internal class Commands(
+    private val link: Link,
+    private val owner: String,
+    private val platform: Platform,
+    private val lost: (PortException) -> Unit,
+) {
+    private val lock = platform.clock.newLock(false)
     private val moved = lock.newCondition()
+    private val queue = ArrayDeque<Command>()
     private var submitted = 0L
     private var finished = 0L
 
     @Volatile
     private var closed = false
-    private val writer = lazy { daemonThread("argo-$owner-acting-${link.port()}", ::writeAll) }
+    private val writer = lazy { platform.start("argo-$owner-acting-${link.port()}", ::writeAll) }
 
     /**
      * Queues [text].
@@ -32,8 +35,11 @@ internal class Commands(private val link: Link, private val owner: String, priva
      * the board has acted, else with the reason why it has not
      */
     fun submit(text: String, outcome: (Failure?) -> Unit) {
-        lock.withLock { submitted++ }
-        queue.put(Command(text, outcome))
+        lock.withLock {
+            submitted++
+            queue.addLast(Command(text, outcome))
+            moved.signalAll()
+        }
         if (closed) failWaiting() else writer.value
     }
 
@@ -53,11 +59,16 @@ internal class Commands(private val link: Link, private val owner: String, priva
 
     private fun writeAll() {
         try {
-            while (!closed) queue.take().let { finish(it, write(it.text)) }
+            while (!closed) next().let { finish(it, write(it.text)) }
         } catch (_: InterruptedException) {
             // close() ends this thread
         }
         failWaiting()
+    }
+
+    private fun next(): Command = lock.withLock {
+        while (queue.isEmpty()) moved.await()
+        queue.removeFirst()
     }
 
     /** Writes [text] on the caller's thread, without waiting for a turn, and says why if it could not. */
@@ -76,7 +87,7 @@ internal class Commands(private val link: Link, private val owner: String, priva
     }
 
     private fun failWaiting() {
-        while (true) finish(queue.poll() ?: return, wasClosed())
+        while (true) finish(lock.withLock { queue.removeFirstOrNull() } ?: return, wasClosed())
     }
 
     private fun wasClosed() = Failure("port_gone", "the port ${link.port()} was closed, or its device went, before it was sent")
@@ -95,10 +106,4 @@ internal class Commands(private val link: Link, private val owner: String, priva
         /** How long a line may refuse to take one command, in ms. */
         const val WRITE_LIMIT_MS = 5000
     }
-}
-
-/** Starts a platform thread that does not keep the program alive. */
-internal fun daemonThread(name: String, run: () -> Unit): Thread = Thread(run, name).apply {
-    isDaemon = true
-    start()
 }

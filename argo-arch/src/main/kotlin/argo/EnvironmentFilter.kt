@@ -10,7 +10,7 @@ import jason.asSyntax.Literal
  * agent's architectures when the agent chooses a filter for the first time.
  */
 internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<Literal>) : AgArch() {
-    private val environment = EnvironmentPercepts(perceivedSoFar, ::steadyMs)
+    private val environment = EnvironmentPercepts(perceivedSoFar, Platform.system.nowMs)
     private val waker = Waker(this)
 
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
@@ -37,6 +37,3 @@ internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<
         }
     }
 }
-
-/** Milliseconds of a clock that never goes back. */
-internal fun steadyMs(): Long = System.nanoTime() / 1_000_000

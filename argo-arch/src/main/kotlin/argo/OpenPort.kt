@@ -8,6 +8,7 @@ import java.util.concurrent.CopyOnWriteArraySet
  * A port that an agent holds open: its link, the commands that wait for it and its sensing.
  *
  * @param term the port as the agent calls it
+ * @param platform what its threads run on
  */
 internal class OpenPort(
     term: Term,
@@ -15,6 +16,7 @@ internal class OpenPort(
     val options: PortOptions,
     owner: String,
     listener: SensingListener,
+    platform: Platform,
 ) {
     private val names = CopyOnWriteArraySet(listOf(term))
 
@@ -22,10 +24,10 @@ internal class OpenPort(
     val terms: Set<Term> get() = names
 
     /** What the agent wants done. */
-    val commands = Commands(link, owner) { listener.lost(this, it) }
+    val commands = Commands(link, owner, platform) { listener.lost(this, it) }
 
     /** What the board says. */
-    val sensing = Sensing(this, owner, listener)
+    val sensing = Sensing(this, owner, listener, platform)
 
     /** The agent calls it [term] too. */
     fun isCalled(term: Term) {

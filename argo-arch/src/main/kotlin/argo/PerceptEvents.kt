@@ -18,7 +18,7 @@ import java.util.IdentityHashMap
  */
 internal class PerceptEvents(
     private val queueStands: () -> Boolean = { false },
-    private val nowMs: () -> Long = ::steadyMs,
+    private val nowMs: () -> Long = Platform.system.nowMs,
     private val queue: () -> Collection<Event>,
 ) {
     /** The percept events that were in the queue once the last snapshot had been taken in; null: it has not been, or the queue stands. */

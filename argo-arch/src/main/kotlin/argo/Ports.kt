@@ -1,12 +1,8 @@
 package argo
 
 import jason.asSyntax.Term
-import javino.Link
 import javino.PortException
 import javino.Transports
-import java.util.concurrent.LinkedBlockingQueue
-import java.util.concurrent.ThreadPoolExecutor
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -18,6 +14,7 @@ import kotlin.concurrent.withLock
  *
  * @param owner the agent's name: what a second agent is told that asks for the same port
  * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced]
+ * @param platform opens the ports
  * @param settle is called after each change of the port in use
  */
 internal class Ports(
@@ -25,6 +22,7 @@ internal class Ports(
     private val states: PortStates,
     private val listener: SensingListener,
     private val paced: Boolean,
+    private val platform: Platform,
     private val settle: () -> Unit,
 ) {
     private val lock = ReentrantLock()
@@ -32,10 +30,7 @@ internal class Ports(
     private val lastOptions = HashMap<String, PortOptions>()
     private var stopped = false
 
-    /** One thread at most, in the order of the requests; it ends when there is nothing to open. */
-    private val opener = ThreadPoolExecutor(1, 1, 1, TimeUnit.SECONDS, LinkedBlockingQueue()) { work ->
-        Thread(work, "argo-$owner-opening").apply { isDaemon = true }
-    }.apply { allowCoreThreadTimeOut(true) }
+    private val opener = SerialWork(platform, "argo-$owner-opening")
 
     /** The port for sensing and acting, or null. */
     @Volatile
@@ -90,7 +85,7 @@ internal class Ports(
         if (lock.withLock { open.size } >= MOST_PORTS) {
             throw ArgumentException("an agent holds at most $MOST_PORTS ports; argo.port(none) closes them")
         }
-        val port = OpenPort(term, Link.open(name, options.linkSettings(paced), owner), options, owner, listener)
+        val port = OpenPort(term, platform.open(name, options.linkSettings(paced), owner), options, owner, listener, platform)
         val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
         if (tooLate) port.close()
         return port
@@ -136,9 +131,8 @@ internal class Ports(
         lock.withLock {
             if (stopped) return
             stopped = true
-            opener.queue.clear()
+            opener.clear()
             opener.execute(::closeNow)
-            opener.shutdown()
         }
     }
 

@@ -6,8 +6,6 @@ import javino.PortException
 import javino.PortFaultException
 import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
-import java.util.concurrent.locks.LockSupport
-import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /** What the sensing of a port says; called by its thread. */
@@ -15,7 +13,7 @@ internal interface SensingListener {
     /** What the board is to be asked now. */
     fun request(port: OpenPort): String
 
-    /** A message came; its last byte at [receivedNanos] by [System.nanoTime]. */
+    /** A message came; its last byte at [receivedNanos] by the platform's clock. */
     fun received(port: OpenPort, message: String, receivedNanos: Long)
 
     /** The board did not answer in time. */
@@ -30,8 +28,14 @@ internal interface SensingListener {
  * watches the line, so that a cable that is pulled is noticed whether or not the agent perceives or acts.
  * The thread starts when [set] is first called and ends with [close] or the port.
  */
-internal class Sensing(private val port: OpenPort, owner: String, private val listener: SensingListener) {
-    private val lock = ReentrantLock()
+internal class Sensing(
+    private val port: OpenPort,
+    owner: String,
+    private val listener: SensingListener,
+    platform: Platform,
+) {
+    private val clock = platform.clock
+    private val lock = clock.newLock(false)
     private val changed = lock.newCondition()
     private var on = false
     private var closed = false
@@ -46,7 +50,7 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
      * an eighth of what a request takes, which is about a hundredth of an exchange.
      */
     private val graceNanos = port.options.link.line().byteNanos() * Frame.of(PERCEPTS_REQUEST).toBytes().size / 8
-    private val thread = lazy { daemonThread("argo-$owner-sensing-${port.link.port()}", ::run) }
+    private val thread = lazy { platform.start("argo-$owner-sensing-${port.link.port()}", ::run) }
 
     /** Turns sensing on, with [intervalMs] ms between requests (0: as fast as the line allows), or off. */
     fun set(on: Boolean, intervalMs: Int) = lock.withLock {
@@ -76,13 +80,13 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
     /** Waits until the next request is due; false if there is time to watch the line before it. */
     private fun awaitTurn(): Boolean = lock.withLock {
         while (on && !closed) {
-            val wait = nanosUntilDue(System.nanoTime())
+            val wait = nanosUntilDue(clock.nanos())
             if (wait > WATCH_NANOS) return false
             if (wait <= 0) {
-                lastStart = System.nanoTime()
+                lastStart = clock.nanos()
                 return true
             }
-            changed.awaitNanos(wait)
+            clock.await(changed, wait)
         }
         false
     }
@@ -90,7 +94,7 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
     /** What a board that is asked says meanwhile is dropped; one that speaks unasked may have been opened since this began. */
     private fun watch(): Boolean = using {
         val message = port.link.heard(WATCH_MS)
-        if (message != null && port.options.listens && lock.withLock { on }) listener.received(port, message, System.nanoTime())
+        if (message != null && port.options.listens && lock.withLock { on }) listener.received(port, message, clock.nanos())
     }
 
     /** A board that speaks unasked is listened to all the time: it knows itself how often it has something to say. */
@@ -106,16 +110,16 @@ internal class Sensing(private val port: OpenPort, owner: String, private val li
         if (!port.options.listens) {
             val limit = maxOf(intervalNanos, exchangeNanos)
             port.commands.awaitEarlier(limit)
-            LockSupport.parkNanos(graceNanos)
+            lock.withLock { clock.await(changed, graceNanos) }
             port.commands.awaitEarlier(limit)
         }
-        val start = System.nanoTime()
-        return exchange().also { exchangeNanos = System.nanoTime() - start }
+        val start = clock.nanos()
+        return exchange().also { exchangeNanos = clock.nanos() - start }
     }
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
     fun exchange(): Boolean = using {
-        port.link.next(port.options) { listener.request(port) }?.let { listener.received(port, it, System.nanoTime()) }
+        port.link.next(port.options) { listener.request(port) }?.let { listener.received(port, it, clock.nanos()) }
     }
 
     /** Does [work] with the line; false when the port is lost. */

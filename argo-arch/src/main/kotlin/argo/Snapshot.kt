@@ -9,7 +9,7 @@ import jason.asSyntax.Literal
  * @property texts the percepts as they came off the line
  * @property filterVersion which of the filters that the agent has chosen so far was active
  * @property percepts what that filter let through
- * @property receivedNanos when its last byte came, by [System.nanoTime]
+ * @property receivedNanos when its last byte came, by the platform's clock
  */
 internal class Snapshot(
     val port: OpenPort?,

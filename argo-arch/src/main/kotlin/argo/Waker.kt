@@ -1,9 +1,6 @@
 package argo
 
 import jason.architecture.AgArch
-import jason.asSemantics.Agent
-import java.util.concurrent.RejectedExecutionException
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
@@ -12,7 +9,7 @@ import java.util.concurrent.atomic.AtomicLong
  * Jason's wake-up is lost when it comes between an agent's decision to sleep and its sleep, which then lasts up to a second.
  * So it is repeated, ever more slowly, until the agent has seen what it was woken for.
  */
-internal class Waker(private val arch: AgArch) {
+internal class Waker(private val arch: AgArch, private val platform: Platform = Platform.system) {
     private val nextWake = AtomicLong(Long.MAX_VALUE)
 
     @Volatile
@@ -23,14 +20,14 @@ internal class Waker(private val arch: AgArch) {
 
     /** The agent begins to perceive, and so has seen what [wakeIn] woke it for. Called by its thread. */
     fun perceives() {
-        perceivedMs = steadyMs()
+        perceivedMs = platform.nowMs()
     }
 
     /** Wakes the agent in [delayMs] ms to perceive, unless it will be woken earlier anyway. */
     fun wakeIn(delayMs: Long) {
-        val at = steadyMs() + delayMs
+        val at = platform.nowMs() + delayMs
         if (nextWake.getAndUpdate { minOf(it, at) } <= at) return
-        later(delayMs) {
+        platform.later(delayMs) {
             nextWake.compareAndSet(at, Long.MAX_VALUE)
             wake(FIRST_REPEAT_MS) { perceivedMs >= at }
         }
@@ -41,13 +38,7 @@ internal class Waker(private val arch: AgArch) {
         arch.firstAgArch.wakeUpSense()
         arch.firstAgArch.wakeUpDeliberate()
         arch.firstAgArch.wake() // JADE's architecture knows this call alone
-        if (repeatMs <= LAST_REPEAT_MS) later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
-    }
-
-    private fun later(delayMs: Long, action: () -> Unit) = try {
-        Agent.getScheduler().schedule(action, delayMs, TimeUnit.MILLISECONDS)
-    } catch (_: RejectedExecutionException) {
-        null // the whole system is being stopped: nobody is left to wake
+        if (repeatMs <= LAST_REPEAT_MS) platform.later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
     }
 
     private companion object {

@@ -1,7 +1,7 @@
 package javino;
 
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.locks.Lock;
 
 /**
  * Takes actions to a version 2 board, one at a time: each is sent until the board has said that it acted, or that it refuses.
@@ -21,7 +21,7 @@ final class Delivery {
     private static final long MOST_PATIENCE_NANOS = 350 * NANOS_PER_MILLI;
     private static final int ACKNOWLEDGEMENT_LENGTH = 12;
 
-    private final ReentrantLock turn = new ReentrantLock(true);
+    private final Lock turn;
     private final Inbox inbox;
     private final FrameWriter writer;
     private final LineClock clock;
@@ -35,6 +35,7 @@ final class Delivery {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;
+        turn = clock.newLock(true);
         acknowledgementNanos = ACKNOWLEDGEMENT_LENGTH * line.byteNanos();
         // another program that had the port a moment ago is unlikely to have stopped at the same number
         sequence = (int) Math.floorMod(clock.nanos() / NANOS_PER_MILLI, (long) Frame.SEQUENCES);

@@ -32,10 +32,10 @@ public final class FakeBoard implements AutoCloseable {
     private final FakeBoardSketch sketch;
     private volatile boolean strict = true;
 
-    private FakeBoard(String name) {
+    private FakeBoard(String name, LineClock clock) {
         this.name = name;
-        record = new FakeBoardRecord(port());
-        sketch = new FakeBoardSketch(script, record);
+        record = new FakeBoardRecord(port(), clock);
+        sketch = new FakeBoardSketch(script, record, clock);
         whenAsked("getPercepts").answer("");
     }
 
@@ -45,9 +45,18 @@ public final class FakeBoard implements AutoCloseable {
      * @throws IllegalStateException if a board of that name is plugged in
      */
     public static FakeBoard plugIn(String name) {
-        FakeBoard board = new FakeBoard(name);
+        FakeBoard board = new FakeBoard(name, LineClock.system());
         SimulatedBoards.plugIn(name, board.sketch);
         return board;
+    }
+
+    /**
+     * A new board that is not plugged in and goes by {@code clock}: its {@link #program} is run by who made it, on a line of the same clock.
+     *
+     * @param name what messages call it
+     */
+    public static FakeBoard unplugged(String name, LineClock clock) {
+        return new FakeBoard(name, clock);
     }
 
     /** The port to open: {@code sim:name}. */

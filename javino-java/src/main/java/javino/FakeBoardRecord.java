@@ -4,21 +4,23 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.locks.Lock;
 import java.util.function.Predicate;
 
 /** What a {@link FakeBoard} received and what becomes of it. Safe on any thread. */
 final class FakeBoardRecord {
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
+    private final Lock lock;
+    private final Condition changed;
     private final List<String> received = new ArrayList<>();
     private final List<String> overwritten = new ArrayList<>();
     private final List<String> unaccounted = new ArrayList<>(); // covered by no rule, not expected, not taken yet
     private final List<String> expected = new ArrayList<>();
     private final String port;
 
-    FakeBoardRecord(String port) {
+    FakeBoardRecord(String port, LineClock clock) {
         this.port = port;
+        lock = clock.newLock(false);
+        changed = lock.newCondition();
     }
 
     void expect(String message) {

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.locks.Lock;
 
 /** The program that runs on a {@link FakeBoard}: reads a message, does what the script says, and begins again. */
 final class FakeBoardSketch implements SimulatedBoard {
@@ -12,9 +12,10 @@ final class FakeBoardSketch implements SimulatedBoard {
     private static final int WRITE_MILLIS = 10_000;
     private static final int BUFFER = 256;
 
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
-    private final ReentrantLock writing = new ReentrantLock(); // the script answers on the board's thread, tests send on theirs
+    private final LineClock clock;
+    private final Lock lock;
+    private final Condition changed;
+    private final Lock writing; // the script answers on the board's thread, tests send on theirs
     private final FakeBoardScript script;
     private final FakeBoardRecord record;
     private Transport open; // guarded by lock, as is stalled
@@ -24,7 +25,11 @@ final class FakeBoardSketch implements SimulatedBoard {
     private volatile int bootMillis;
     private volatile FakeBoardVoice voice = new FakeBoardVoice(Protocol.V1);
 
-    FakeBoardSketch(FakeBoardScript script, FakeBoardRecord record) {
+    FakeBoardSketch(FakeBoardScript script, FakeBoardRecord record, LineClock clock) {
+        this.clock = clock;
+        lock = clock.newLock(false);
+        changed = lock.newCondition();
+        writing = clock.newLock(false);
         this.script = script;
         this.record = record;
     }
@@ -71,7 +76,7 @@ final class FakeBoardSketch implements SimulatedBoard {
                 if (!queue.isEmpty()) {
                     handle(queue.remove(), line);
                 }
-                TimeUnit.MILLISECONDS.sleep(loopMillis);
+                pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
             setClosed(line);
@@ -80,21 +85,34 @@ final class FakeBoardSketch implements SimulatedBoard {
 
     private void boot(Transport line) throws PortException, InterruptedException {
         if (bootMillis > 0) {
-            TimeUnit.MILLISECONDS.sleep(bootMillis);
+            pause(TimeUnit.MILLISECONDS.toNanos(bootMillis));
             byte[] lost = new byte[MemoryLine.CAPACITY];
             line.read(lost, 0, lost.length, 0);
         }
     }
 
+    /** Does nothing for so long. */
+    private void pause(long nanos) throws InterruptedException {
+        lock.lockInterruptibly();
+        try {
+            long end = clock.nanos() + nanos;
+            for (long left = nanos; left > 0; left = end - clock.nanos()) {
+                clock.await(changed, left);
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
     /** Waits for bytes, and takes all that came by then. */
-    private static void receive(Transport line, FrameDecoder decoder, int timeoutMillis) throws PortException {
+    private void receive(Transport line, FrameDecoder decoder, int timeoutMillis) throws PortException {
         byte[] buffer = new byte[BUFFER];
         int count = line.read(buffer, 0, buffer.length, timeoutMillis);
         while (count > 0) {
-            decoder.acceptUnbroken(buffer, 0, count, System.nanoTime());
+            decoder.acceptUnbroken(buffer, 0, count, clock.nanos());
             count = line.read(buffer, 0, buffer.length, 0);
         }
-        decoder.idle(System.nanoTime());
+        decoder.idle(clock.nanos());
     }
 
     private void enqueue(Deque<Frame> queue, Frame message) {
@@ -113,7 +131,7 @@ final class FakeBoardSketch implements SimulatedBoard {
         FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
         record.received(message, rule != null);
         if (rule != null) {
-            TimeUnit.MILLISECONDS.sleep(rule.delayMillis());
+            pause(TimeUnit.MILLISECONDS.toNanos(rule.delayMillis()));
             answer(rule.reply(message, text -> voice.message(text, frame.version())), line);
         }
         voice.handled(frame, rule != null && rule.isRefused());
@@ -123,7 +141,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     private void answer(byte[] answer, Transport line) throws PortException, InterruptedException {
         if (answer != null) {
             write(line, answer);
-            TimeUnit.NANOSECONDS.sleep(answer.length * line.line().byteNanos()); // a board does not read while it sends
+            pause(answer.length * line.line().byteNanos()); // a board does not read while it sends
         }
     }
 

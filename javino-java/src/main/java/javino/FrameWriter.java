@@ -3,7 +3,7 @@ package javino;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.locks.Lock;
 
 /**
  * Takes frames to a line, one at a time and in the order in which they are asked for, each when the {@link LineSchedule} lets it. So a
@@ -22,8 +22,8 @@ final class FrameWriter {
 
     private static final long NANOS_PER_MILLI = 1_000_000L;
 
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
+    private final Lock lock;
+    private final Condition changed;
     private final Deque<Object> turns = new ArrayDeque<>(); // the first is being written, or is the next
     private final Transport transport;
     private final LineClock clock;
@@ -34,6 +34,8 @@ final class FrameWriter {
         this.transport = transport;
         this.schedule = schedule;
         this.clock = clock;
+        lock = clock.newLock(false);
+        changed = lock.newCondition();
     }
 
     /**

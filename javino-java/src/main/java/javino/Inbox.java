@@ -3,7 +3,7 @@ package javino;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.locks.Lock;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 
@@ -22,8 +22,8 @@ final class Inbox {
     /** Reads at most, one after the other, of what a line has ready: more than any driver holds, but an end for a line that never rests. */
     private static final int READS = 64;
 
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
+    private final Lock lock;
+    private final Condition changed;
     private final Deque<Message> messages = new ArrayDeque<>();
     private final byte[] buffer = new byte[BUFFER]; // belongs to who reads
     private final Transport transport;
@@ -55,6 +55,8 @@ final class Inbox {
     Inbox(Transport transport, LineClock clock, LongConsumer received, Protocol protocol, int messageLimit) {
         this.transport = transport;
         this.clock = clock;
+        lock = clock.newLock(false);
+        changed = lock.newCondition();
         this.received = received;
         interByteTimeoutNanos = FrameDecoder.interByteTimeoutNanos(transport.line());
         decoder = new FrameDecoder(interByteTimeoutNanos, protocol, this::keep);

@@ -1,6 +1,8 @@
 package javino;
 
 import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
 
 /** The time that lines and links go by. It is passed in, so that what depends on time can be tried without waiting for it. */
 public interface LineClock {
@@ -14,6 +16,16 @@ public interface LineClock {
      * @throws InterruptedException if the thread is interrupted
      */
     void await(Condition condition, long nanos) throws InterruptedException;
+
+    /**
+     * A new reentrant lock for what goes by this clock; its conditions are those that {@link #await} is given. A clock that moves only when
+     * all that go by it wait gives locks of its own kind.
+     *
+     * @param fair whether those who wait for it get it in their order
+     */
+    default Lock newLock(boolean fair) {
+        return new ReentrantLock(fair);
+    }
 
     /** The machine's steady clock. */
     static LineClock system() {

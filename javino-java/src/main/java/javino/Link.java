@@ -2,7 +2,7 @@ package javino;
 
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.locks.Lock;
 
 /**
  * An open port that one owner exchanges messages through.
@@ -26,8 +26,8 @@ import java.util.concurrent.locks.ReentrantLock;
 public final class Link implements AutoCloseable {
     private static final long LONGEST_WAIT_NANOS = 600_000_000L;
 
-    private final ReentrantLock ending = new ReentrantLock();
-    private final ReentrantLock reading = new ReentrantLock(true); // fair: a sender that must wait for readiness gets its turn too
+    private final Lock ending;
+    private final Lock reading;
     private final Transport transport;
     private final LinkSettings settings;
     private final PortOwners.Claim claim;
@@ -40,6 +40,8 @@ public final class Link implements AutoCloseable {
         this.transport = transport;
         this.settings = settings;
         this.claim = claim;
+        ending = clock.newLock(false);
+        reading = clock.newLock(true); // fair: a sender that must wait for readiness gets its turn too
         writer = new FrameWriter(transport, new LineSchedule(settings, clock.nanos()), clock);
         inbox = new Inbox(transport, clock, writer::received, settings.protocol(), settings.messageLimit());
         exchange = new Exchange(inbox, writer, clock, settings);
@@ -68,6 +70,17 @@ public final class Link implements AutoCloseable {
                 claim.release();
             }
         }
+    }
+
+    /**
+     * A link on a line that is open already, in the time of {@code clock}: for tests, and for lines that {@link Transports} does not know.
+     * It has no owner, so {@link #ownerOf} knows nothing of it.
+     *
+     * @param transport closed with the link; its waits go by the same clock
+     * @param settings whose rate should be that of the line
+     */
+    public static Link over(Transport transport, LinkSettings settings, LineClock clock) {
+        return new Link(transport, settings, PortOwners.nobodys(transport.name()), clock);
     }
 
     /** The owner of a port that a link of this program has open, under whatever name of that port. */

@@ -1,7 +1,7 @@
 package javino;
 
 import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.locks.Lock;
 
 /**
  * A line in memory: two ends, each a {@link Transport}. Simulated boards and tests use it in place of a device.
@@ -18,8 +18,8 @@ public final class MemoryLine {
 
     private static final long NANOS_PER_MILLI = 1_000_000L;
 
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
+    private final Lock lock;
+    private final Condition changed;
     private final String name;
     private final LineSettings line;
     private final LineClock clock;
@@ -31,6 +31,8 @@ public final class MemoryLine {
         this.name = name;
         this.line = line;
         this.clock = clock;
+        lock = clock.newLock(false);
+        changed = lock.newCondition();
         MemoryDirection toBoard = new MemoryDirection(CAPACITY, byteNanos);
         MemoryDirection toComputer = new MemoryDirection(CAPACITY, byteNanos);
         computer = new End(toComputer, toBoard);

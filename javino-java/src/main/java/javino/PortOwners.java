@@ -35,6 +35,11 @@ final class PortOwners {
         }
     }
 
+    /** A hold on a line that is not a port of the machine, and so keeps nobody else out. */
+    static Claim nobodys(String line) {
+        return new Claim(line, "nobody");
+    }
+
     /** Claims a port for {@code owner}. */
     static Claim claim(String port, String owner) throws PortBusyException {
         String canonicalName = Transports.canonicalName(port);

@@ -19,6 +19,17 @@ private fun withBoard(work: (FakeBoard, Link) -> Unit) {
 }
 
 class FakeBoardSpec : FunSpec({
+    test("a board that is not plugged in runs at the far end of any line, and a link may be put on its near end") {
+        val board = FakeBoard.unplugged("bench", LineClock.system())
+        board.whenAsked("getPercepts").answer("dist(f,10);")
+        val line = MemoryLine.unlimited("bench", LineSettings.defaults())
+        val program = Thread { runCatching { board.program().run(line.board()) } }.apply { isDaemon = true }.also { it.start() }
+        Link.over(line.computer(), LinkSettings.defaults(), LineClock.system()).use { it.request("getPercepts", 20_000) shouldBe "dist(f,10);" }
+        program.join(20_000)
+        program.isAlive shouldBe false
+        Link.ownerOf("bench").isPresent shouldBe false
+    }
+
     test("answers come in turn, the last again and again") {
         withBoard { board, link ->
             board.whenAsked("getPercepts").answer("a;", "b;")
