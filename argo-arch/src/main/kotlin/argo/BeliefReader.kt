@@ -2,6 +2,7 @@ package argo
 
 import argo.filters.PerceptReader
 import argo.filters.PerceptSyntaxException
+import argo.filters.piecesOf
 import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.Literal
 

@@ -3,6 +3,7 @@ package argo
 import argo.filters.Explanation
 import argo.filters.FilterSession
 import argo.filters.PerceptionFilter
+import argo.filters.perceptsOf
 import jason.asSyntax.Literal
 import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Level

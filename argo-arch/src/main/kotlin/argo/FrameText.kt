@@ -1,4 +1,4 @@
-package argo
+package argo.filters
 
 /**
  * The percepts of one Javino message, in their order: the pieces between the `;` that stand outside strings, quoted
@@ -7,7 +7,7 @@ package argo
  * A percept whose brackets or quotes do not match ends at the next `;` of any kind, so that it costs itself and not
  * the percepts after it.
  */
-internal fun perceptsOf(message: String): List<String> {
+fun perceptsOf(message: String): List<String> {
     val percepts = ArrayList<String>()
     var start = 0
     while (start < message.length) {
@@ -19,7 +19,7 @@ internal fun perceptsOf(message: String): List<String> {
 }
 
 /** The pieces of [percept] between any `;`, wherever it stands: the second reading of a percept that Jason cannot read. */
-internal fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
+fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
 
 private fun rawEnd(text: String, start: Int): Int = text.indexOf(';', start).let { if (it < 0) text.length else it }
 

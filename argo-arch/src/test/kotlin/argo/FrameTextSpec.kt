@@ -1,4 +1,4 @@
-package argo
+package argo.filters
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
@@ -9,7 +9,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
-class FrameTextSpec : FunSpec({
+class PerceptMessageSpec : FunSpec({
     test("percepts are separated by semicolons, the last one may lack its own") {
         perceptsOf("dist(f,123);light(b,40);") shouldBe listOf("dist(f,123)", "light(b,40)")
         perceptsOf("dist(f,123);light(b,40)") shouldBe listOf("dist(f,123)", "light(b,40)")
