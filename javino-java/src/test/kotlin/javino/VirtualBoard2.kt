@@ -12,12 +12,18 @@ internal class VirtualBoard2(
     private val startsAt: Double = 0.0,
     private val readsVersion1: Boolean = true,
     private val damage: (ByteArray) -> ByteArray = { it },
-) : LineEnd {
+) : EventBoard {
     /** Requests and actions in the order in which they were handled, as `2:getPercepts`; repeated actions are not among them. */
     val handled = mutableListOf<String>()
 
     /** All frames that came. */
     val received = mutableListOf<Frame>()
+
+    /** Told what is handled, as it is in [handled]; keeps it there unless something else is wanted. */
+    var onHandled: (String) -> Unit = { handled += it }
+
+    /** Told each frame that comes; keeps it in [received] unless something else is wanted. */
+    var onReceived: (Frame) -> Unit = { received += it }
 
     /** What the board does with its frames before they go on the line: leaves them out, doubles them. */
     var posting: (Frame) -> List<Frame> = { listOf(it) }
@@ -34,7 +40,15 @@ internal class VirtualBoard2(
     private var lastFlags = 0
     private val outgoing = ArrayDeque<Pair<Double, Frame>>()
     private var now = 0.0
-    private val decoder = FrameDecoder(100_000_000, if (readsVersion1) Protocol.AUTO else Protocol.V2) { received += it; handle(it) }
+    private val decoder = FrameDecoder(100_000_000, if (readsVersion1) Protocol.AUTO else Protocol.V2) { onReceived(it); handle(it) }
+
+    override val dueMillis: Double
+        get() = minOf(outgoing.firstOrNull()?.first ?: Double.POSITIVE_INFINITY, idleMillis())
+
+    private fun idleMillis(): Double {
+        val nanos = decoder.nanosUntilIdle((now * 1e6).toLong())
+        return if (nanos == Long.MAX_VALUE) Double.POSITIVE_INFINITY else now + nanos / 1e6
+    }
 
     override fun look(end: Transport, now: Double) {
         this.now = now
@@ -56,11 +70,11 @@ internal class VirtualBoard2(
         if (silent) return
         val text = frame.text()
         if (text.startsWith("getPercepts")) {
-            handled += "${frame.version()}:$text"
+            onHandled("${frame.version()}:$text")
             val percepts = answer(++answers)
             post(if (frame.version() == 1) listOf(Frame.of(percepts)) else message(percepts))
         } else if (frame.version() == 1) {
-            if (!text.take(1).all(Char::isDigit)) handled += "1:$text" // no action: what is left of a version 2 frame with a damaged preamble
+            if (!text.take(1).all(Char::isDigit)) onHandled("1:$text") // no action: what is left of a version 2 frame with a damaged preamble
         } else {
             if (!(frame == last && now - lastAt < 3_000)) act(frame)
             if (frame.flags() and Frame.ACK_WANTED != 0) post(listOf(Frame.version2(ByteArray(0), lastFlags, frame.sequence())))
@@ -71,7 +85,7 @@ internal class VirtualBoard2(
         last = frame
         lastAt = now + takes
         lastFlags = if (frame.text().startsWith("bad")) Frame.REFUSAL else Frame.ACK
-        if (lastFlags == Frame.ACK) handled += "2:${frame.text()}"
+        if (lastFlags == Frame.ACK) onHandled("2:${frame.text()}")
     }
 
     private fun message(text: String): List<Frame> = Frame.fragments(text.toByteArray(Charsets.ISO_8859_1), sequence)

@@ -1,0 +1,118 @@
+package javino
+
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.locks.Condition
+
+/** Bytes that arrive together, [lateNanos] later than by the line's rate. */
+internal class Piece(val bytes: ByteArray, val lateNanos: Long = 0)
+
+/** What one direction of a line makes of the bytes of one write. */
+internal fun interface LineFaults {
+    fun pass(bytes: ByteArray): List<Piece>
+}
+
+/** Nothing happens to the bytes. */
+internal val FAULTLESS = LineFaults { listOf(Piece(it)) }
+
+/** A board on an [EventLine]. */
+internal interface EventBoard : LineEnd {
+    /** The next time, in ms, at which it has to look though nothing arrives; infinite: none. */
+    val dueMillis: Double
+}
+
+/**
+ * A paced line, a link and a board on one thread, in a time of their own that jumps from one event to the next: so a million exchanges take
+ * seconds. What is written arrives in one piece when its last byte does, unless faults break it up.
+ *
+ * @param goneAfter bytes in both directions after which the line is gone
+ * @param startMillis what the clock shows when the line is opened
+ */
+internal class EventLine(
+    settings: LinkSettings,
+    private val board: EventBoard,
+    toBoard: LineFaults = FAULTLESS,
+    toComputer: LineFaults = FAULTLESS,
+    private val goneAfter: Long = Long.MAX_VALUE,
+    startMillis: Double = 0.0,
+    private val name: String = "event${lines.incrementAndGet()}",
+) : AutoCloseable {
+    private val byteNanos = settings.line().byteNanos()
+    private var now = (startMillis * 1e6).toLong()
+    private var carried = 0L
+    private val there = Way(toBoard)
+    private val back = Way(toComputer)
+    private val computer = End(back, there, settings.line()) { deadline -> step(deadline) }
+    private val boardEnd = End(there, back, settings.line()) { }
+    val clock = object : LineClock {
+        override fun nanos(): Long = now
+
+        override fun await(condition: Condition, nanos: Long) = step(now + nanos)
+    }
+    val link = Link(computer, settings, PortOwners.claim(name, "the test"), clock)
+    val transport: Transport get() = computer
+    val millis: Double get() = now / 1e6
+
+    override fun close() = link.close()
+
+    /** Lets time go on to the next event, or to [deadline]. */
+    private fun step(deadline: Long) {
+        val due = board.dueMillis.let { if (it.isInfinite()) Long.MAX_VALUE else (it * 1e6).toLong() + 1 }
+        now = maxOf(now, minOf(deadline, there.nextAt, back.nextAt, due))
+        if (there.nextAt <= now || due <= now) board.look(boardEnd, millis)
+    }
+
+    private inner class Way(private val faults: LineFaults) {
+        private val pieces = ArrayDeque<Pair<Long, ByteArray>>()
+        private var freeAt = 0L
+        val nextAt: Long get() = pieces.firstOrNull()?.first ?: Long.MAX_VALUE
+
+        fun put(bytes: ByteArray) {
+            val whole = if (carried + bytes.size > goneAfter) bytes.copyOf((goneAfter - carried).toInt()) else bytes
+            carried += bytes.size
+            for (piece in faults.pass(whole)) {
+                freeAt = maxOf(freeAt, now) + piece.bytes.size * byteNanos + piece.lateNanos
+                if (piece.bytes.isNotEmpty()) pieces += freeAt to piece.bytes
+            }
+        }
+
+        fun take(b: ByteArray, off: Int): Int {
+            if (nextAt > now) return 0
+            val bytes = pieces.removeFirst().second
+            bytes.copyInto(b, off)
+            return bytes.size
+        }
+    }
+
+    private inner class End(
+        private val incoming: Way,
+        private val outgoing: Way,
+        private val settings: LineSettings,
+        private val wait: (Long) -> Unit,
+    ) : Transport {
+        override fun name() = name
+
+        override fun line() = settings
+
+        override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
+            val deadline = now + timeoutMillis * 1_000_000L
+            while (true) {
+                val count = incoming.take(b, off)
+                if (count > 0) return count
+                if (carried > goneAfter) throw PortGoneException(name, "port $name is gone: the plug was pulled")
+                if (now >= deadline) return 0
+                wait(deadline)
+            }
+        }
+
+        override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
+            if (carried > goneAfter) throw PortGoneException(name, "port $name is gone: the plug was pulled")
+            outgoing.put(b.copyOfRange(off, off + len))
+        }
+
+        override fun close() = Unit
+    }
+
+    private companion object {
+        val lines = AtomicInteger()
+    }
+}
