@@ -59,7 +59,7 @@ final class SerialPortErrors {
                 "user " + user + " may not open port " + device.name() + "; " + permissionRemedy(device));
     }
 
-    private static String permissionRemedy(SerialDevice device) {
+    static String permissionRemedy(SerialDevice device) {
         try {
             PosixFileAttributes node = Files.readAttributes(Path.of(device.path()), PosixFileAttributes.class);
             return permissionRemedy(device.path(), node.group().getName(), node.permissions());

@@ -82,7 +82,7 @@ final class SerialTransport implements Transport {
     }
 
     /** The name to open the port by: a device that is not in {@code /dev} itself, as pseudo-terminals are, has its path. */
-    private static String nameOf(SerialPort port) {
+    static String nameOf(SerialPort port) {
         SerialDevice device = SerialDevice.of(port.getSystemPortName());
         return device.hasNode() && !device.path().equals(port.getSystemPortPath()) ? port.getSystemPortPath() : device.name();
     }

@@ -9,8 +9,8 @@ import java.util.ServiceLoader;
 /**
  * Opens ports by name: {@code scheme:address} through the {@link TransportProvider} of that scheme, anything else as a serial device.
  *
- * <p>{@code serial} and {@code sim} are built in. Providers found through {@link ServiceLoader} add schemes, but do not replace these.
- * All methods are safe on any thread.
+ * <p>{@code serial}, {@code sim} and {@code replay} (a {@link ReplayBoard}) are built in. Providers found through {@link ServiceLoader} add
+ * schemes, but do not replace these. All methods are safe on any thread.
  */
 public final class Transports {
     private Transports() {}
@@ -60,7 +60,7 @@ public final class Transports {
 
     private static Map<String, TransportProvider> providers() {
         Map<String, TransportProvider> providers = new LinkedHashMap<>();
-        for (TransportProvider builtIn : List.of(new SerialTransportProvider(), new SimTransportProvider())) {
+        for (TransportProvider builtIn : List.of(new SerialTransportProvider(), new SimTransportProvider(), new ReplayTransportProvider())) {
             providers.put(builtIn.scheme(), builtIn);
         }
         for (ServiceLoader.Provider<TransportProvider> service : Services.providers(TransportProvider.class)) {
