@@ -1,0 +1,40 @@
+package benchmarks
+
+import com.sun.management.OperatingSystemMXBean
+import javino.LineSettings
+import javino.PortException
+import javino.Protocol
+import javino.PseudoTerminals
+import javino.Transports
+import java.lang.management.ManagementFactory
+import kotlin.concurrent.thread
+
+/**
+ * The share of one processor that this program takes while an agent senses twelve changing percepts at 50 Hz over a pseudo-terminal, all
+ * threads but the board's.
+ */
+internal fun processorShare(): Double = PseudoTerminals.open().use { line ->
+    val board = thread(isDaemon = true, name = "board") { runBoard("${line.board()}") }
+    Agents().use { agents ->
+        agents.start("senses", "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud(115200)]); argo.limit(20); argo.percepts(open).\n")
+        Thread.sleep(WARM_UP_MS)
+        val before = processorNanos(board)
+        val start = System.nanoTime()
+        Thread.sleep(MEASURED_MS)
+        (processorNanos(board) - before).toDouble() / (System.nanoTime() - start)
+    }
+}
+
+private fun runBoard(port: String) {
+    try {
+        Transports.open(port, LineSettings(115_200)).use { SensorBoard(Protocol.AUTO, SensorBoard::robot).run(it) }
+    } catch (gone: PortException) {
+        println("the board ends: ${gone.message}")
+    }
+}
+
+private fun processorNanos(without: Thread): Long =
+    (ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime - ManagementFactory.getThreadMXBean().getThreadCpuTime(without.id)
+
+private const val WARM_UP_MS = 15_000L
+private const val MEASURED_MS = 10_000L

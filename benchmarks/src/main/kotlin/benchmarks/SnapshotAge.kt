@@ -1,0 +1,55 @@
+package benchmarks
+
+import javino.Protocol
+import javino.SimulatedBoards
+import java.util.concurrent.atomic.AtomicLongArray
+import kotlin.math.min
+
+/**
+ * How old the newest snapshot that was handed to an agent is when one of its intentions acts on it: from the last byte of the board's
+ * answer to the first action of a plan for one of its percepts. All [sensors] change in each answer, each change is an event, and for each
+ * event the agent has [plans] plans of which the last applies.
+ */
+internal class SnapshotAge(private val sensors: Int, private val plans: Int) {
+    private val receivedAt = AtomicLongArray(MOST)
+    private val ages = LongArray(MOST)
+    @Volatile private var count = 0
+    @Volatile private var measuring = false
+
+    fun measure(): Distribution {
+        val board = SensorBoard(Protocol.AUTO, { n -> (1..sensors).joinToString("") { "s($it,$n);" } }, object : SensorBoard.Witness {
+            override fun answered(n: Int, endNanos: Long, bytes: Int) = receivedAt.set(n % MOST, endNanos)
+        })
+        acts.heard = ::heard
+        SimulatedBoards.plugIn("sensors", board)
+        try {
+            Agents().use { agents ->
+                agents.start("acts", program())
+                Thread.sleep(WARM_UP_MS)
+                measuring = true
+                Thread.sleep(MEASURED_MS)
+                measuring = false
+            }
+        } finally {
+            SimulatedBoards.unplug("sensors")
+            acts.heard = { _, _ -> }
+        }
+        return Distribution(ages.copyOf(min(count, MOST)))
+    }
+
+    private fun program() = "!start.\n+!start <- argo.port(\"sim:sensors\", [baud($BAUD)]); argo.limit($INTERVAL_MS); argo.percepts(open).\n" +
+        (1 until plans).joinToString("") { "+s(I,N) : N == -$it <- benchmarks.acts(0).\n" } + "+s(I,N) <- benchmarks.acts(N).\n"
+
+    private fun heard(n: Int, nanos: Long) {
+        if (measuring && count < MOST) ages[count++] = nanos - receivedAt.get(n % MOST)
+    }
+
+    companion object {
+        /** So fast that the line does not hide what the agent does: 1,200 percepts take some 75 ms. */
+        const val BAUD = 2_000_000
+        const val INTERVAL_MS = 20
+        private const val MOST = 1_000_000
+        private const val WARM_UP_MS = 3000L
+        private const val MEASURED_MS = 4000L
+    }
+}

@@ -1,0 +1,111 @@
+package benchmarks
+
+import javino.Protocol
+import javino.SimulatedBoards
+import java.util.BitSet
+
+/**
+ * Many agents on as many boards in memory that sense at 50 Hz and act on each answer: whether heap or threads grow, and whether each action
+ * is carried out once.
+ *
+ * @param seconds how long it lasts, at least 3; after the first minute, or the first third, nothing may grow any more
+ */
+class Soak(private val agents: Int, private val seconds: Int) {
+    /** What came of it; heap in bytes after a collection. */
+    class Result(
+        val heapEarly: Long, val heapLate: Long, val threadsEarly: Int, val threadsLate: Int,
+        val answers: Long, val confirmed: Long, val failed: Long, val carriedOut: Long, val twice: Long, val lost: Long,
+    )
+
+    private val boards = (1..agents).map { Account() }
+
+    /** Runs it, on this thread and those of the agents. */
+    fun run(): Result {
+        ran.heard = { agent, n, done -> boards[agent - 1].told(n, done) }
+        boards.forEachIndexed { i, account -> SimulatedBoards.plugIn("soak${i + 1}", SensorBoard(Protocol.AUTO, { "tick($it);" + SensorBoard.robot(it) }, account)) }
+        try {
+            Agents().use { mas ->
+                for (i in 1..agents) mas.start("soak$i", program(i))
+                Thread.sleep(minOf(60, seconds / 3) * 1000L)
+                val heap = usedHeap()
+                val threads = Thread.activeCount()
+                Thread.sleep((seconds - minOf(60, seconds / 3)) * 1000L)
+                val heapLate = usedHeap()
+                val threadsLate = Thread.activeCount()
+                for (i in 1..agents) mas.achieve("soak$i", "end")
+                awaitAtMost(LIMIT_S) { boards.all { it.isSettled() } }
+                return Result(
+                    heap, heapLate, threads, threadsLate, boards.sumOf { it.answers }, boards.sumOf { it.confirmed }, boards.sumOf { it.failed },
+                    boards.sumOf { it.carriedOut }, boards.sumOf { it.twice }, boards.sumOf { it.lost() },
+                )
+            }
+        } finally {
+            for (i in 1..agents) SimulatedBoards.unplug("soak$i")
+            ran.heard = { _, _, _ -> }
+        }
+    }
+
+    private fun program(i: Int) = """
+        !start.
+        +!start  <- argo.port("sim:soak$i", [baud($BAUD)]); argo.limit(20); argo.percepts(open).
+        +tick(N) <- !act(N).
+        +!act(N) <- benchmarks.ran($i, N, begun); argo.act(did(N)); benchmarks.ran($i, N, done).
+        -!act(N) <- benchmarks.ran($i, N, failed).
+        +!end    <- argo.percepts(block).
+    """
+
+    /** What one agent ordered and its board carried out. Safe on any thread. */
+    private class Account : SensorBoard.Witness {
+        private val ordered = BitSet()
+        private val acted = BitSet()
+        private val known = BitSet()
+        private val done = BitSet()
+        var answers = 0L
+            @Synchronized get
+            private set
+        var twice = 0L
+            @Synchronized get
+            private set
+        var failed = 0L
+            @Synchronized get
+            private set
+        val carriedOut: Long @Synchronized get() = acted.cardinality().toLong()
+        val confirmed: Long @Synchronized get() = done.cardinality().toLong()
+
+        @Synchronized
+        override fun answered(n: Int, endNanos: Long, bytes: Int) {
+            answers++
+        }
+
+        @Synchronized
+        override fun acted(action: String) {
+            val n = action.substringAfter("did(").substringBefore(')').toInt()
+            if (acted[n]) twice++
+            acted.set(n)
+        }
+
+        @Synchronized
+        fun told(n: Int, what: String) {
+            if (what == "begun") ordered.set(n) else known.set(n)
+            if (what == "done") done.set(n)
+            if (what == "failed") failed++
+        }
+
+        /** Whether the agent knows what became of each action it ordered. */
+        @Synchronized
+        fun isSettled() = ordered == known
+
+        /** Actions that were confirmed and not carried out, or of which the agent heard nothing. */
+        @Synchronized
+        fun lost(): Long {
+            val unknown = (ordered.clone() as BitSet).apply { andNot(known) }
+            val undone = (done.clone() as BitSet).apply { andNot(acted) }
+            return unknown.cardinality() + undone.cardinality().toLong()
+        }
+    }
+
+    private companion object {
+        const val BAUD = 500_000
+        const val LIMIT_S = 60
+    }
+}
