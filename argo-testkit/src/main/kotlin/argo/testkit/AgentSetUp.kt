@@ -1,0 +1,36 @@
+package argo.testkit
+
+import argo.Arch
+import argo.Platform
+import jason.asSemantics.Agent
+
+/** What an agent under test is like, and what it finds when it starts: the receiver of [agent]'s last argument. */
+class AgentSetUp internal constructor(internal val bench: Bench, name: String) {
+    /** What it is called. */
+    var name: String = name
+
+    /** The class of the agent: `agentClass` in a `.mas2j`. */
+    var agentClass: Class<out Agent> = Agent::class.java
+
+    /** Makes its architecture, for an architecture of the project's own: a subclass of [Arch] that passes the platform on. */
+    var arch: (Platform) -> Arch = ::Arch
+
+    internal val options = LinkedHashMap<String, String>()
+    internal val sourcePaths = ArrayList<String>()
+
+    /** Sets options as they stand in brackets in a `.mas2j`: `options("argo_sensing" to "every")`. */
+    fun options(vararg options: Pair<String, String>) {
+        this.options += options
+    }
+
+    /** Adds directories in which included files are looked for, besides that of the `.asl`: `aslSourcePath` in a `.mas2j`. */
+    fun sourcePath(vararg directories: String) {
+        sourcePaths += directories
+    }
+
+    /** The board on the first port that the agent opens, if no other is named with [board]. */
+    val board: Board get() = bench.first()
+
+    /** The board on [port]. */
+    fun board(port: String): Board = bench.at(port)
+}

@@ -1,0 +1,35 @@
+package argo.testkit
+
+import argo.Platform
+import javino.Link
+import javino.LinkSettings
+import javino.NoSuchPortException
+import java.util.concurrent.TimeUnit
+
+/** What an agent under test runs on: [time], and the boards that a test has put on its ports. A port without one gets its own when it is opened. */
+internal class Bench(private val time: VirtualTime) : Platform {
+    private val boards = LinkedHashMap<String, Board>()
+    private var unnamed: Board? = null
+
+    override val clock = time
+
+    override fun start(name: String, run: () -> Unit): Thread = time.start(name, run)
+
+    override fun later(delayMs: Long, action: () -> Unit) {
+        time.later(TimeUnit.MILLISECONDS.toNanos(delayMs), action)
+    }
+
+    override fun open(port: String, settings: LinkSettings, owner: String): Link {
+        if (port.isBlank()) throw NoSuchPortException(port, "a port has a name")
+        return Link.over(at(port).open(port, settings.line()), settings, time)
+    }
+
+    /** The board on [port]; the first port that is asked for has the one that [first] has given out. */
+    fun at(port: String): Board = boards.getOrPut(port) { unnamed?.also { unnamed = null } ?: Board(time) }
+
+    /** The board of the first port there is; of the first that the agent will open, if there is none yet. */
+    fun first(): Board = boards.values.firstOrNull() ?: unnamed ?: Board(time).also { unnamed = it }
+
+    /** All boards. */
+    fun all(): Collection<Board> = boards.values + listOfNotNull(unnamed)
+}

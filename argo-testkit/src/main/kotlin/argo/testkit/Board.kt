@@ -1,0 +1,148 @@
+package argo.testkit
+
+import javino.FakeBoard
+import javino.Frame
+import javino.LineSettings
+import javino.MemoryLine
+import javino.NoSuchPortException
+import javino.PortBusyException
+import javino.PortException
+import javino.PortGoneException
+import javino.PortPermissionException
+import javino.Transport
+import kotlin.time.Duration
+
+/**
+ * The board on a port of an agent under test. It answers each request for percepts with what the test last said that its sensors show,
+ * and takes everything else as a command. It speaks version 1 of the protocol unless [version2] is called.
+ *
+ * Its line carries bytes at the rate that the agent opens the port with, in the test's time.
+ */
+class Board internal constructor(private val time: VirtualTime) {
+    private val fake = FakeBoard.unplugged("board", time)
+    private var refusal: ((String) -> PortException)? = null
+    private var line: MemoryLine? = null
+    private var shown: List<String> = emptyList()
+
+    /** How many requests for percepts it has answered since [shows] was called last. */
+    internal var answers = 0
+        private set
+
+    private var isVersion2 = false
+    private val taken = HashSet<Int>()
+
+    init {
+        fake.whenAsked(REQUEST).answer(::percepts)
+        fake.whenAsked(::isRequest).answer(::percepts)
+    }
+
+    /** Its sensors show [percepts] from now on, `dist(front,30)` say, each as its text; none: it answers with an empty message. */
+    fun shows(vararg percepts: String): Board = apply {
+        messageOf(percepts.toList())
+        shown = percepts.toList()
+        answers = 0
+    }
+
+    /** It says [percepts] of its own accord, now, as a board does whose port is opened with `mode(listen)`. */
+    fun says(vararg percepts: String): Board = apply { fake.send(messageOf(percepts.toList())) }
+
+    /** It speaks version 2 of the protocol with those who do; to be called before the port is opened. */
+    fun version2(): Board = apply {
+        isVersion2 = true
+        fake.version2()
+    }
+
+    /** It refuses [command], which an agent learns if it speaks version 2 with it: the plan fails with `error(act_refused)`. */
+    fun refuses(command: String): Board = apply { fake.whenAsked(command).refuse() }
+
+    /** It refuses every command that [kind] is true for. */
+    fun refuses(kind: (String) -> Boolean): Board = apply { fake.whenAsked(kind).refuse() }
+
+    /** It takes [duration] for [command], and does nothing else meanwhile. */
+    fun takes(duration: Duration, command: String): Board = apply { fake.whenAsked(command).after(millis(duration)) }
+
+    /** It takes [duration] to start when its port is opened, and loses what comes meanwhile. */
+    fun boots(duration: Duration): Board = apply { fake.bootTakes(millis(duration)) }
+
+    /** It hangs: it neither answers nor acts, until [recovers] is called. The agent believes `port(P,timeout)`. */
+    fun hangs(): Board = apply { fake.stall() }
+
+    /** It goes on where it [hung][hangs]. */
+    fun recovers(): Board = apply { fake.resume() }
+
+    /** Its cable is pulled; the port is not there until [plugIn] is called. The agent believes `port(P,off)`. */
+    fun unplug(): Board = apply {
+        isMissing()
+        line?.unplug()
+    }
+
+    /** The port is there and can be opened. */
+    fun plugIn(): Board = apply { refusal = null }
+
+    /** The port is not there: opening it fails with `error(no_such_port)`. */
+    fun isMissing(): Board = apply { refusal = { NoSuchPortException(it, "there is no port $it") } }
+
+    /** The port belongs to [owner], an agent or a program: opening it fails with `error(port_busy)`. */
+    fun isHeldBy(owner: String): Board = apply { refusal = { PortBusyException(it, owner) } }
+
+    /** The agent may not open the port: it fails with `error(port_permission)`. */
+    fun isForbidden(): Board = apply { refusal = { PortPermissionException(it, "this user may not open port $it") } }
+
+    /** The commands that have arrived, in their order. */
+    val commands: List<String> get() = fake.received().filterNot(::isRequest)
+
+    /** The requests for percepts that have arrived, in their order: `getPercepts`, or with functors from an agent that speaks version 2. */
+    val requests: List<String> get() = fake.received().filter(::isRequest)
+
+    /** The commands that no expectation has taken. */
+    internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
+
+    /** Takes [command] if it has arrived and no expectation has taken it. */
+    internal fun take(command: String): Boolean {
+        val index = commands.withIndex().firstOrNull { (i, text) -> i !in taken && text == command }?.index ?: return false
+        return taken.add(index)
+    }
+
+    internal fun open(port: String, settings: LineSettings): Transport {
+        refusal?.let { throw it(port) }
+        val line = MemoryLine.paced(port, settings, time).also { this.line = it }
+        time.start("board $port") { run(line) }
+        return line.computer()
+    }
+
+    private fun run(line: MemoryLine) {
+        try {
+            fake.program().run(line.board())
+        } catch (_: PortGoneException) {
+            // the agent closed its port, or the cable was pulled
+        } catch (_: InterruptedException) {
+            // the test is over
+        }
+    }
+
+    internal fun end() {
+        line?.unplug()
+    }
+
+    private fun percepts(request: String): String {
+        answers++
+        val functors = request.removePrefix(REQUEST).removeSurrounding("(", ")").split(',').filter(String::isNotBlank).toSet()
+        return messageOf(shown.filter { functors.isEmpty() || functorOf(it) in functors })
+    }
+
+    private fun messageOf(percepts: List<String>) = percepts.joinToString("") { "$it;" }.also {
+        require(isVersion2 || it.length <= Frame.MAX_PAYLOAD) {
+            "a board of version 1 says ${Frame.MAX_PAYLOAD} bytes at once, not ${it.length}; let it say less, or call version2() first"
+        }
+    }
+}
+
+private const val REQUEST = "getPercepts"
+
+private fun isRequest(message: String) = message == REQUEST || message.startsWith("$REQUEST(")
+
+private fun functorOf(percept: String) = percept.removePrefix("~").substringBefore('(').substringBefore('[').trim()
+
+private fun millis(duration: Duration): Int = duration.inWholeMilliseconds.also {
+    require(it in 0..Int.MAX_VALUE) { "a board takes 0 ms or more, not $duration" }
+}.toInt()

@@ -1,0 +1,84 @@
+package argo.testkit
+
+import argo.Platform
+import jason.asSemantics.Agent
+import jason.asSemantics.Intention
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.LogicalFormula
+import jason.asSyntax.Trigger
+import jason.asSyntax.directives.DirectiveProcessor
+import jason.asSyntax.directives.Include
+import jason.asSyntax.parser.ParseException
+import jason.asSyntax.parser.TokenMgrError
+import jason.runtime.Settings
+import jason.runtime.SourcePath
+import jason.util.Config
+import java.nio.file.Path
+
+/** What an agent under test believes and intends. */
+internal class Mind(private val ts: TransitionSystem) {
+    /** Its beliefs without their annotations, in alphabetical order. */
+    val beliefs: List<String> get() = ts.ag.bb.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
+
+    /** Its intentions, each with the goals that led to it, the latest first, and what it is about to do. */
+    val intentions: List<String> get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described)
+
+    fun believes(formula: LogicalFormula): Boolean = ts.ag.believes(formula, Unifier())
+
+    fun intends(goal: Trigger): Boolean = ts.c.allIntentions.asSequence().any { it.hasTrigger(goal, Unifier()) }
+
+    private fun described(intention: Intention) = intention.joinToString(" for ") { means ->
+        val step = means.currentStep?.head?.let { " at $it" }.orEmpty()
+        "${means.trigger.type}${means.trigger.literal.copy().apply { clearAnnots() }}$step"
+    }
+}
+
+/** @throws IllegalArgumentException if [text] is not a condition as in a plan's context */
+internal fun formula(text: String): LogicalFormula = parsed(text, "a belief or a formula such as dist(front,X) & X < 40") {
+    ASSyntax.parseFormula(text)
+}
+
+/** @throws IllegalArgumentException if [text] is not a goal */
+internal fun goal(text: String): Trigger = parsed(text, "a goal such as patrol or goto(3,_)") {
+    ASSyntax.parseTrigger("+!" + text.removePrefix("+").removePrefix("!"))
+}
+
+internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try {
+    parse()
+} catch (unreadable: ParseException) {
+    throw IllegalArgumentException("\"$text\" is not $expected: ${unreadable.message.orEmpty().lineSequence().first()}", unreadable)
+} catch (unreadable: TokenMgrError) {
+    throw IllegalArgumentException("\"$text\" is not $expected: ${unreadable.message.orEmpty().lineSequence().first()}", unreadable)
+}
+
+/**
+ * Creates the agent in [file] behind [infra], as an infrastructure does. Jason's source path is one for the program.
+ * @throws IllegalArgumentException if Jason cannot read it
+ */
+@Synchronized
+internal fun create(file: Path, setUp: AgentSetUp, platform: Platform, infra: InfraArch, witness: PerceptionWitness): TransitionSystem {
+    Config.get()[Config.START_WEB_MI] = "false"
+    val paths = SourcePath().apply { (listOf("${file.parent}") + setUp.sourcePaths).forEach(::addPath) }
+    (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)
+    val settings = Settings().apply { setOptions(HashMap<String, Any>(setUp.options)) }
+    try {
+        Agent.create(infra, setUp.agentClass.name, null, "$file", settings)
+    } catch (unreadable: ParseException) {
+        throw IllegalArgumentException("Jason cannot read $file: ${unreadable.message}", unreadable)
+    } catch (unreadable: TokenMgrError) {
+        throw IllegalArgumentException("Jason cannot read $file: ${unreadable.message}", unreadable)
+    }
+    val ts = infra.ts
+    infra.insertAgArch(infra)
+    setUp.arch(platform).let {
+        it.ts = ts
+        infra.insertAgArch(it)
+        it.init()
+    }
+    infra.insertAgArch(witness)
+    ts.setLogger(infra)
+    ts.ag.setLogger(infra)
+    return ts
+}

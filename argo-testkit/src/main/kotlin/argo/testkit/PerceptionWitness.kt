@@ -1,0 +1,12 @@
+package argo.testkit
+
+import jason.architecture.AgArch
+import jason.asSyntax.Literal
+
+/** Counts how often the agent has perceived something new; it stands in front of all its other architectures. */
+internal class PerceptionWitness : AgArch() {
+    var perceptions = 0
+        private set
+
+    override fun perceive(): MutableCollection<Literal>? = super.perceive().also { if (it != null) perceptions++ }
+}

@@ -1,0 +1,92 @@
+package argo.testkit
+
+import java.util.Date
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.Condition
+import java.util.concurrent.locks.Lock
+
+/** A reentrant lock for those who go by [time], of whom one runs at a time. */
+internal class VirtualLock(private val time: VirtualTime) : Lock {
+    private var owner: Any? = null
+    private var holds = 0
+
+    private fun me(): Any = time.running ?: time // the driver
+
+    private fun isFree() = holds == 0 || owner === me()
+
+    override fun lock() = take(null, false).let { }
+
+    override fun lockInterruptibly() = take(null, true).let { }
+
+    override fun tryLock(): Boolean = isFree().also { if (it) enter(1) }
+
+    override fun tryLock(time: Long, unit: TimeUnit): Boolean = take(this.time.nanos() + unit.toNanos(time), true)
+
+    private fun take(deadlineNanos: Long?, interruptible: Boolean): Boolean {
+        if (!isFree()) time.block(deadlineNanos, interruptible) { holds == 0 }
+        return tryLock()
+    }
+
+    private fun enter(times: Int) {
+        owner = me()
+        holds += times
+    }
+
+    override fun unlock() {
+        requireMine()
+        holds--
+    }
+
+    private fun requireMine() {
+        if (holds == 0 || owner !== me()) throw IllegalMonitorStateException("the lock belongs to another thread")
+    }
+
+    override fun newCondition(): Condition = VirtualCondition()
+
+    private inner class VirtualCondition : Condition {
+        private val waiting = ArrayDeque<Waiter>()
+
+        override fun signal() {
+            requireMine()
+            waiting.removeFirstOrNull()?.signalled = true
+        }
+
+        override fun signalAll() {
+            while (waiting.isNotEmpty()) signal()
+            requireMine()
+        }
+
+        override fun awaitNanos(nanosTimeout: Long): Long {
+            requireMine()
+            val deadline = time.nanos() + nanosTimeout
+            wait(if (deadline < 0) null else deadline, true) // a sum beyond the largest number is never reached
+            return deadline - time.nanos()
+        }
+
+        override fun await() = wait(null, true).let { }
+
+        override fun awaitUninterruptibly() = wait(null, false).let { }
+
+        override fun await(time: Long, unit: TimeUnit): Boolean = awaitNanos(unit.toNanos(time)) > 0
+
+        override fun awaitUntil(deadline: Date): Boolean = throw UnsupportedOperationException("this time has no dates")
+
+        private fun wait(deadlineNanos: Long?, interruptible: Boolean) {
+            requireMine()
+            val held = holds
+            val waiter = Waiter().also(waiting::addLast)
+            holds = 0
+            try {
+                time.block(deadlineNanos, interruptible) { waiter.signalled }
+            } finally {
+                waiting -= waiter
+                if (holds > 0) time.block(null, false) { holds == 0 }
+                enter(held)
+            }
+        }
+    }
+
+    private class Waiter {
+        var signalled = false
+    }
+}
