@@ -3,7 +3,10 @@ package argo.build
 import java.nio.file.Path
 import kotlin.io.path.readText
 
-/** One of the two builds, as far as they must agree. */
+/**
+ * One of the two builds, as far as they must agree.
+ * @property libraries the modules that are published
+ */
 data class Build(
     val group: String,
     val version: String,
@@ -11,6 +14,8 @@ data class Build(
     val kotlin: String,
     val kotlinJvmTarget: String,
     val newestJason: String,
+    val dokka: String,
+    val libraries: List<String>,
     val modules: Map<String, Set<Dependency>>,
 )
 
@@ -34,6 +39,8 @@ fun gradleBuild(root: Path): Build {
         kotlin = catalog.versions.getValue("kotlin"),
         kotlinJvmTarget = script.value("""JvmTarget\.JVM_(\d+)"""),
         newestJason = catalog.versions.getValue("newest-jason"),
+        dokka = catalog.versions.getValue("dokka"),
+        libraries = quoted(script.value("""val libraries = listOf\(([^)]*)\)""")),
         modules = modules.associateWith { module ->
             merged(shared + dependencies(root.resolve("$module/build.gradle.kts").readText(), catalog, version))
         },
@@ -41,7 +48,9 @@ fun gradleBuild(root: Path): Build {
 }
 
 private fun include(settings: String): List<String> =
-    Regex("\"([^\"]+)\"").findAll(settings.value("""include\(([^)]*)\)""")).map { it.groupValues[1] }.toList()
+    quoted(settings.value("""include\(([^)]*)\)"""))
+
+private fun quoted(text: String): List<String> = Regex("\"([^\"]+)\"").findAll(text).map { it.groupValues[1] }.toList()
 
 private fun String.value(pattern: String): String =
     checkNotNull(Regex(pattern).find(this)) { "no $pattern in\n$this" }.groupValues[1]
@@ -70,7 +79,7 @@ private class Catalog(val versions: Map<String, String>, private val libraries: 
     fun dependency(scope: String, accessor: String): Dependency {
         val alias = accessor.removePrefix("libs.").replace('.', '-')
         val (module, version) = checkNotNull(libraries[alias]) { "$accessor is not in the catalog" }
-        return Dependency(scope, module, version)
+        return Dependency(scope, module.removeSuffix("-jvm"), version)
     }
 
     companion object {

@@ -16,6 +16,8 @@ fun mavenBuild(root: Path): Build {
         kotlin = properties.getValue("kotlin.version"),
         kotlinJvmTarget = parent.first("jvmTarget").textContent,
         newestJason = properties.getValue("newest-jason.version"),
+        dokka = properties.getValue("dokka.version"),
+        libraries = parent.all("module").map { it.textContent }.filter { "maven.install.skip" !in Pom(root.resolve("$it/pom.xml")).properties },
         modules = parent.all("module").map { it.textContent }.associateWith { module ->
             val pom = Pom(root.resolve("$module/pom.xml"))
             shared + pom.dependencies(properties) + pom.processors(properties)
@@ -50,6 +52,6 @@ private fun Element.children(tag: String? = null): List<Element> =
 
 private fun Element.dependency(properties: Map<String, String>, scope: String): Dependency {
     fun value(tag: String) = children(tag).single().textContent.replace(Regex("""\$\{(.+)}""")) { properties.getValue(it.groupValues[1]) }
-    // Gradle finds the -jvm artifact of a multiplatform library by itself
+    // of a multiplatform library Gradle finds the -jvm artifact by itself, but the POMs that it publishes are read by Maven too
     return Dependency(scope, "${value("groupId")}:${value("artifactId").removeSuffix("-jvm")}", value("version"))
 }

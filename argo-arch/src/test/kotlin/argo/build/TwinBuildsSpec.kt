@@ -28,6 +28,10 @@ class TwinBuildsSpec : FunSpec({
         maven.newestJason shouldBe gradle.newestJason
     }
 
+    test("both publish the same libraries, documented by the same Dokka") {
+        maven.libraries to maven.dokka shouldBe (gradle.libraries to gradle.dokka)
+    }
+
     for (module in gradle.modules.keys) {
         test("both give $module the same dependencies") {
             maven.modules[module] shouldBe gradle.modules[module]

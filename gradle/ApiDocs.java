@@ -1,0 +1,51 @@
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.File;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.jetbrains.dokka.ConfigurationJsonUtilsKt;
+import org.jetbrains.dokka.DokkaGenerator;
+import org.jetbrains.dokka.utilities.DokkaConsoleLogger;
+import org.jetbrains.dokka.utilities.LoggingLevel;
+import org.jetbrains.dokka.utilities.MessageEmitter;
+
+/**
+ * Writes a module's API documentation with Dokka, for builds that use no plugin but Kotlin's; Java runs it from source. What is written is
+ * decided by Dokka's formats on the class path.
+ *
+ * <p>Arguments: the module's name, the folder to write into, the folders of its sources and the class path that they are compiled with, the
+ * last two separated as in a class path.
+ */
+final class ApiDocs {
+    private ApiDocs() {}
+
+    public static void main(String[] arguments) throws Exception {
+        if (arguments.length != 4) {
+            throw new IllegalArgumentException("usage: ApiDocs MODULE OUTPUT SOURCES CLASSPATH");
+        }
+        Map<String, Object> sources = Map.of(
+                "displayName", "JVM",
+                "sourceSetID", Map.of("scopeId", arguments[0], "sourceSetName", "main"),
+                "analysisPlatform", "jvm",
+                "jdkVersion", 17,
+                "noStdlibLink", true,
+                "noJdkLink", true,
+                "sourceRoots", paths(arguments[2]),
+                "classpath", paths(arguments[3]));
+        Map<String, Object> configuration = Map.of(
+                "moduleName", arguments[0],
+                "outputDir", arguments[1],
+                "offlineMode", true,
+                "failOnWarning", false,
+                "sourceSets", List.of(sources));
+        String json = new ObjectMapper().writeValueAsString(configuration);
+        new DokkaGenerator(
+                        ConfigurationJsonUtilsKt.DokkaConfigurationImpl(json),
+                        new DokkaConsoleLogger(LoggingLevel.WARN, MessageEmitter.Companion.getConsoleEmitter()))
+                .generate();
+    }
+
+    private static List<String> paths(String joined) {
+        return Stream.of(joined.split(File.pathSeparator)).filter(path -> new File(path).exists()).toList();
+    }
+}
