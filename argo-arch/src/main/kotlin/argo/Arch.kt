@@ -1,12 +1,17 @@
 package argo
 
 import argo.filters.PerceptionFilter
+import argo.view.AgentView
+import argo.view.ViewedAgent
+import argo.view.ViewedPort
 import jason.architecture.AgArch
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
+import jason.bb.BeliefBase
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
+import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Level
 import java.util.logging.Logger
@@ -36,6 +41,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private lateinit var policy: SensingPolicy
     private val commands = CommandLedger()
     private val actedThrough = AtomicReference<OpenPort?>()
+    private var observer: AgentObserver = Unobserved
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
     @Volatile
@@ -46,6 +52,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private var lastInCycle: Long? = null
     private var sensed: List<Literal> = emptyList()
 
+    /** The agent's live view, if it has one: `argo_view=8080` among its options. There from [init] on. */
+    @Volatile
+    var view: AgentView? = null
+        private set
+
     override fun init() {
         super.init()
         log = Logger.getLogger("${Arch::class.java.name}.$agName")
@@ -55,14 +66,18 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand, platform.nowMs) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle)
+        view = viewOf(ViewedArch())?.also { observer = it.observer }
     }
+
+    /** A view that cannot be had is reported, and the agent does without. */
+    private fun viewOf(agent: ViewedAgent): AgentView? = ts.settings.getUserParameter(VIEW)?.let { AgentView.open(it, agent, log) }
 
     /** An atomic plan holds back all events; with `events=requeue` those that no plan applies to come back for ever. */
     private fun eventsStand() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
     private fun sensingPolicy(): SensingPolicy {
-        ts.settings.userParameters.keys.filter { it.startsWith("argo_") && it != SENSING }.forEach {
-            log.warning("$it is not an option of argo.Arch, which has $SENSING=${SensingPolicy.words}")
+        ts.settings.userParameters.keys.filter { it.startsWith("argo_") && it !in OPTIONS }.forEach {
+            log.warning("$it is not an option of argo.Arch, which has $SENSING=${SensingPolicy.words} and $VIEW=a port number")
         }
         val word = ts.settings.getUserParameter(SENSING) ?: return SensingPolicy.FRESH
         return (SensingPolicy.of(word) ?: SensingPolicy.FRESH.also {
@@ -76,6 +91,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal fun perceiveThrough(filter: PerceptionFilter?) {
         board.switchTo(filter)
         environment.switchTo(filter)
+        observer.filterChanged(filter)
     }
 
     /** Why the active filter does with [percept] what it does. */
@@ -109,10 +125,12 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
      * @param outcome is called once, with null when its last byte has left the line, else with the reason why it has not
      */
     internal fun send(port: OpenPort, text: String, outcome: (Failure?) -> Unit) {
-        if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(text))
+        val observed = observer.commandIssued(port.link.port(), text)
+        if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(text).also(observed))
         val number = commands.issue()
         port.commands.submit(text) {
             commands.done(number)
+            observed(it)
             outcome(it)
         }
     }
@@ -144,9 +162,12 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         waker.perceives()
         val environmentNews = environment.update(super.perceive())
         if (policy == SensingPolicy.IN_CYCLE) senseInCycle()
-        if (perceiving) board.due()?.let(handOver::put)
+        if (perceiving) board.due()?.also(observer::filtered)?.let(handOver::put)
         val snapshot = handOver.take()?.takeIf { perceiving && it.port === ports.current }?.let(board::current)
-        if (snapshot != null) sensed = snapshot.percepts
+        if (snapshot != null) {
+            sensed = snapshot.percepts
+            observer.handedOver(snapshot)
+        }
         listOfNotNull(environment.dueInMs(), board.dueInMs().takeIf { perceiving }).minOrNull()?.let(waker::wakeIn)
         if (!environmentNews && snapshot == null && !states.hasNews()) return null
         return (environment.percepts + sensed + states.beliefs()).toMutableList()
@@ -164,14 +185,21 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun canSleep(): Boolean =
         super.canSleep() && !handOver.isReady() && !states.hasNews() && !environment.isWaiting() && !(perceiving && board.dueInMs() == 0L)
 
+    override fun reasoningCycleFinished() {
+        observer.cycleFinished()
+        super.reasoningCycleFinished()
+    }
+
     /** Gives up all ports and threads. Never waits for the line. */
     override fun stop() {
+        view?.close()
         if (::ports.isInitialized) ports.stop()
         super.stop()
     }
 
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {
         val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
+        observer.portChanged(port, status, reason)
         log.log(level, "port $port is ${status.word}" + reason?.let { ": $it" }.orEmpty())
         waker.wake { !states.hasNews() }
     }
@@ -181,7 +209,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
             if (port !== ports.current || !perceiving) return
-            handOver.put(board.snapshot(port, message, receivedNanos))
+            handOver.put(board.snapshot(port, message, receivedNanos).also(observer::filtered))
             ports.report(port, PortStatus.ON)
             waker.wake { !handOver.isReady() }
         }
@@ -192,10 +220,43 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)
     }
 
+    private inner class ViewedArch : ViewedAgent {
+        override val name: String = agName
+        override val policy get() = this@Arch.policy.word
+        override val intervalMs get() = this@Arch.intervalMs
+        override val isPerceiving get() = perceiving
+        override val beliefs: BeliefBase get() = ts.ag.bb
+
+        override fun ports(): List<ViewedPort> {
+            val inUse = ports.current?.terms.orEmpty()
+            return states.all().map { (port, status) -> ViewedPort("$port", status.word, port in inUse) }
+        }
+
+        override fun filterNames() = argo.filterNames(ts.ag)
+        override fun filter(name: String) = filterOf(ts.ag, name)
+        override fun explain(percept: String) = board.explain(percept)
+        override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = later(done) { this@Arch.perceiveThrough(filter) }
+        override fun perceive(open: Boolean, done: () -> Unit) = later(done) { this@Arch.perceive(open) }
+        override fun wake() = waker.wake { true }
+
+        /** Has the agent's own thread do [work] before its next cycle. */
+        private fun later(done: () -> Unit, work: () -> Unit) {
+            val isDone = AtomicBoolean()
+            ts.runAtBeginOfNextCycle {
+                work()
+                isDone.set(true)
+                done()
+            }
+            waker.wake(isDone::get)
+        }
+    }
+
     internal companion object {
         /** The sensing interval in ms until `argo.limit` sets another. */
         const val DEFAULT_INTERVAL_MS = 50
         private const val SENSING = "argo_sensing"
+        private const val VIEW = "argo_view"
+        private val OPTIONS = setOf(SENSING, VIEW)
         private const val NANOS_PER_MS = 1_000_000L
     }
 }

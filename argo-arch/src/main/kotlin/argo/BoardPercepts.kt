@@ -54,7 +54,7 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
     private fun snapshot(port: OpenPort?, texts: List<String>, receivedNanos: Long): Snapshot {
         explainTo(log, texts)
         val kept = session.perceive(texts, nowMs())
-        return remember(Snapshot(port, texts, filterVersion, kept.flatMap(reader::read), receivedNanos))
+        return remember(Snapshot(port, texts, kept, filterVersion, kept.flatMap(reader::read), receivedNanos))
     }
 
     private fun explainTo(log: Logger, texts: List<String>) {
@@ -71,7 +71,7 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
         try {
             val last = newest ?: return null
             val kept = session.due(nowMs()) ?: return null
-            return remember(Snapshot(last.port, last.texts, filterVersion, kept.flatMap(reader::read), last.receivedNanos))
+            return remember(Snapshot(last.port, last.texts, kept, filterVersion, kept.flatMap(reader::read), last.receivedNanos))
         } finally {
             lock.unlock()
         }
@@ -90,5 +90,8 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
     }
 
     /** Why the active filter does with [percept] what it does. */
-    fun explain(percept: Literal): String = lock.withLock { session.explain("$percept", nowMs()).toString() }
+    fun explain(percept: Literal): String = explain("$percept")
+
+    /** Why the active filter does with the text [percept] what it does. */
+    fun explain(percept: String): String = lock.withLock { session.explain(percept, nowMs()).toString() }
 }

@@ -42,6 +42,9 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
     /** Whether something has changed since [beliefs] was asked last. */
     fun hasNews(): Boolean = lock.withLock { version != believedVersion }
 
+    /** All ports as the agent calls them, and their states. */
+    fun all(): List<Pair<Term, PortStatus>> = lock.withLock { states.values.toList() }
+
     /** The beliefs about all ports. */
     fun beliefs(): List<Literal> = lock.withLock {
         believedVersion = version

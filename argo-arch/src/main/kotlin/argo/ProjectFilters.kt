@@ -15,7 +15,12 @@ import java.nio.file.Path
  * @throws argo.filters.FilterException if it is refused
  */
 internal fun filterOf(agent: Agent, name: String): PerceptionFilter =
-    FilterFinder(projectDirectories(agent), agent.javaClass.classLoader).find(name)
+    finderOf(agent).find(name)
+
+/** The names of the filters that [filterOf] can find. */
+internal fun filterNames(agent: Agent): List<String> = finderOf(agent).names()
+
+private fun finderOf(agent: Agent) = FilterFinder(projectDirectories(agent), agent.javaClass.classLoader)
 
 private fun projectDirectories(agent: Agent): List<Path> {
     val started = Path.of("").toAbsolutePath()

@@ -7,13 +7,15 @@ import jason.asSyntax.Literal
  *
  * @property port whose board said it
  * @property texts the percepts as they came off the line
+ * @property kept those of them that the filter let through, and what stands for those that it holds back
  * @property filterVersion which of the filters that the agent has chosen so far was active
- * @property percepts what that filter let through
+ * @property percepts what the agent is to believe of it
  * @property receivedNanos when its last byte came, by the platform's clock
  */
 internal class Snapshot(
     val port: OpenPort?,
     val texts: List<String>,
+    val kept: List<String>,
     val filterVersion: Long,
     val percepts: List<Literal>,
     val receivedNanos: Long,

@@ -13,7 +13,7 @@ import jason.asSyntax.ASSyntax
 class HandOverSpec : FunSpec({
     val noEvents = PerceptEvents { emptyList() }
     fun percept(trigger: String) = Event(ASSyntax.parseTrigger(trigger), Intention.EmptyInt)
-    fun snapshot(n: Long) = Snapshot(null, listOf("n($n)"), 0, emptyList(), n)
+    fun snapshot(n: Long) = Snapshot(null, listOf("n($n)"), listOf("n($n)"), 0, emptyList(), n)
 
     context("fresh") {
         test("gives the newest snapshot, once") {

@@ -1,5 +1,6 @@
 package argo.jason
 
+import argo.Arch
 import jason.asSemantics.Intention
 import jason.asSyntax.ASSyntax
 import jason.environment.Environment
@@ -74,6 +75,9 @@ class TestMas : AutoCloseable {
     fun kill(name: String) {
         RuntimeServicesFactory.get().killAgent(name, "test", 0)
     }
+
+    /** The agent's architecture. */
+    fun architecture(name: String): Arch = generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().single()
 
     /** The agent's beliefs, as text without their sources. */
     fun beliefs(name: String): Set<String> =

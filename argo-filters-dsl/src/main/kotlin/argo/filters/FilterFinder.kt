@@ -37,6 +37,13 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
         return places.firstNotNullOfOrNull { it.find(name) } ?: throw FilterNotFoundException(notFound(name))
     }
 
+    /**
+     * The names of all filters there are, sorted; places that cannot be listed add none, and a file in the list may still be refused.
+     *
+     * @throws java.util.ServiceConfigurationError if a provider cannot be made
+     */
+    fun names(): List<String> = places.flatMap(FilterPlace::names).distinct().sorted()
+
     private fun requireInside(name: String) {
         val bare = FilterFormat.bareName(name)
         val problem = when {
@@ -53,7 +60,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
         "There is no filter '$name'. It was looked for in ${places.joinToString(", ")}. ${existing()}"
 
     private fun existing(): String {
-        val names = places.flatMap(FilterPlace::names).distinct().sorted()
+        val names = names()
         return if (names.isEmpty()) "There are no filters in these places." else "There are these filters: ${names.joinToString(", ")}."
     }
 

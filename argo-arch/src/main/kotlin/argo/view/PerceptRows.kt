@@ -1,0 +1,62 @@
+package argo.view
+
+import argo.BeliefReader
+import argo.Snapshot
+
+/**
+ * What each sensor said last. Percepts that differ in numbers only are one sensor's, and a sensor that has said nothing for
+ * [FORGOTTEN_NANOS] ns is forgotten. Not safe for use by several threads.
+ */
+internal class PerceptRows {
+    private val reader = BeliefReader { } // the agent's own has said it to the log
+    private val rows = LinkedHashMap<String, Row>()
+    private var port: Any? = null
+    private var more = 0
+
+    /** When the last byte of the newest message came, by [System.nanoTime]; null: there was none. */
+    var newestNanos: Long? = null
+        private set
+
+    /** Takes in the next message. */
+    fun add(snapshot: Snapshot) {
+        if (snapshot.port !== port) rows.clear()
+        port = snapshot.port
+        newestNanos = snapshot.receivedNanos
+        val kept = snapshot.kept.toHashSet()
+        val standIns = (kept - snapshot.texts.toSet()).mapTo(HashSet(), ::shape)
+        val seen = HashMap<String, Int>()
+        for (text in snapshot.texts.take(MOST_ROWS)) {
+            val shape = shape(text)
+            val key = "${shown(shape)} ${seen.merge(shape, 1, Int::plus)}"
+            val before = rows[key]
+            val words = shown(text)
+            val since = if (before?.text == words) before.sinceNanos else snapshot.receivedNanos
+            rows[key] = Row(words, fate(text, kept, shape in standIns), snapshot.receivedNanos, since)
+        }
+        more = maxOf(0, snapshot.texts.size - MOST_ROWS)
+        while (rows.size > MOST_ROWS) rows.remove(rows.minBy { it.value.seenNanos }.key)
+    }
+
+    private fun fate(text: String, kept: Set<String>, isStoodFor: Boolean) = when {
+        text in kept -> if (reader.read(text).isEmpty()) "unreadable" else "kept"
+        isStoodFor -> "held"
+        else -> "dropped"
+    }
+
+    /** All rows at [now], in the order in which the sensors were first heard, and how many are left out. */
+    fun state(now: Long): Pair<List<PerceptState>, Int> {
+        rows.values.removeIf { now - it.seenNanos > FORGOTTEN_NANOS }
+        return rows.map { (key, row) -> PerceptState(key, row.text, row.fate, ms(now - row.seenNanos), ms(now - row.sinceNanos)) } to more
+    }
+
+    private class Row(val text: String, val fate: String, val seenNanos: Long, val sinceNanos: Long)
+
+    companion object {
+        /** For how long a sensor is shown that says nothing any more, in ns. */
+        const val FORGOTTEN_NANOS = 10_000_000_000L
+        private const val MOST_ROWS = 200
+        private val NUMBER = Regex("""(?<!\w)[-+]?\d+(\.\d+)?([eE][-+]?\d+)?""")
+
+        private fun shape(percept: String) = percept.replace(NUMBER, "#")
+    }
+}

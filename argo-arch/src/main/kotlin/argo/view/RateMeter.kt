@@ -1,0 +1,22 @@
+package argo.view
+
+/** How often things happen, measured over the last [WINDOW_NANOS] ns. Not safe for use by several threads. */
+internal class RateMeter {
+    private val samples = ArrayDeque<Pair<Long, Counts>>()
+
+    /** The rates when what has happened by [now] is counted by [counts]; null as long as there is too little to measure. */
+    fun rates(now: Long, counts: Counts): Rates? {
+        samples += now to counts
+        while (samples.size > 2 && now - samples[1].first >= WINDOW_NANOS) samples.removeFirst()
+        val (begin, before) = samples.first()
+        val seconds = (now - begin) / 1e9
+        if (now - begin < LEAST_NANOS) return null
+        fun rate(count: (Counts) -> Long) = (count(counts) - count(before)) / seconds
+        return Rates(rate(Counts::frames), rate(Counts::handOvers), rate(Counts::commands), rate(Counts::cycles))
+    }
+
+    private companion object {
+        const val WINDOW_NANOS = 2_000_000_000L
+        const val LEAST_NANOS = 500_000_000L
+    }
+}

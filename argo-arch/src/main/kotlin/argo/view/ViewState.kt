@@ -1,0 +1,123 @@
+package argo.view
+
+import kotlinx.serialization.Serializable
+
+/**
+ * All that a page shows, at one moment. Times are ages in ms at that moment; what there may be much of is cut off and counted.
+ *
+ * @property waitingToStart whether the agent has not run a reasoning cycle yet
+ * @property ended how it ended, when the agent has; null while it runs
+ */
+@Serializable
+internal data class ViewState(
+    val agent: String,
+    val policy: String,
+    val intervalMs: Int,
+    val perceiving: Boolean,
+    val waitingToStart: Boolean,
+    val ended: String?,
+    val filter: FilterState?,
+    val ports: List<PortState>,
+    val sensors: SensorState,
+    val beliefs: BeliefsState,
+    val commands: CommandsState,
+    val rates: Rates?,
+    val picture: PictureState?,
+)
+
+/** The active filter. */
+@Serializable
+internal data class FilterState(val name: String, val words: String)
+
+/**
+ * A port; [ageMs] is how long it has been in this state.
+ *
+ * @property reason why it is not on, if that is known
+ */
+@Serializable
+internal data class PortState(val name: String, val status: String, val inUse: Boolean, val reason: String?, val ageMs: Long?)
+
+/**
+ * What the board said, and when the agent last took it in.
+ *
+ * @property frameAgeMs how old the newest message is; null: there was none
+ * @property handedOverAgeMs when the agent last perceived a message; null: it has not
+ * @property delayMs how old that message was then
+ * @property more how many percepts are left out of [percepts]
+ */
+@Serializable
+internal data class SensorState(
+    val frameAgeMs: Long?,
+    val handedOverAgeMs: Long?,
+    val delayMs: Long?,
+    val percepts: List<PerceptState>,
+    val more: Int,
+)
+
+/**
+ * A percept as it came off the line.
+ *
+ * @property key the same for the readings of one sensor, which differ in numbers only
+ * @property fate `kept`, `dropped`, `held` back, or `unreadable` when the filter keeps it and it is no percept
+ * @property ageMs how long ago it was said last
+ * @property sameMs how long it has said the same
+ */
+@Serializable
+internal data class PerceptState(val key: String, val text: String, val fate: String, val ageMs: Long, val sameMs: Long)
+
+/**
+ * What the agent believes.
+ *
+ * @property ageMs how old this picture of the belief base is; null: there is none yet
+ * @property total how many beliefs there are, those left out of [beliefs] too
+ */
+@Serializable
+internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: List<Belief>)
+
+/**
+ * A belief, or a rule.
+ *
+ * @property sources where it comes from: `percept`, `self` or agents
+ */
+@Serializable
+internal data class Belief(val text: String, val sources: List<String>)
+
+/**
+ * The agent's commands, those that have not gone out first, oldest first; then the others, newest first.
+ *
+ * @property waiting how many have not gone out, those left out of [unfinished] too
+ */
+@Serializable
+internal data class CommandsState(val waiting: Int, val unfinished: List<CommandState>, val finished: List<CommandState>)
+
+/**
+ * A command.
+ *
+ * @property state `line`, if it is the next of its port, `waiting`, `done` or `failed`
+ * @property ageMs how long ago it was issued
+ * @property tookMs how long it took from then until it was done or had failed
+ * @property error why it failed
+ */
+@Serializable
+internal data class CommandState(
+    val number: Long,
+    val port: String,
+    val text: String,
+    val state: String,
+    val ageMs: Long,
+    val tookMs: Long?,
+    val error: String?,
+)
+
+/** How often things happen, by the second. */
+@Serializable
+internal data class Rates(val frames: Double, val handOvers: Double, val commands: Double, val cycles: Double)
+
+/** A [DistancePicture]. */
+@Serializable
+internal data class PictureState(val distance: Double?, val limit: Double?, val range: Double, val unit: String, val doing: String)
+
+/** [text] as it is shown, at most [MOST_CHARACTERS] of it. */
+internal fun shown(text: String): String = if (text.length <= MOST_CHARACTERS) text else text.take(MOST_CHARACTERS) + "…"
+
+private const val MOST_CHARACTERS = 300

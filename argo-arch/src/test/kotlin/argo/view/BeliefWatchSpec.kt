@@ -1,0 +1,80 @@
+package argo.view
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import jason.asSyntax.ASSyntax.parseLiteral
+import jason.asSyntax.ASSyntax.parseRule
+import jason.bb.BeliefBase
+import jason.bb.DefaultBeliefBase
+import java.util.logging.Logger
+
+private const val MS = 1_000_000L
+
+class BeliefWatchSpec : FunSpec({
+    var now = 0L
+    val log = Logger.getLogger("argo.view.test").apply { useParentHandlers = false }
+    fun watch(base: BeliefBase) = BeliefWatch({ base }, log) { now }.also { now = 0 }
+    fun base(vararg beliefs: String) = DefaultBeliefBase().apply { beliefs.forEach { add(parseLiteral(it)) } }
+
+    test("nobody looks: nothing is read") {
+        var reads = 0
+        val watch = BeliefWatch({ reads++; base() }, log) { now }
+        repeat(100) { watch.cycleFinished() }
+        reads shouldBe 0
+    }
+
+    test("beliefs are told with where they come from") {
+        val watch = watch(base("dist(f,38)[source(percept)]", "status(front)[source(self)]", "go[source(bob),source(self)]").apply { add(parseLiteral("kqml(1)[hide_in_mind_inspector]")); add(parseRule("near(X) :- dist(f,X) & X < 40.")) })
+        watch.isWatched = true
+        watch.cycleFinished()
+        val picture = watch.newest.shouldNotBeNull()
+        picture.total shouldBe 4
+        picture.beliefs.map { it.text to it.sources.toSet() }.shouldContainExactlyInAnyOrder(
+            "dist(f,38)" to setOf("percept"), "status(front)" to setOf("self"), "go" to setOf("bob", "self"),
+            "near(X) :- (dist(f,X) & (X < 40))" to emptySet(),
+        )
+    }
+
+    test("ten pictures are taken in a second, however many cycles there are") {
+        var reads = 0
+        val watch = BeliefWatch({ reads++; base() }, log) { now }.apply { isWatched = true }
+        now = 0
+        repeat(1000) { watch.cycleFinished(); now += MS }
+        reads shouldBe 10
+    }
+
+    test("the last cycle before a sleep is not missed") {
+        val watch = watch(base()).apply { isWatched = true }
+        watch.isBehind() shouldBe true
+        watch.cycleFinished()
+        watch.isBehind() shouldBe false
+        now += MS
+        watch.cycleFinished()
+        watch.isBehind() shouldBe false
+        now += 100 * MS
+        watch.isBehind() shouldBe true
+        watch.cycleFinished()
+        watch.isBehind() shouldBe false
+    }
+
+    test("of a large belief base a part is told, of percepts and of the others, and how much there is") {
+        val watch = watch(DefaultBeliefBase().apply {
+            repeat(10_000) { add(parseLiteral("p($it)[source(percept)]")) }
+            repeat(10_000) { add(parseLiteral("q($it)[source(self)]")) }
+        })
+        watch.isWatched = true
+        watch.cycleFinished()
+        val picture = watch.newest.shouldNotBeNull()
+        picture.total shouldBe 20_000
+        picture.beliefs.size shouldBeLessThan 400
+    }
+
+    test("a belief base that cannot be read costs the agent nothing") {
+        val watch = BeliefWatch({ throw ConcurrentModificationException() }, log) { now }.apply { isWatched = true }
+        watch.cycleFinished()
+        watch.newest shouldBe null
+    }
+})

@@ -1,0 +1,60 @@
+package argo.view
+
+import argo.Failure
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.comparables.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+
+class CommandRecordSpec : FunSpec({
+    var now = 0L
+    fun record() = CommandRecord { now }.also { now = 0 }
+
+    test("the first command of each port is on the line, the others wait") {
+        val record = record()
+        record.issue("left", "a")
+        record.issue("left", "b")
+        record.issue("right", "c")
+        record.state(0).unfinished.map { it.text to it.state } shouldBe listOf("a" to "line", "b" to "waiting", "c" to "line")
+        record.state(0).waiting shouldBe 3
+    }
+
+    test("a command that has gone out tells how long it took and how long ago it was given") {
+        val record = record()
+        val done = record.issue("left", "a")
+        now = 30_000_000
+        done(null)
+        with(record.state(50_000_000).finished.single()) { listOf(state, tookMs, ageMs, error) shouldBe listOf("done", 30L, 50L, null) }
+        record.state(now).unfinished.shouldBeEmpty()
+        record.count shouldBe 1
+    }
+
+    test("a command that failed tells why") {
+        val record = record()
+        record.issue("left", "a")(Failure("port_gone", "the cable is out"))
+        with(record.state(0).finished.single()) { state to error shouldBe ("failed" to "port_gone: the cable is out") }
+    }
+
+    test("however many there are, few are kept, and the others are counted") {
+        val record = record()
+        val done = (1..10_000).map { record.issue("left", "c$it") }
+        val state = record.state(0)
+        state.waiting shouldBe 10_000
+        state.unfinished.size shouldBeLessThan 100
+        state.unfinished.first().text shouldBe "c1"
+        done.forEach { it(null) }
+        with(record.state(0)) {
+            waiting shouldBe 0
+            unfinished.shouldBeEmpty()
+            finished.first().text shouldBe "c10000"
+            finished.size shouldBeLessThan 100
+        }
+    }
+
+    test("a command longer than any page wants is cut") {
+        val record = record()
+        record.issue("left", "x".repeat(100_000))
+        record.state(0).unfinished.shouldHaveSize(1).single().text.length shouldBeLessThan 400
+    }
+})

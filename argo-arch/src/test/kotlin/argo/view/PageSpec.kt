@@ -1,0 +1,193 @@
+package argo.view
+
+import argo.jason.TestMas
+import argo.jason.eventually
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import javino.FakeBoard
+import org.openqa.selenium.Keys
+
+private const val AGENT = """
+    likes(tea).
+    !start.
+    +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open); argo.act(hello); !refuse.
+    +!refuse <- argo.act("a command that is so long that it would make a narrow page wider than it is if words could not be broken_anywhere_in_the_middle").
+"""
+private const val FRONT = """<PerceptionFilter><filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter></PerceptionFilter>"""
+
+/** The page in a real browser. */
+class PageSpec : FunSpec({
+    val browser: EnabledOrReasonIf = { Chromium.available }
+
+    fun shown(answer: String, test: Chromium.(TestMas) -> Unit) = FakeBoard.plugIn("robot").use { board ->
+        board.lenient().whenAsked("getPercepts").answer(answer)
+        TestMas().use { mas ->
+            mas.file("front.xml", FRONT)
+            mas.agent("bob", AGENT, options = mapOf("argo_view" to "0"))
+            Chromium.open(mas.viewOf("bob")).use { page ->
+                page.await { texts("#sensors .text").isNotEmpty() && texts("#beliefs .text").size > 2 && texts("#commands .text").size == 2 }
+                mas.agentView("bob").show { DistancePicture(73.2, 40.0, 200.0, "cm", "driving") }
+                page.await { run("return !document.getElementById('picture').hidden") }
+                page.test(mas)
+            }
+        }
+    }
+
+    test("the page shows the agent").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);dist(b,90);light(4);temp(20);") {
+            text("#connection") shouldBe "live"
+            text("#agent") shouldBe "bob"
+            texts("#sensors .text") shouldBe listOf("dist(f,38)", "dist(b,90)", "light(4)", "temp(20)")
+            texts("#sensors .chip") shouldBe listOf("kept", "dropped", "kept", "kept")
+            texts("#beliefs .text").toSet() shouldBe setOf("likes(tea)", "port(\"sim:robot\",on)", "dist(f,38)", "light(4)", "temp(20)")
+            texts("#commands .chip").forEach { it shouldContain "done in" }
+            texts("#ports .chip") shouldBe listOf("on")
+            text("#picture-distance") shouldBe "73.2 cm"
+            await { "/s" in text("#figures") }
+            picture("light")
+            prefer("prefers-color-scheme", "dark")
+            picture("dark")
+        }
+    }
+
+    test("on a phone nothing has to be scrolled sideways").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);" + "x".repeat(180) + "(1);dist(b,90);") {
+            size(360, 740)
+            run<Long>("return document.documentElement.scrollWidth") shouldBeLessThanOrEqualTo 360
+            picture("phone")
+            size(360, 3400)
+            picture("phone-long")
+            size(320, 640)
+            run<Long>("return document.documentElement.scrollWidth") shouldBeLessThanOrEqualTo 320
+        }
+    }
+
+    test("markup that a board says is text").config(enabledOrReasonIf = browser) {
+        shown("""say("<img src=x onerror=document.title='taken'><b>x</b>");'</li><script>document.title=\'taken\'</script>'(1);""") {
+            texts("#sensors .text") shouldContainText "<img src=x"
+            texts("#beliefs .text") shouldContainText "<b>x</b>"
+            run<Long>("return document.querySelectorAll('main img, main b, main script').length") shouldBe 0
+            run<String>("return document.title") shouldBe "bob · ARGO"
+        }
+    }
+
+    test("a press on a percept tells why, and another takes it away").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);dist(b,90);") {
+            press("dist(b,90)")
+            await { texts("#sensors .detail")[1].contains("is dropped by filter front: rule 1 meets it") }
+            picture("why")
+            press("dist(b,90)")
+            await { texts("#sensors .detail").all { it.isEmpty() } }
+        }
+    }
+
+    test("buttons change the agent's filter").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);dist(b,90);") { mas ->
+            await { texts("#filters [aria-pressed=true]") == listOf("front") }
+            press("none")
+            await { texts("#filters [aria-pressed=true]") == listOf("none") && texts("#sensors .chip") == listOf("kept", "kept") }
+            eventually({ mas.beliefs("bob") }) { "dist(b,90)" in mas.beliefs("bob") }
+            mas.file("front.xml", "<PerceptionFilter><filter/></PerceptionFilter>")
+            press("front")
+            await { text("#problem").contains("predicate") }
+            texts("#filters [aria-pressed=true]") shouldBe listOf("none")
+        }
+    }
+
+    test("percepts are blocked and opened by a button, also from the keyboard").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);") {
+            run<Any?>("document.getElementById('percepts').focus(); return null")
+            type(Keys.ENTER)
+            await { text("#percepts") == "Open percepts" && text("#sensors-words").contains("blocked") }
+            await { run("return !document.getElementById('percepts').disabled") }
+            press("Open percepts")
+            await { text("#percepts") == "Block percepts" }
+        }
+    }
+
+    test("a frozen page stands still while the agent goes on").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);dist(b,90);") { mas ->
+            press("Freeze page")
+            text("#notice") shouldContain "The agent goes on"
+            val figures = text("#figures")
+            mas.achieve("bob", "start")
+            mas.achieve("bob", "refuse")
+            eventually({ mas.beliefs("bob") }) { "dist(f,38)" in mas.beliefs("bob") }
+            text("#figures") shouldBe figures
+            press("Unfreeze page")
+            await { texts("#commands .text").size > 2 && text("#notice").isEmpty() }
+        }
+    }
+
+    test("keyboard focus stays where it is while the page changes").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);dist(b,90);") {
+            run<Any?>("document.querySelectorAll('#sensors button')[1].focus(); return null")
+            press("none") // changes every row
+            run<Any?>("document.querySelectorAll('#sensors button')[1].focus(); return null")
+            await { texts("#sensors .chip") == listOf("kept", "kept") }
+            run<String>("return document.activeElement.textContent") shouldBe "dist(b,90)"
+        }
+    }
+
+    test("the agent's end is told, and what was seen last stays").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);") { mas ->
+            mas.agentView("bob").conclude("stopped 38.6 cm from the wall")
+            mas.kill("bob")
+            await { text("#connection") == "ended" }
+            text("#notice") shouldContain "Ended: stopped 38.6 cm from the wall"
+            texts("#sensors .text") shouldBe listOf("dist(f,38)")
+            run<Long>("return [...document.querySelectorAll('header button, #filters button')].filter(b => !b.disabled).length") shouldBe 0
+            picture("ended")
+        }
+    }
+
+    test("nothing moves for those who want nothing to move").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);") {
+            val duration = "return getComputedStyle(document.getElementById('track-robot')).transitionDuration"
+            prefer("prefers-reduced-motion", "no-preference")
+            run<String>(duration) shouldBe "0.12s"
+            prefer("prefers-reduced-motion", "reduce")
+            run<String>(duration) shouldBe "0s"
+        }
+    }
+
+    context("words stand out from what is behind them") {
+        listOf("light", "dark").forEach { scheme ->
+            test("in the $scheme").config(enabledOrReasonIf = browser) {
+                shown("dist(f,38);dist(b,90);X;") {
+                    prefer("prefers-color-scheme", scheme)
+                    press("dist(b,90)")
+                    await { texts("#sensors .detail")[1].isNotEmpty() }
+                    run<List<String>>(FAINT) shouldBe emptyList()
+                }
+            }
+        }
+    }
+
+    test("every control has a name, and the console has no complaint").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);") {
+            run<Long>("return [...document.querySelectorAll('button')].filter(b => !b.textContent.trim()).length") shouldBe 0
+            run<Long>("return [...document.querySelectorAll('section')].filter(s => !document.getElementById(s.getAttribute('aria-labelledby')).textContent.trim()).length") shouldBe 0
+            complaints() shouldNotContain "SEVERE"
+        }
+    }
+})
+
+private infix fun List<String>.shouldContainText(part: String) = joinToString("\n") shouldContain part
+
+/** Words whose contrast with what is behind them is less than WCAG 2.2 asks for at level AA, 4.5 : 1. */
+private const val FAINT = """
+    const channel = c => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+    const numbers = colour => colour.match(/[\d.]+/g).map(Number);
+    const luminance = ([r, g, b]) => 0.2126 * channel(r) + 0.7152 * channel(g) + 0.0722 * channel(b);
+    const behind = e => { for (; e; e = e.parentElement) { const c = numbers(getComputedStyle(e).backgroundColor); if (c.length < 4 || c[3] > 0) return c; } return [255, 255, 255]; };
+    return [...document.querySelectorAll('body *')].filter(e => e.checkVisibility() && !e.disabled && [...e.childNodes].some(n => n.nodeType === 3 && n.textContent.trim())).flatMap(e => {
+        const [a, b] = [luminance(numbers(getComputedStyle(e).color)), luminance(behind(e))].sort((x, y) => y - x);
+        const ratio = (a + 0.05) / (b + 0.05);
+        return ratio < 4.5 ? [e.textContent + ': ' + ratio.toFixed(2)] : [];
+    });
+"""

@@ -1,0 +1,279 @@
+package argo.view
+
+import argo.jason.TestMas
+import argo.jason.eventually
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import javino.FakeBoard
+import java.net.InetAddress
+import java.net.ServerSocket
+import java.net.URI
+
+private const val LIMIT_MS = 20_000
+private const val LOOKS = """
+    !start.
+    +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open); argo.act(hello).
+"""
+private const val FRONT = """<PerceptionFilter><filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter></PerceptionFilter>"""
+
+class ViewSpec : FunSpec({
+    fun watched(program: String = LOOKS, answer: String = "dist(f,38);dist(b,90);light(4);", test: (TestMas, FakeBoard, URI) -> Unit) =
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient().whenAsked("getPercepts").answer(answer)
+            TestMas().use { mas ->
+                mas.file("front.xml", FRONT)
+                mas.file("filters/wrong.xml", "<PerceptionFilter><filter/></PerceptionFilter>")
+                mas.agent("bob", program, options = mapOf("argo_view" to "0"))
+                test(mas, board, mas.viewOf("bob"))
+            }
+        }
+
+    test("a page is told of ports, sensors, the filter's decisions, beliefs and commands") {
+        watched { _, _, address ->
+            Watcher(address).use { watcher ->
+                val state = watcher.await { it.sensors.percepts.any { p -> p.fate == "dropped" } && it.commands.finished.isNotEmpty() && it.beliefs.beliefs.size == 3 }
+                listOf(state.agent, state.policy, state.intervalMs, state.perceiving, state.ended) shouldBe listOf("bob", "fresh", 20, true, null)
+                state.ports.map { listOf(it.name, it.status, it.inUse) } shouldBe listOf(listOf("\"sim:robot\"", "on", true))
+                state.filter.shouldNotBeNull().name shouldBe "front"
+                state.sensors.percepts.map { it.text to it.fate } shouldBe listOf("dist(f,38)" to "kept", "dist(b,90)" to "dropped", "light(4)" to "kept")
+                state.beliefs.beliefs.map { it.text }.shouldContainExactlyInAnyOrder("port(\"sim:robot\",on)", "dist(f,38)", "light(4)")
+                state.commands.finished.map { it.text to it.state } shouldBe listOf("hello" to "done")
+                state.picture.shouldBeNull()
+                watcher.await { (it.rates?.frames ?: 0.0) > 1 }
+            }
+        }
+    }
+
+    test("a page that is opened later is told what an idle agent believes") {
+        watched("likes(tea).\n!start.\n+!start <- +ready.") { mas, _, address ->
+            eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
+            Watcher(address).use { it.await { state -> state.beliefs.beliefs.map { b -> b.text }.containsAll(listOf("likes(tea)", "ready")) } }
+        }
+    }
+
+    test("a command that the line cannot take yet is on the line, and the next one waits") {
+        watched("!start.\n+!start <- argo.port(\"sim:robot\", [boot(600000)]); !!a; !!b.\n+!a <- argo.act(one).\n+!b <- argo.act(two).") { _, board, address ->
+            board.stall()
+            Watcher(address).use { watcher ->
+                watcher.await { state -> state.commands.unfinished.map { it.state } == listOf("line", "waiting") }.commands.waiting shouldBe 2
+            }
+            board.resume()
+        }
+    }
+
+    test("the filter is changed by name, to none and back, and the agent follows") {
+        watched { mas, _, address ->
+            Watcher(address).use { watcher ->
+                watcher.await { it.filter?.name == "front" }
+                address.post("/filter", """{"name":null}""").statusCode() shouldBe 200
+                watcher.await { it.filter == null && it.sensors.percepts.all { p -> p.fate == "kept" } && it.sensors.percepts.size == 3 }
+                eventually({ mas.beliefs("bob") }) { "dist(b,90)" in mas.beliefs("bob") }
+                address.post("/filter", """{"name":"front"}""").statusCode() shouldBe 200
+                eventually({ mas.beliefs("bob") }) { "dist(b,90)" !in mas.beliefs("bob") }
+            }
+        }
+    }
+
+    test("the filters that there are are listed; one that is not there, or refused, changes nothing and says why") {
+        watched { _, _, address ->
+            Watcher(address).use { watcher ->
+                watcher.await { it.filter?.name == "front" }
+                with(address.get("/filters").body()) {
+                    this shouldContain "\"front\""
+                    this shouldContain "\"wrong\""
+                }
+                with(address.post("/filter", """{"name":"elsewhere"}""")) {
+                    statusCode() shouldBe 404
+                    body() shouldContain "There is no filter 'elsewhere'"
+                }
+                with(address.post("/filter", """{"name":"wrong"}""")) {
+                    statusCode() shouldBe 422
+                    body() shouldContain "predicate"
+                }
+                address.post("/filter", """{"name":"../front"}""").statusCode() shouldBe 404
+                watcher.await { it.filter != null }.filter.shouldNotBeNull().name shouldBe "front"
+            }
+        }
+    }
+
+    test("perception is blocked and opened") {
+        watched { _, _, address ->
+            Watcher(address).use { watcher ->
+                watcher.await { it.sensors.percepts.isNotEmpty() }
+                address.post("/percepts", """{"open":false}""").statusCode() shouldBe 200
+                watcher.await { !it.perceiving }
+                address.post("/percepts", """{"open":true}""").statusCode() shouldBe 200
+                val frames = watcher.await { it.perceiving }.sensors.frameAgeMs.shouldNotBeNull()
+                watcher.await { it.sensors.frameAgeMs.shouldNotBeNull() < frames + 1000 }
+            }
+        }
+    }
+
+    test("why a percept is kept or dropped is told on demand") {
+        watched { _, _, address ->
+            Watcher(address).use { it.await { state -> state.filter != null } }
+            address.get("/explain?percept=dist(b,90)").body() shouldContain "dist(b,90) is dropped by filter front: rule 1 meets it"
+            address.get("/explain?percept=light(4)").body() shouldContain "is kept by filter front"
+            address.get("/explain?percept=%22").body() shouldContain "not a percept"
+            address.raw("GET /explain?percept=%zz HTTP/1.1", "Host: ${address.authority}") shouldContain "400"
+            address.get("/explain").statusCode() shouldBe 400
+        }
+    }
+
+    test("a percept that holds markup is told as the text it is, in one line") {
+        watched(answer = """say("<img src=x onerror=alert(1)>");'</script>'(1);""") { _, _, address ->
+            Watcher(address).use { watcher ->
+                val percepts = watcher.await { it.sensors.percepts.size == 2 }.sensors.percepts
+                percepts.map { it.text } shouldBe listOf("""say("<img src=x onerror=alert(1)>")""", "'</script>'(1)")
+            }
+        }
+    }
+
+    test("requests of other pages and under other names are refused and change nothing") {
+        watched { _, _, address ->
+            Watcher(address).use { watcher ->
+                watcher.await { it.filter?.name == "front" }
+                address.post("/filter", """{"name":null}""", "Origin" to "http://robot.example").statusCode() shouldBe 403
+                address.post("/filter", """{"name":null}""", "Origin" to "null").statusCode() shouldBe 403
+                address.post("/filter", """{"name":null}""", "Sec-Fetch-Site" to "cross-site").statusCode() shouldBe 403
+                address.post("/filter", """{"name":null}""", "Content-Type" to "text/plain").statusCode() shouldBe 415
+                address.raw("POST /filter HTTP/1.1", "Host: robot.example:${address.port}", "Content-Type: application/json", "Content-Length: 13", "", """{"name":null}""") shouldContain "403"
+                address.raw("GET /events HTTP/1.1", "Host: robot.example:${address.port}") shouldContain "403"
+                address.raw("GET / HTTP/1.1", "Host: robot.example") shouldContain "403"
+                address.raw("GET / HTTP/1.1", "Host: localhost:${address.port}") shouldContain "200"
+                watcher.await { true }.filter.shouldNotBeNull().name shouldBe "front"
+                address.post("/filter", """{"name":null}""", "Origin" to "http://${address.authority}").statusCode() shouldBe 200
+            }
+        }
+    }
+
+    test("what nobody can mean is refused with the reason") {
+        watched { _, _, address ->
+            address.get("/nothing").statusCode() shouldBe 404
+            address.get("/../view.js").statusCode() shouldBe 404
+            address.get("/filter").statusCode() shouldBe 405
+            address.post("/filters", "{}").statusCode() shouldBe 405
+            address.post("/", "{}").statusCode() shouldBe 405
+            address.post("/events", "{}").statusCode() shouldBe 405
+            address.post("/filter", "x").statusCode() shouldBe 400
+            address.post("/filter", "{}").statusCode() shouldBe 400
+            address.post("/percepts", """{"open":"perhaps"}""").statusCode() shouldBe 400
+            address.post("/filter", "\"" + "x".repeat(20_000) + "\"").statusCode() shouldBe 413
+        }
+    }
+
+    test("the page needs nothing from anywhere else, and no browser puts it into another page") {
+        watched { _, _, address ->
+            for (path in listOf("/", "/view.css", "/view.js")) {
+                val answer = address.get(path)
+                answer.statusCode() shouldBe 200
+                answer.body() shouldNotContain "//www"
+                answer.body() shouldNotContain "https:"
+                val policy = answer.headers().firstValue("Content-Security-Policy").get()
+                policy shouldContain "default-src 'none'"
+                policy shouldContain "frame-ancestors 'none'"
+                policy shouldNotContain "unsafe"
+            }
+        }
+    }
+
+    test("the server listens on this computer's own address only") {
+        watched { _, _, address ->
+            address.host shouldBe "127.0.0.1"
+            val others = java.net.NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }.filter { !it.isLoopbackAddress && it is java.net.Inet4Address }
+            others.forEach { other -> runCatching { java.net.Socket(other, address.port).close() }.isFailure shouldBe true }
+        }
+    }
+
+    test("a browser that does not read holds up neither the agent nor another browser") {
+        watched(answer = (1..20).joinToString("") { "sensor$it($it);" }, program = LOOKS + "+light(X) <- argo.act(seen(X)).") { _, board, address ->
+            val stalled = java.net.Socket().apply { receiveBufferSize = 1024; connect(java.net.InetSocketAddress("127.0.0.1", address.port)) }
+            stalled.use {
+                it.getOutputStream().write("GET /events HTTP/1.1\r\nHost: ${address.authority}\r\n\r\n".toByteArray())
+                var n = 0
+                board.whenAsked("getPercepts").answer { "light(${++n});" + (1..200).joinToString("") { "s$it($n);" }.take(200).substringBeforeLast(';') + ";" }
+                Watcher(address).use { watcher ->
+                    board.awaitMessage("seen(${n + 200})", LIMIT_MS)
+                    watcher.await { state -> state.sensors.percepts.any { it.text == "light(${n + 50})" } || n > 400 }
+                }
+            }
+        }
+    }
+
+    test("several browsers watch several agents, each what it asked for") {
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient()
+            TestMas().use { mas ->
+                mas.agent("ann", "likes(tea).", options = mapOf("argo_view" to "0"))
+                mas.agent("bob", "likes(milk).", options = mapOf("argo_view" to "0"))
+                listOf("ann" to "likes(tea)", "bob" to "likes(milk)").forEach { (agent, belief) ->
+                    val watchers = (1..3).map { Watcher(mas.viewOf(agent)) }
+                    watchers.forEach { it.await { state -> state.agent == agent && state.beliefs.beliefs.any { b -> b.text == belief } } }
+                    watchers.forEach(Watcher::close)
+                }
+            }
+        }
+    }
+
+    test("more pages than there is room for are told so") {
+        watched { _, _, address ->
+            val watchers = (1..12).map { Watcher(address).apply { await { true } } }
+            address.get("/events").statusCode() shouldBe 503
+            watchers.forEach(Watcher::close)
+            eventually({ "no room" }) { "200" in address.raw("GET /events HTTP/1.1", "Host: ${address.authority}") }
+        }
+    }
+
+    test("when the agent ends, the page is told and nothing is left: no thread, no port") {
+        watched { mas, _, address ->
+            Watcher(address).use { watcher ->
+                watcher.await { it.sensors.percepts.isNotEmpty() }
+                mas.kill("bob")
+                watcher.await { it.ended != null }.ended shouldBe "the agent has ended"
+                watcher.awaitEnd()
+            }
+            eventually(::viewThreads) { viewThreads().isEmpty() }
+            ServerSocket(address.port, 1, InetAddress.getByName("127.0.0.1")).close()
+        }
+    }
+
+    test("50 agents with views that are watched and killed leave no thread") {
+        TestMas().use { mas ->
+            (1..50).forEach { mas.agent("bob$it", "likes(tea).", options = mapOf("argo_view" to "0")) }
+            val watchers = (1..50 step 5).map { Watcher(mas.viewOf("bob$it")).apply { await { true } } }
+            (1..50).forEach { mas.kill("bob$it") }
+            eventually(::viewThreads) { viewThreads().isEmpty() }
+            watchers.forEach(Watcher::close)
+        }
+    }
+
+    test("a port that is taken is reported, and the agent runs without a view") {
+        ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->
+            TestMas().use { mas ->
+                mas.agent("bob", "!start.\n+!start <- +ready.", options = mapOf("argo_view" to "${taken.localPort}"))
+                eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
+                mas.log shouldContain "argo_view=${taken.localPort}: port ${taken.localPort} cannot be had"
+            }
+        }
+    }
+
+    context("a view that cannot be meant is reported, and the agent runs without") {
+        listOf("true", "-1", "65536", "80 80", "\"\"", "8080.5").forEach { word ->
+            test("argo_view=$word") {
+                TestMas().use { mas ->
+                    mas.agent("bob", "!start.\n+!start <- +ready.", options = mapOf("argo_view" to word))
+                    eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
+                    mas.log shouldContain "a view has the number of a port from 0 to 65535"
+                    viewThreads() shouldBe emptyList()
+                }
+            }
+        }
+    }
+})
+
+private fun viewThreads(): List<String> = Thread.getAllStackTraces().keys.map { it.name }.filter { "-view" in it || it == "HTTP-Dispatcher" }
