@@ -227,6 +227,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         override val isPerceiving get() = perceiving
         override val beliefs: BeliefBase get() = ts.ag.bb
 
+        override fun nanos() = System.nanoTime()
+
         override fun ports(): List<ViewedPort> {
             val inUse = ports.current?.terms.orEmpty()
             return states.all().map { (port, status) -> ViewedPort("$port", status.word, port in inUse) }

@@ -1,7 +1,6 @@
 package argo.view
 
 import argo.AgentObserver
-import argo.daemonThread
 import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.net.BindException
@@ -17,15 +16,18 @@ import java.util.logging.Logger
  * Neither the agent nor its sensing ever waits for it. Safe for use by several threads.
  */
 class AgentView private constructor(private val agent: ViewedAgent, port: Int, log: Logger) {
-    private val nanos: () -> Long = System::nanoTime
+    private val nanos: () -> Long = agent::nanos
     private val beliefs = BeliefWatch(agent::beliefs, log, nanos)
     private val record = AgentRecord(beliefs, nanos)
     private val browsers = Browsers(MOST_BROWSERS, nanos)
     private val states = Newest<ViewServer.Sent>()
     private val server = ViewServer(agent.name, port, ViewCommands(agent), browsers, states)
-    private val composer = StateComposer(agent, record, beliefs, nanos)
+    private val composer = StateComposer(agent, record, beliefs, log, nanos)
     private val closing = CountDownLatch(1)
-    private val publisher = daemonThread("argo-${agent.name}-view") { publish() }
+    private val publisher = Thread(::publish, "argo-${agent.name}-view").apply {
+        isDaemon = true
+        start()
+    }
 
     /** Where it is, such as `http://127.0.0.1:8080/`. */
     val address: URI get() = server.address
@@ -35,7 +37,7 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
 
     /**
      * Shows a picture above all else: [picture] is asked for it by the view's thread, ten times a second at most and only while a browser
-     * watches. It must return soon; null: there is nothing to show.
+     * watches. It must return soon, with null when there is nothing to show; if it throws, that is logged and it is not asked again.
      */
     fun show(picture: () -> DistancePicture?) {
         composer.picture = picture
@@ -58,7 +60,7 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
     private fun publish() {
         try {
             server.start()
-            var shown = 0L
+            var shown: Long? = null
             while (!closing.await(INTERVAL_MS, TimeUnit.MILLISECONDS)) shown = publishIfNew(shown)
             states.say(sent(isLast = true))
             awaitBrowsers()
@@ -67,13 +69,14 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
         }
     }
 
-    /** Returns when something was shown last. */
-    private fun publishIfNew(shown: Long): Long {
+    /** Returns when something was [shown] last to those who watch; null: nobody does. */
+    private fun publishIfNew(shown: Long?): Long? {
         beliefs.isWatched = browsers.areWatching()
-        if (!beliefs.isWatched) return 0
+        if (!beliefs.isWatched) return null
         browsers.giveUpStalled(STALLED_NANOS)
         if (beliefs.isBehind()) agent.wake()
-        if (!composer.hasNews() && nanos() - shown < REPEAT_NANOS) return shown
+        val isDue = shown == null || nanos() - shown >= REPEAT_NANOS
+        if (!browsers.hasNewcomer() && !isDue && !composer.hasNews()) return shown
         states.say(sent(isLast = false))
         return nanos()
     }
@@ -110,6 +113,9 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
                 null
             } catch (trouble: IOException) {
                 log.severe("argo_view=$port: the view cannot be opened ($trouble); the agent runs without one")
+                null
+            } catch (missing: LinkageError) { // a Java that was put together without it
+                log.severe("argo_view=$port: this Java has no HTTP server, which is in its module jdk.httpserver ($missing); the agent runs without a view")
                 null
             }
         }

@@ -15,9 +15,13 @@ import java.util.concurrent.atomic.AtomicBoolean
 internal class Browsers(private val most: Int, private val nanos: () -> Long) {
     private val watching = ConcurrentHashMap.newKeySet<Browser>()
     private val firstCame = CountDownLatch(1)
+    private val newCame = AtomicBoolean()
 
     /** Whether there is one. */
     fun areWatching(): Boolean = watching.isNotEmpty()
+
+    /** Whether one has come since this was asked last. */
+    fun hasNewcomer(): Boolean = newCame.getAndSet(false)
 
     /** Waits until the first one watches, at most [limitMs] ms, and returns whether one does or has. */
     fun awaitFirst(limitMs: Long): Boolean = firstCame.await(limitMs, TimeUnit.MILLISECONDS)
@@ -28,6 +32,7 @@ internal class Browsers(private val most: Int, private val nanos: () -> Long) {
         watching += browser
         try {
             if (watching.size > most) return false
+            newCame.set(true)
             firstCame.countDown()
             serve(browser)
             return true

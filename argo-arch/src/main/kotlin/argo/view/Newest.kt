@@ -15,6 +15,9 @@ internal class Newest<T : Any> {
         changed.signalAll()
     }
 
+    /** How many things have been said. */
+    val count: Long get() = lock.withLock { said?.number ?: 0 }
+
     /** Waits for something newer than number [after], at most [limitNanos] ns; null: there is nothing. */
     fun await(after: Long, limitNanos: Long): Said<T>? = lock.withLock {
         var left = limitNanos

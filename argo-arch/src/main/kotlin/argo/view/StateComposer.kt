@@ -1,5 +1,8 @@
 package argo.view
 
+import java.util.logging.Level
+import java.util.logging.Logger
+
 /**
  * Puts together what the page shows. [state] and [hasNews] belong to the view's thread, the rest is safe for use by several.
  *
@@ -9,12 +12,14 @@ internal class StateComposer(
     private val agent: ViewedAgent,
     private val record: AgentRecord,
     private val beliefs: BeliefWatch,
+    private val log: Logger,
     private val nanos: () -> Long,
 ) {
     private val rows = PerceptRows()
     private val meter = RateMeter()
     private var shownVersion = -1L
     private var shownBeliefs: BeliefWatch.Picture? = null
+    private var shownPicture: DistancePicture? = null
 
     /** What is asked for the picture. */
     @Volatile
@@ -25,15 +30,13 @@ internal class StateComposer(
     var conclusion: String? = null
 
     /** Whether something has happened since [state] was last asked; a picture may change at any time. */
-    fun hasNews(): Boolean = record.version != shownVersion || beliefs.newest !== shownBeliefs || picture() != shownPicture
-
-    private var shownPicture: DistancePicture? = null
+    fun hasNews(): Boolean = record.version != shownVersion || beliefs.newest !== shownBeliefs || pictureNow() != shownPicture
 
     /** All there is to show now; [isLast] when the agent has ended. */
     fun state(isLast: Boolean): ViewState {
         shownVersion = record.version
         shownBeliefs = beliefs.newest
-        shownPicture = picture()
+        shownPicture = pictureNow()
         record.frames.take().forEach(rows::add)
         val now = nanos()
         val counts = record.counts()
@@ -50,8 +53,16 @@ internal class StateComposer(
             beliefs = BeliefsState(shownBeliefs?.let { ms(now - it.nanos) }, shownBeliefs?.total ?: 0, shownBeliefs?.beliefs.orEmpty()),
             commands = record.commands.state(now),
             rates = meter.rates(now, counts),
-            picture = shownPicture?.run { PictureState(distance, limit, range, unit, doing) },
+            picture = shownPicture?.run { PictureState(distance?.takeIf(Double::isFinite), limit?.takeIf(Double::isFinite), range, shown(unit), shown(doing)) },
         )
+    }
+
+    private fun pictureNow(): DistancePicture? = try {
+        picture()
+    } catch (broken: RuntimeException) { // a project's own code
+        log.log(Level.WARNING, "the live view's picture is given up, since asking for it failed", broken)
+        picture = { null }
+        null
     }
 
     private fun portState(port: ViewedPort, now: Long): PortState {

@@ -70,7 +70,8 @@ internal class ViewServer(
         val isAdmitted = browsers.admit { browser ->
             exchange.begin(200, "text/event-stream", 0)
             val out = exchange.responseBody
-            var number = 0L
+            browser.write { out.write("retry: $RETRY_MS\n\n".toByteArray()) }
+            var number = states.count // what was said last is of another time
             var isLast = false
             while (!isLast) {
                 val sent = states.await(number, HEARTBEAT_NANOS)
@@ -116,6 +117,9 @@ internal class ViewServer(
     companion object {
         private const val EVENTS = "/events"
         private const val MOST_THREADS = 24
+
+        /** How long a browser whose connection is lost waits before it tries again. */
+        private const val RETRY_MS = 1000
 
         /** How often a browser is written to at least, so that one which has gone is noticed, in ns. */
         private const val HEARTBEAT_NANOS = 2_000_000_000L

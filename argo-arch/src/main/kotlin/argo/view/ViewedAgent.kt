@@ -16,6 +16,9 @@ internal interface ViewedAgent {
     /** Whether it perceives its board. */
     val isPerceiving: Boolean
 
+    /** The clock that the agent's messages are timed by, in ns; it never goes back. */
+    fun nanos(): Long
+
     /** What it believes; belongs to the agent's thread. */
     val beliefs: BeliefBase
 

@@ -325,7 +325,7 @@ $('freeze').addEventListener('click', () => {
   showFreeze();
   show();
 });
-$('percepts').addEventListener('click', () => order('percepts', { open: !state.perceiving }));
+$('percepts').addEventListener('click', () => order('percepts', { open: !(frozen ? frozen.state : state).perceiving }));
 
 // A page that nobody sees does not keep the agent busy, nor one of the few connections that a browser has for one address.
 document.addEventListener('visibilitychange', () => {

@@ -39,9 +39,9 @@ internal class Chromium private constructor(private val driver: ChromeDriver, pr
         driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", mapOf("width" to width, "height" to height, "deviceScaleFactor" to 1, "mobile" to false))
     }
 
-    /** Sets a preference of the person who looks, such as `prefers-color-scheme` to `dark`. */
-    fun prefer(feature: String, value: String) {
-        driver.executeCdpCommand("Emulation.setEmulatedMedia", mapOf("features" to listOf(mapOf("name" to feature, "value" to value))))
+    /** Sets the preferences of the person who looks, such as `prefers-color-scheme` to `dark`. */
+    fun prefer(vararg features: Pair<String, String>) {
+        driver.executeCdpCommand("Emulation.setEmulatedMedia", mapOf("features" to features.map { (name, value) -> mapOf("name" to name, "value" to value) }))
     }
 
     /** Waits until [condition] holds of the page. */

@@ -49,7 +49,7 @@ class PageSpec : FunSpec({
             text("#picture-distance") shouldBe "73.2 cm"
             await { "/s" in text("#figures") }
             picture("light")
-            prefer("prefers-color-scheme", "dark")
+            prefer("prefers-color-scheme" to "dark")
             picture("dark")
         }
     }
@@ -148,9 +148,9 @@ class PageSpec : FunSpec({
     test("nothing moves for those who want nothing to move").config(enabledOrReasonIf = browser) {
         shown("dist(f,38);") {
             val duration = "return getComputedStyle(document.getElementById('track-robot')).transitionDuration"
-            prefer("prefers-reduced-motion", "no-preference")
+            prefer("prefers-reduced-motion" to "no-preference")
             run<String>(duration) shouldBe "0.12s"
-            prefer("prefers-reduced-motion", "reduce")
+            prefer("prefers-reduced-motion" to "reduce")
             run<String>(duration) shouldBe "0s"
         }
     }
@@ -159,7 +159,7 @@ class PageSpec : FunSpec({
         listOf("light", "dark").forEach { scheme ->
             test("in the $scheme").config(enabledOrReasonIf = browser) {
                 shown("dist(f,38);dist(b,90);X;") {
-                    prefer("prefers-color-scheme", scheme)
+                    prefer("prefers-color-scheme" to scheme, "prefers-reduced-motion" to "reduce")
                     press("dist(b,90)")
                     await { texts("#sensors .detail")[1].isNotEmpty() }
                     run<List<String>>(FAINT) shouldBe emptyList()

@@ -220,6 +220,28 @@ class ViewSpec : FunSpec({
         }
     }
 
+    test("a project's picture is shown, and one that cannot be had costs nothing else") {
+        watched { mas, _, address ->
+            Watcher(address).use { watcher ->
+                val view = mas.agentView("bob")
+                view.address shouldBe address
+                view.awaitBrowser(LIMIT_MS.toLong()) shouldBe true
+                view.show { DistancePicture(73.5, 40.0, 200.0, "cm", "driving") }
+                watcher.await { it.picture == PictureState(73.5, 40.0, 200.0, "cm", "driving") }
+                view.show { DistancePicture(Double.NaN, Double.POSITIVE_INFINITY, 200.0, "cm", "lost") }
+                watcher.await { it.picture == PictureState(null, null, 200.0, "cm", "lost") }
+                view.show { throw NoSuchElementException("no robot") }
+                watcher.await { it.picture == null }
+                mas.log shouldContain "the live view's picture is given up"
+                view.conclude("stopped")
+                mas.kill("bob")
+                watcher.await { it.ended != null }.ended shouldBe "stopped"
+                view.awaitEnd(LIMIT_MS.toLong())
+                viewThreads() shouldBe emptyList()
+            }
+        }
+    }
+
     test("more pages than there is room for are told so") {
         watched { _, _, address ->
             val watchers = (1..12).map { Watcher(address).apply { await { true } } }
