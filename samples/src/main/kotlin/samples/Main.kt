@@ -29,6 +29,7 @@ fun main(args: Array<String>): Unit = exitProcess(
 private fun commandLine(command: Any, name: String) = CommandLine(command)
     .setCommandName(name)
     .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
+    .registerConverter(Int::class.javaObjectType) { wholeNumber(it, String::toIntOrNull) }
     .registerConverter(Long::class.javaObjectType) { wholeNumber(it, String::toLongOrNull) }
     .setParameterExceptionHandler { wrong, _ ->
         val refused = wrong.commandLine

@@ -33,6 +33,12 @@ internal class Program private constructor(private val process: Process) : AutoC
         return process.exitValue() to printed.toString().trimEnd()
     }
 
+    /** Presses Enter. */
+    fun enter() = process.outputStream.run {
+        write('\n'.code)
+        flush()
+    }
+
     /** Asks it to end, as Ctrl-C does. */
     fun interrupt() = process.destroy()
 

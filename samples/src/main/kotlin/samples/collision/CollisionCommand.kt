@@ -49,16 +49,23 @@ internal class CollisionCommand : Callable<Int> {
     @Option(names = ["--seed"], paramLabel = "n", description = ["where the noise of the simulated sensors starts from (default: 1)"])
     private var seed: Long? = null
 
+    @Option(names = ["--view"], paramLabel = "port", arity = "0..1", fallbackValue = "0", description = ["shows the agent live on a page for browsers on this computer (default: on a port that is free)"])
+    private var view: Int? = null
+
+    @Option(names = ["--view-wait"], paramLabel = "s", description = ["with --view, how long the robot waits for the first browser, or Enter; 0: not at all (default: 60)"])
+    private var viewWait: Int? = null
+
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
     private var help = false
 
     override fun call(): Int {
         val levels = levels()
+        val audience = audience()
         val progress = Progress.onStandardOutput()
         val log = LogFile.open("collision")
         val isOver = AtomicBoolean()
         val verdict = log.use {
-            val run = CollisionRun(levels, progress)
+            val run = CollisionRun(levels, progress, audience)
             whenInterrupted {
                 if (isOver.getAndSet(true)) return@whenInterrupted
                 run.abandon()
@@ -88,6 +95,15 @@ internal class CollisionCommand : Callable<Int> {
         return Levels(filter, limit, interval, baud, sensing, port, seed ?: 1)
     }
 
+    private fun audience(): Audience? {
+        view?.let { requireWithin("--view", it, 0..MOST_PORT, "as a port, 0 being any that is free") }
+        viewWait?.let {
+            if (view == null) refuse("--view-wait is for --view")
+            requireWithin("--view-wait", it, 0..MOST_WAIT_S, "s")
+        }
+        return view?.let { Audience(it, viewWait ?: WAIT_S, System.out, System.`in`) }
+    }
+
     private fun requireOneOf(option: String, value: String, vararg words: String) {
         if (value !in words) refuse("$option is ${words.dropLast(1).joinToString(", ")} or ${words.last()}, not $value")
     }
@@ -100,6 +116,9 @@ internal class CollisionCommand : Callable<Int> {
 
     private companion object {
         const val INTERRUPTED = 130 // as shells report Ctrl-C
+        const val MOST_PORT = 65_535
+        const val WAIT_S = 60
+        const val MOST_WAIT_S = 3600
         const val MOST_CM = 10_000
         const val MOST_MS = 10_000
         const val LEAST_BAUD = 300

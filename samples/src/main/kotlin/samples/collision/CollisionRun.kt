@@ -33,8 +33,17 @@ internal data class Levels(
     val seed: Long,
 )
 
-/** One run of the collision experiment. */
-internal class CollisionRun(private val levels: Levels, private val progress: Progress, private val clock: LineClock = LineClock.system()) {
+/**
+ * One run of the collision experiment.
+ *
+ * @param audience whom it is shown to in a browser; null: nobody
+ */
+internal class CollisionRun(
+    private val levels: Levels,
+    private val progress: Progress,
+    private val audience: Audience? = null,
+    private val clock: LineClock = LineClock.system(),
+) {
     private val witness = Witness()
     private val mas = MasRun(project())
 
@@ -47,17 +56,19 @@ internal class CollisionRun(private val levels: Levels, private val progress: Pr
             createLiteral("view", createAtom(levels.filter)),
         )
         set(AGENT, "argo_sensing", levels.sensing)
+        audience?.let { set(AGENT, "argo_view", "${it.port}") }
     }
 
     /** Runs it and returns how it ended; always ends by itself. Called once. */
     fun run(): Verdict {
         val scene = scene()
-        mas.begin(mapOf(AGENT to witness))
         try {
-            return watch(scene)
+            mas.begin(mapOf(AGENT to witness)) { audience?.gather(mas.viewOf(AGENT), scene::picture) }
+            return watch(scene).also { audience?.conclude(it.sentence) }
         } finally {
             abandon()
             mas.end()
+            audience?.dismiss()
             if (levels.port == null) SimulatedBoards.unplug(RobotBoard.NAME)
         }
     }

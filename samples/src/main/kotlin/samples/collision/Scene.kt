@@ -1,5 +1,6 @@
 package samples.collision
 
+import argo.view.DistancePicture
 import javino.LineClock
 import samples.cm
 import samples.seconds
@@ -8,6 +9,9 @@ import samples.seconds
 internal interface Scene {
     /** The run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
     fun look(): List<String>
+
+    /** The same as a picture. Any thread may ask. */
+    fun picture(): DistancePicture
 
     /** How it ended, or null while it lasts. */
     fun verdict(): Verdict?
@@ -22,6 +26,12 @@ internal class SimulatedScene(private val robot: Robot, private val witness: Wit
         val now = clock.nanos()
         val course = robot.course
         return listOf("distance ${cm(course.distanceAt(now))} cm", words(course.stateAt(now)), "${seconds(now - (course.departure ?: now))} s")
+    }
+
+    override fun picture(): DistancePicture {
+        val now = clock.nanos()
+        val course = robot.course
+        return DistancePicture(course.distanceAt(now), limit.toDouble(), Course.START_CM, "cm", words(course.stateAt(now)))
     }
 
     override fun verdict(): Verdict? {
@@ -45,15 +55,22 @@ internal class SimulatedScene(private val robot: Robot, private val witness: Wit
 internal class BoardScene(private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock) : Scene {
     private val begin = clock.nanos()
 
-    override fun look(): List<String> = with(witness.beliefs) {
-        val doing = when {
-            port == null -> "opening the port"
-            port != "on" -> "the board does not answer"
-            status == "front" -> "driving"
-            else -> status ?: "waiting for the board"
-        }
-        val distance = distance?.let { "distance ${cm(it)} cm" } ?: "no distance yet"
-        listOf(distance, doing, "${seconds(clock.nanos() - begin)} s")
+    override fun look(): List<String> {
+        val beliefs = witness.beliefs
+        val distance = beliefs.distance?.let { "distance ${cm(it)} cm" } ?: "no distance yet"
+        return listOf(distance, doing(beliefs), "${seconds(clock.nanos() - begin)} s")
+    }
+
+    override fun picture(): DistancePicture {
+        val beliefs = witness.beliefs
+        return DistancePicture(beliefs.distance, limit.toDouble(), maxOf(Course.START_CM, limit.toDouble()), "cm", doing(beliefs))
+    }
+
+    private fun doing(beliefs: Witness.Beliefs): String = when {
+        beliefs.port == null -> "opening the port"
+        beliefs.port != "on" -> "the board does not answer"
+        beliefs.status == "front" -> "driving"
+        else -> beliefs.status ?: "waiting for the board"
     }
 
     override fun verdict(): Verdict? = with(witness.beliefs) {

@@ -1,5 +1,7 @@
 package samples.project
 
+import argo.Arch
+import argo.view.AgentView
 import jason.architecture.AgArch
 import jason.infra.local.RunLocalMAS
 import java.util.concurrent.CompletableFuture
@@ -21,16 +23,22 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     /**
      * Creates the agents and sets them going; [witnesses] are put in front of the architectures of the agents they are given for.
      *
+     * @param beforeStart is called when the agents are there and do not run yet
      * @throws IllegalStateException if an agent cannot be created; the log has Jason's reasons
      */
-    fun begin(witnesses: Map<String, AgArch> = emptyMap()) {
+    fun begin(witnesses: Map<String, AgArch> = emptyMap(), beforeStart: () -> Unit = {}) {
         create()
         val missing = project.agents.map { it.name } - ags.keys
         check(missing.isEmpty()) { "Jason could not create ${missing.joinToString()}" }
         sample.beliefs.forEach { (agent, beliefs) -> beliefs.forEach { ags.getValue(agent).ts.ag.addBel(it) } }
         witnesses.forEach { (agent, witness) -> ags.getValue(agent).insertAgArch(witness) }
+        beforeStart()
         start()
     }
+
+    /** The live view of [agent], once it is created; null: it has none. */
+    fun viewOf(agent: String): AgentView? =
+        generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().firstNotNullOfOrNull { it.view }
 
     /** Waits until an agent has ended the system, at most [millis] ms; returns the exit status that it wants, null if none has. */
     fun awaitEnd(millis: Long): Int? = try {
