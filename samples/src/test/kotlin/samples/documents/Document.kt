@@ -1,0 +1,74 @@
+package samples.documents
+
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.extension
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.readLines
+import kotlin.io.path.readText
+import kotlin.streams.asSequence
+
+/** A page of the documentation, as it lies at [path] under the repository's [root]. */
+class Document(private val root: Path, val path: Path) {
+    val name: String = root.relativize(path).joinToString("/")
+
+    val text: String by lazy { path.readText() }
+
+    /** The blocks between fences, in their order. */
+    val snippets: List<Snippet> by lazy { snippetsOf(path.readLines()) }
+
+    /** Where links lead that stay in the repository, without the part behind `#`. */
+    val links: List<String>
+        get() = LINK.findAll(FENCED.replace(text, "")).map { it.groupValues[1] }.filterNot { "://" in it || it.startsWith("mailto:") }.toList()
+
+    fun leadsTo(link: String): Boolean {
+        val (file, anchor) = link.split('#', limit = 2).let { it[0] to it.getOrNull(1) }
+        val target = if (file.isEmpty()) path else path.resolveSibling(file).normalize()
+        return target.exists() && target.startsWith(root) && (anchor == null || anchor in Document(root, target).anchors)
+    }
+
+    private val anchors: Set<String> get() = HEADING.findAll(FENCED.replace(text, "")).map { anchor(it.groupValues[1]) }.toSet()
+
+    private fun snippetsOf(lines: List<String>): List<Snippet> {
+        val snippets = mutableListOf<Snippet>()
+        var fence: Pair<Int, String>? = null
+        lines.forEachIndexed { index, line ->
+            val open = fence
+            when {
+                !line.trimStart().startsWith("```") -> Unit
+                open == null -> fence = index to line.trim().removePrefix("```")
+                else -> {
+                    snippets += Snippet(name, open.first + 1, open.second, lines.subList(open.first + 1, index).joinToString("\n").trimIndent())
+                    fence = null
+                }
+            }
+        }
+        check(fence == null) { "$name: the fence in line ${fence!!.first + 1} is not closed" }
+        return snippets
+    }
+
+    override fun toString() = name
+
+    companion object {
+        private val LINK = Regex("""\[[^\]]*]\(([^) ]+)\)""")
+        private val HEADING = Regex("""(?m)^#+ +(.+?) *$""")
+        private val FENCED = Regex("""(?ms)^ *```.*?^ *```""")
+
+        /** All pages of the repository that lies at [root]. */
+        fun all(root: Path): List<Document> = Files.walk(root).use { files ->
+            files.asSequence().filter { it.isRegularFile() && it.extension == "md" && root.relativize(it).none { part -> "$part" in NOT_OURS } }
+                .map { Document(root, it) }.sortedBy { it.name }.toList()
+        }
+
+        private val NOT_OURS = setOf("target", "build", "dist", ".argo", ".git", ".gradle")
+
+        /** The anchor that forges give a heading. */
+        private fun anchor(heading: String) = heading.lowercase().replace(Regex("""[^\p{L}\p{N} _-]"""), "").replace(' ', '-')
+    }
+}
+
+/** A block of [language] between fences, that begins in [line] of [document]. */
+class Snippet(val document: String, val line: Int, val language: String, val text: String) {
+    override fun toString() = "$document:$line"
+}

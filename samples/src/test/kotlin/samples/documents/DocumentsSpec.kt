@@ -1,0 +1,93 @@
+package samples.documents
+
+import argo.filters.JsonFilters
+import argo.filters.XmlFilters
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldBeIn
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.shouldBe
+import jason.asSemantics.Agent
+import jason.asSyntax.parser.as2j
+import org.jetbrains.kotlin.cli.common.ExitCode
+import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
+import java.io.ByteArrayOutputStream
+import java.io.PrintStream
+import java.io.StringReader
+import java.nio.file.Path
+
+/** No page shows what does not work, or leads nowhere. */
+class DocumentsSpec : FunSpec({
+    val root = Path.of("..").toRealPath()
+    val documents = Document.all(root)
+    val snippets = documents.flatMap { it.snippets }
+    fun written(language: String) = snippets.filter { it.language == language }
+
+    test("the pages are found") {
+        documents.map { it.name } shouldContainAll listOf("README.md", "docs/filters.md", "samples/blink/README.md", "javino-arduino/README.md")
+    }
+
+    context("its language is told, for it decides how the block is tried:") {
+        snippets.forEach { test("$it") { it.language shouldBeIn LANGUAGES } }
+    }
+
+    context("links lead somewhere in") {
+        documents.forEach { document -> test("$document") { document.links.filterNot(document::leadsTo).shouldBeEmpty() } }
+    }
+
+    context("Jason reads the AgentSpeak of") {
+        written("agentspeak").forEach { test("$it") { readAgent(it.text) } }
+    }
+
+    context("Jason reads the project of") {
+        written("mas2j").forEach { test("$it") { jason.mas2j.parser.mas2j(StringReader(it.text.asProject())).mas() } }
+    }
+
+    context("there is a filter in") {
+        written("xml").filter { "<PerceptionFilter" in it.text }.forEach { test("$it") { XmlFilters.read(it.text, "$it") } }
+        written("json").filter { "\"rules\"" in it.text }.forEach { test("$it") { JsonFilters.read(it.text, "$it") } }
+    }
+
+    context("Kotlin compiles") {
+        documents.filter { document -> document.snippets.any { it.language == "kotlin" } }.forEach { document ->
+            test("$document") {
+                val code = document.snippets.filter { it.language == "kotlin" }.map { it.text }
+                val messages = ByteArrayOutputStream()
+                val directory = tempdir()
+                val exit = K2JVMCompiler().exec(
+                    PrintStream(messages), "-no-stdlib", "-no-reflect", "-jvm-target", "17", "-d", directory.resolve("out").path,
+                    "-classpath", System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path"),
+                    directory.resolve("Snippets.kt").apply { writeText(kotlinFile(code)) }.path,
+                )
+                withClue("$messages") { exit shouldBe ExitCode.OK }
+            }
+        }
+    }
+
+    context("./argo knows what is told to it in") {
+        val commands = Regex("""(?m)^  ([a-z]+)[ \[]""").findAll(ProcessBuilder("$root/argo").start().inputReader().readText()).map { it.groupValues[1] }.toSet()
+        written("sh").forEach { snippet ->
+            val told = Regex("""\./argo ([a-z]+)""").findAll(snippet.text).map { it.groupValues[1] }.toList()
+            if (told.isNotEmpty()) test("$snippet") { withClue(commands) { (told - commands).shouldBeEmpty() } }
+        }
+    }
+})
+
+/** `text` is what somebody reads or a program prints; `cpp`, `c` and `ini` are tried by the firmware's tests or not at all. */
+private val LANGUAGES = setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "java", "sh", "groovy", "cpp", "c", "ini", "text")
+
+private fun readAgent(text: String) {
+    val agent = Agent().apply { initAg() }
+    as2j(StringReader(text)).agent(agent)
+}
+
+/** A block that shows a project's agents alone is put into a project. */
+private fun String.asProject() = if ("MAS " in this) this else "MAS project {\n$this\n}"
+
+/** One file of all blocks of a page, the imports that they show before what needs them. */
+private fun kotlinFile(code: List<String>): String {
+    val (imports, rest) = code.flatMap { it.lines() }.partition { it.startsWith("import ") }
+    return (imports.distinct() + rest).joinToString("\n")
+}
