@@ -21,7 +21,7 @@ data class Build(
 
 /**
  * A dependency of a module.
- * @property scope `compile`, `provided`, `test` or `processor`
+ * @property scope `compile`, `provided`, `runtime`, `test` or `processor`
  */
 data class Dependency(val scope: String, val coordinates: String, val version: String)
 
@@ -56,7 +56,7 @@ private fun String.value(pattern: String): String =
     checkNotNull(Regex(pattern).find(this)) { "no $pattern in\n$this" }.groupValues[1]
 
 private val SCOPES = mapOf(
-    "api" to "compile", "implementation" to "compile", "compileOnly" to "provided",
+    "api" to "compile", "implementation" to "compile", "compileOnly" to "provided", "runtimeOnly" to "runtime",
     "testImplementation" to "test", "annotationProcessor" to "processor",
 )
 

@@ -13,7 +13,7 @@ class TwinBuildsSpec : FunSpec({
 
     test("both build the same modules in the same order") {
         maven.modules.keys.toList() shouldBe gradle.modules.keys.toList()
-        maven.modules.keys shouldContainAll listOf("javino-java", "argo-filters-dsl", "argo-arch", "samples")
+        maven.modules.keys shouldContainAll listOf("javino-java", "argo-filters-dsl", "argo-tools", "argo-arch", "samples")
     }
 
     test("both have the same group and version") {

@@ -1,0 +1,8 @@
+plugins { `java-library` }
+
+dependencies {
+    implementation(project(":javino-java"))
+    implementation(project(":argo-filters-dsl"))
+    implementation(libs.picocli)
+    implementation(libs.serialization.json)
+}

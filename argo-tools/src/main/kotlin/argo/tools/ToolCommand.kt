@@ -1,0 +1,51 @@
+package argo.tools
+
+import picocli.CommandLine.Command
+import picocli.CommandLine.Help.Ansi
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
+import picocli.CommandLine.Spec
+import java.io.PrintWriter
+import java.util.concurrent.Callable
+
+/** What the tools have in common. */
+@Command
+internal abstract class ToolCommand : Callable<Int> {
+    @Spec
+    protected lateinit var spec: CommandSpec
+
+    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    private var help = false
+
+    /** Where results go. */
+    protected val out: PrintWriter get() = spec.commandLine().out
+
+    /** Where troubles go. */
+    protected val err: PrintWriter get() = spec.commandLine().err
+
+    /** Colours, on a terminal that wants them: not where `NO_COLOR` is set. */
+    protected val paint: Paint get() = Paint(Ansi.AUTO.enabled())
+
+    /** Wrong arguments: ends the command with exit status 2. */
+    protected fun misuse(reason: String): Nothing = throw ParameterException(spec.commandLine(), reason)
+}
+
+/** Colours text, or leaves it. */
+internal class Paint(private val enabled: Boolean) {
+    fun good(text: String) = paint("32", text)
+
+    fun doubtful(text: String) = paint("33", text)
+
+    fun bad(text: String) = paint("31", text)
+
+    fun new(text: String) = paint("1", text)
+
+    fun aside(text: String) = paint("2", text)
+
+    private fun paint(code: String, text: String) = if (enabled) "\u001B[${code}m$text\u001B[0m" else text
+}
+
+/** [text] from a board or a file, for a terminal: control characters, which could command it, become `\u001B`. */
+internal fun printable(text: String): String =
+    if (text.none(Char::isISOControl)) text else text.map { if (it.isISOControl()) "\\u%04X".format(it.code) else "$it" }.joinToString("")

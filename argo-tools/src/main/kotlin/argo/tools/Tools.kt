@@ -1,0 +1,65 @@
+package argo.tools
+
+import argo.tools.board.MonitorCommand
+import argo.tools.board.PortsCommand
+import argo.tools.board.ReplayCommand
+import argo.tools.board.RequestCommand
+import argo.tools.board.SendCommand
+import argo.tools.doctor.DoctorCommand
+import argo.tools.filter.FilterCommand
+import argo.tools.migration.CheckAgentCommand
+import argo.tools.project.NewCommand
+import picocli.CommandLine
+import picocli.CommandLine.Command
+import picocli.CommandLine.IVersionProvider
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
+import picocli.CommandLine.Spec
+
+/** The command that holds all others. */
+@Command(
+    name = "argo",
+    description = ["Tools for boards, filters and projects of ARGO.", ""],
+    versionProvider = JarVersion::class,
+    subcommands = [
+        PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class, FilterCommand::class,
+        DoctorCommand::class, CheckAgentCommand::class, NewCommand::class, CompletionCommand::class,
+    ],
+    footer = ["", "COMMAND --help tells more. Exit status: 0 done, 1 failed, 2 wrong arguments."],
+)
+internal class Tools : Runnable {
+    @Spec
+    private lateinit var spec: CommandSpec
+
+    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    private var help = false
+
+    @Option(names = ["-V", "--version"], versionHelp = true, description = ["says which version this is"])
+    private var version = false
+
+    override fun run(): Unit = throw ParameterException(spec.commandLine(), "name a command: ${spec.subcommands().keys.joinToString()}")
+}
+
+/** The version of the jar that this runs from. */
+internal class JarVersion : IVersionProvider {
+    override fun getVersion() = arrayOf(
+        "ARGO ${JarVersion::class.java.`package`.implementationVersion ?: "from a build directory"}, Java ${Runtime.version()}",
+    )
+}
+
+/** `completion`: a script that lets a shell complete the tools' words. */
+@Command(
+    name = "completion",
+    description = [
+        "Prints a script that lets bash or zsh complete the words of these tools:",
+        "  alias argo='java -jar /path/to/argo.jar'; source <(argo completion)",
+    ],
+)
+internal class CompletionCommand : ToolCommand() {
+    override fun call(): Int {
+        out.print(picocli.AutoComplete.bash("argo", CommandLine(Tools())))
+        out.flush()
+        return ExitStatus.DONE
+    }
+}

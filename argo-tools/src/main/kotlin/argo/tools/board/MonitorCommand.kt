@@ -1,0 +1,178 @@
+package argo.tools.board
+
+import argo.filters.perceptsOf
+import argo.tools.ExitStatus
+import argo.tools.ToolCommand
+import argo.tools.printable
+import javino.Link
+import javino.PortException
+import javino.PortInterruptedException
+import javino.PortTimeoutException
+import javino.Recording.Direction
+import javino.RecordingWriter
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import picocli.CommandLine.Command
+import picocli.CommandLine.Mixin
+import picocli.CommandLine.Option
+import picocli.CommandLine.Parameters
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.LockSupport
+
+/** `monitor`: shows percepts as they come. */
+@Command(
+    name = "monitor",
+    description = [
+        "Shows the percepts of a board as they come, and at the end how often each came. Ctrl-C ends it.",
+        "Opening a port resets most boards.",
+    ],
+)
+internal class MonitorCommand : ToolCommand() {
+    @Mixin
+    private lateinit var line: LineOptions
+
+    @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE"])
+    private lateinit var port: String
+
+    @Option(names = ["--interval"], paramLabel = "MS", defaultValue = "500", description = ["from one request to the next, milliseconds; 0: as fast as the line allows (\${DEFAULT-VALUE})"])
+    private var intervalMs = 0
+
+    @Option(names = ["--mode"], paramLabel = "MODE", defaultValue = "request", description = ["request: asks for percepts; listen: waits for a board that speaks unasked (\${DEFAULT-VALUE})"])
+    private lateinit var mode: String
+
+    @Option(names = ["--record"], paramLabel = "FILE", description = ["writes all messages to a new file, which replay and the port replay:FILE play"])
+    private var record: Path? = null
+
+    @Option(names = ["--count"], paramLabel = "N", description = ["ends after N messages"])
+    private var count: Int? = null
+
+    @Option(names = ["--seconds"], paramLabel = "S", description = ["ends after S seconds"])
+    private var seconds: Int? = null
+
+    @Option(names = ["--json"], description = ["prints an object of JSON a line"])
+    private var json = false
+
+    override fun call(): Int {
+        if (mode !in listOf("request", "listen")) misuse("--mode is request or listen, not $mode")
+        if (intervalMs !in 0..MOST_MS) misuse("--interval is from 0 to $MOST_MS ms, not $intervalMs")
+        if ((count ?: 1) < 1) misuse("--count is at least 1, not $count")
+        if ((seconds ?: 1) < 1) misuse("--seconds is at least 1, not $seconds")
+        return Interruption().use { line.open(port).use(::monitorRecording) }
+    }
+
+    private fun monitorRecording(link: Link): Int {
+        val file = record ?: return Run(link, null).untilEnd()
+        val writer = Files.newBufferedWriter(file, Charsets.UTF_8, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)
+        return RecordingWriter(writer, System.nanoTime()).use { Run(link, it).untilEnd() }
+    }
+
+    /** One monitoring. */
+    private inner class Run(private val link: Link, private val recording: RecordingWriter?) {
+        private val start = System.nanoTime()
+        private val rates = Rates()
+        private var seen = emptySet<String>()
+        private var unanswered = 0
+
+        fun untilEnd(): Int {
+            val status = try {
+                while (!isOver()) message()
+                ExitStatus.DONE
+            } catch (_: PortInterruptedException) {
+                ExitStatus.DONE
+            } catch (trouble: PortException) {
+                err.println(trouble.message)
+                ExitStatus.FAILED
+            }
+            Thread.interrupted() // what is left to do is not to be cut short
+            summary()
+            return status
+        }
+
+        private fun isOver(): Boolean {
+            val limitMs = seconds?.let { it * MS_PER_S }
+            return out.checkError() || rates.messages() >= (count ?: Int.MAX_VALUE) || limitMs != null && ms() >= limitMs
+        }
+
+        private fun ms() = (System.nanoTime() - start) / NANOS_PER_MS
+
+        private fun message() {
+            val begun = System.nanoTime()
+            try {
+                val text = if (mode == "listen") link.listen(line.timeoutMs) else ask()
+                recording?.add(System.nanoTime(), Direction.IN, text)
+                show(text)
+            } catch (late: PortTimeoutException) {
+                if (mode == "request") show(late)
+            }
+            if (mode == "request") waitUntil(begun + intervalMs * NANOS_PER_MS)
+        }
+
+        private fun ask(): String {
+            recording?.add(System.nanoTime(), Direction.OUT, REQUEST)
+            return link.request(REQUEST, line.timeoutMs)
+        }
+
+        private fun waitUntil(nanos: Long) {
+            while (nanos - System.nanoTime() > 0 && !isOver()) {
+                LockSupport.parkNanos(minOf(nanos - System.nanoTime(), TimeUnit.MILLISECONDS.toNanos(LONGEST_PAUSE_MS)))
+                if (Thread.currentThread().isInterrupted) throw PortInterruptedException(link.port())
+            }
+        }
+
+        private fun show(text: String) {
+            val ms = ms()
+            val percepts = perceptsOf(text)
+            rates.count(ms, percepts)
+            if (json) {
+                out.println(buildJsonObject { put("ms", ms); put("percepts", texts(percepts)) })
+            } else {
+                val rate = rates.now()?.let { "${Rates.decimal(it)}/s" } ?: "-"
+                val shown = percepts.joinToString("  ") { if (it in seen) printable(it) else paint.new(printable(it)) }
+                out.println("${paint.aside("${Rates.seconds(ms).padStart(TIME_WIDTH)} s ${rate.padStart(RATE_WIDTH)}")}  ${shown.ifEmpty { "(no percepts)" }}")
+                seen = percepts.toSet()
+            }
+        }
+
+        private fun show(late: PortTimeoutException) {
+            unanswered++
+            if (json) out.println(buildJsonObject { put("ms", ms()); put("timeout", late.message) })
+            else out.println("${paint.aside("${Rates.seconds(ms()).padStart(TIME_WIDTH)} s")}  ${paint.doubtful(late.message.orEmpty())}")
+        }
+
+        private fun summary() {
+            if (json) return out.println(buildJsonObject { put("summary", summaryOf()) })
+            out.println()
+            rates.summary().forEach { out.println(printable(it)) }
+            if (unanswered > 0) out.println(paint.doubtful("$unanswered requests without an answer"))
+            out.println("the board speaks ${versionSpoken(link.protocol())}" + link.corruptFrames().let { if (it > 0) "; $it damaged frames were dropped" else "" })
+            record?.let { out.println("recorded in $it") }
+            out.flush()
+        }
+
+        private fun summaryOf(): JsonObject = buildJsonObject {
+            put("messages", rates.messages())
+            put("unanswered", unanswered)
+            put("protocol", versionSpoken(link.protocol()))
+            put("corruptFrames", link.corruptFrames())
+            put("kinds", JsonArray(rates.kinds().map { (kind, count, last) -> buildJsonObject { put("kind", kind); put("count", count); put("last", last) } }))
+        }
+    }
+
+    private fun texts(percepts: List<String>) = JsonArray(percepts.map(::JsonPrimitive))
+
+    private companion object {
+        const val REQUEST = "getPercepts"
+        const val MOST_MS = 600_000
+        const val MS_PER_S = 1000L
+        const val NANOS_PER_MS = 1_000_000L
+        const val LONGEST_PAUSE_MS = 200L
+        const val TIME_WIDTH = 8
+        const val RATE_WIDTH = 7
+    }
+}

@@ -1,0 +1,46 @@
+package argo.tools.doctor
+
+import argo.tools.ExitStatus
+import argo.tools.ToolCommand
+import argo.tools.doctor.Finding.Level
+import argo.tools.printable
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+
+/** `doctor`: what stands between this machine and a board. */
+@Command(
+    name = "doctor",
+    description = ["Says what stands between this machine and a board, and what to do about it; exit status 1 if there is something. Opens no port."],
+)
+internal class DoctorCommand(private val machine: Machine) : ToolCommand() {
+    @Suppress("unused") // by picocli
+    constructor() : this(ThisMachine)
+
+    @Option(names = ["--json"], description = ["prints an array of objects of JSON"])
+    private var json = false
+
+    override fun call(): Int {
+        val findings = Examination(machine).findings()
+        if (json) out.println(JsonArray(findings.map(::json))) else findings.forEach(::print)
+        return if (findings.any { it.level == Level.PROBLEM }) ExitStatus.FAILED else ExitStatus.DONE
+    }
+
+    private fun print(finding: Finding) {
+        val mark = when (finding.level) {
+            Level.GOOD -> paint.good("ok      ")
+            Level.WARNING -> paint.doubtful("warning ")
+            Level.PROBLEM -> paint.bad("problem ")
+        }
+        out.println(mark + printable(finding.what))
+        finding.remedy?.let { out.println("        " + printable(it)) }
+    }
+
+    private fun json(finding: Finding) = buildJsonObject {
+        put("level", finding.level.name.lowercase())
+        put("what", finding.what)
+        put("remedy", finding.remedy)
+    }
+}

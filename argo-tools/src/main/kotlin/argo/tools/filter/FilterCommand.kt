@@ -1,0 +1,23 @@
+package argo.tools.filter
+
+import picocli.CommandLine.Command
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
+import picocli.CommandLine.Spec
+
+/** `filter`: what there is to do with files of perception filters. */
+@Command(
+    name = "filter",
+    description = ["Checks, explains and converts files of perception filters."],
+    subcommands = [FilterCheckCommand::class, FilterExplainCommand::class, FilterConvertCommand::class],
+)
+internal class FilterCommand : Runnable {
+    @Spec
+    private lateinit var spec: CommandSpec
+
+    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    private var help = false
+
+    override fun run(): Unit = throw ParameterException(spec.commandLine(), "name a command: ${spec.subcommands().keys.joinToString()}")
+}

@@ -1,0 +1,45 @@
+package argo.tools.filter
+
+import argo.filters.JsonFilters
+import argo.filters.KotlinFilters
+import argo.filters.PerceptionFilter
+import argo.filters.XmlFilters
+import argo.tools.ExitStatus
+import argo.tools.ToolCommand
+import argo.tools.ToolException
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+import picocli.CommandLine.Parameters
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import kotlin.io.path.writeText
+
+/** `filter convert`: a filter in another form. */
+@Command(name = "convert", description = ["Writes the filter of a file in another form. The two are one filter to an agent; comments are not kept."])
+internal class FilterConvertCommand : ToolCommand() {
+    @Parameters(index = "0", paramLabel = "FILE", description = ["XML or JSON"])
+    private lateinit var file: Path
+
+    @Option(names = ["--to"], required = true, paramLabel = "FORM", description = ["xml, json or kotlin"])
+    private lateinit var form: String
+
+    @Option(names = ["-o", "--out"], paramLabel = "FILE", description = ["writes a new file rather than the terminal"])
+    private var target: Path? = null
+
+    override fun call(): Int {
+        val write = FORMS[form] ?: misuse("--to is ${FORMS.keys.joinToString()}, not $form")
+        val filter = filterIn(file)
+        val text = try {
+            write(filter)
+        } catch (unwritable: IllegalArgumentException) {
+            throw ToolException("$file cannot be written as $form: ${unwritable.message}")
+        }
+        target?.writeText(text, Charsets.UTF_8, StandardOpenOption.CREATE_NEW) ?: out.print(text)
+        out.flush()
+        return ExitStatus.DONE
+    }
+
+    private companion object {
+        val FORMS: Map<String, (PerceptionFilter) -> String> = mapOf("xml" to XmlFilters::write, "json" to JsonFilters::write, "kotlin" to KotlinFilters::write)
+    }
+}

@@ -1,0 +1,22 @@
+package argo.tools.filter
+
+import argo.filters.JsonFilters
+import argo.filters.PerceptionFilter
+import argo.filters.XmlFilters
+import argo.tools.ToolException
+import java.nio.file.Path
+import kotlin.io.path.inputStream
+
+/**
+ * Reads the filter in [file], whose name says whether it is XML or JSON.
+ *
+ * @throws argo.filters.FilterException if it is refused
+ */
+internal fun filterIn(file: Path): PerceptionFilter {
+    val name = file.toString()
+    return when {
+        name.endsWith(".xml") -> file.inputStream().use { XmlFilters.read(it, name) }
+        name.endsWith(".json") -> file.inputStream().use { JsonFilters.read(it, name) }
+        else -> throw ToolException("$file is no filter file: their names end in .xml or .json")
+    }
+}

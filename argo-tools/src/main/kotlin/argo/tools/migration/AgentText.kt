@@ -1,0 +1,82 @@
+package argo.tools.migration
+
+/**
+ * A piece of AgentSpeak or of a project file.
+ *
+ * @property text as it is written; of a string with its quotes
+ * @property line counted from 1
+ * @property start where it begins in the file, in characters
+ */
+internal data class Token(val kind: Kind, val text: String, val line: Int, val start: Int) {
+    enum class Kind { WORD, NUMBER, STRING, SYMBOL }
+
+    val end: Int get() = start + text.length
+
+    fun isSymbol(symbol: Char) = kind == Kind.SYMBOL && text[0] == symbol
+
+    val isVariable: Boolean get() = kind == Kind.WORD && (text[0].isUpperCase() || text[0] == '_')
+}
+
+/**
+ * The tokens of [text] without its comments. Tolerant: whatever it does not know is a symbol, a string without an end ends with its line, a
+ * comment without one with the text.
+ */
+internal fun tokensOf(text: String): List<Token> {
+    val tokens = ArrayList<Token>()
+    var line = 1
+    for (match in TOKEN.findAll(text)) {
+        val kind = KINDS.firstOrNull { match.groups[it.first] != null }?.second
+        if (kind != null) tokens += Token(kind, match.value, line, match.range.first)
+        line += match.value.count { it == '\n' }
+    }
+    return tokens
+}
+
+private val KINDS = listOf("word" to Token.Kind.WORD, "number" to Token.Kind.NUMBER, "string" to Token.Kind.STRING, "symbol" to Token.Kind.SYMBOL)
+private val TOKEN = Regex(
+    """//[^\n]*|/\*(?:(?!\*/)[\s\S])*+(?:\*/)?|(?<string>"(?:\\.|[^"\\\n])*+"?|'(?:\\.|[^'\\\n])*+'?)""" +
+        """|(?<word>[\p{L}_][\p{L}\p{N}_]*)|(?<number>\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|\s+|(?<symbol>[\s\S])""",
+)
+
+/**
+ * Something that is called with arguments: `.argo.port(P,[baud(9600)])`, `port(P,on)`.
+ *
+ * @property name with all its dots: `.argo.port`
+ * @property line where it begins, counted from 1
+ * @property arguments the tokens of each
+ */
+internal data class Call(val name: String, val line: Int, val arguments: List<List<Token>>)
+
+/** All calls in [tokens], also those in the arguments of others. */
+internal fun callsIn(tokens: List<Token>): List<Call> = tokens.indices.mapNotNull { open ->
+    if (!tokens[open].isSymbol('(')) return@mapNotNull null
+    val first = nameStart(tokens, open)
+    if (first == open) null
+    else Call(tokens.subList(first, open).joinToString("") { it.text }, tokens[first].line, arguments(tokens, open))
+}
+
+/** Where the name begins that ends in front of [open]: words and dots without blanks between them. */
+private fun nameStart(tokens: List<Token>, open: Int): Int {
+    var first = open
+    while (first > 0) {
+        val token = tokens[first - 1]
+        val adjacent = first == open || token.end == tokens[first].start
+        val expected = if (first == open || tokens[first].isSymbol('.')) token.kind == Token.Kind.WORD else token.isSymbol('.')
+        if (!adjacent || !expected) break
+        first--
+    }
+    return first
+}
+
+private fun arguments(tokens: List<Token>, open: Int): List<List<Token>> {
+    val arguments = arrayListOf(ArrayList<Token>())
+    var depth = 0
+    for (token in tokens.subList(open + 1, tokens.size)) {
+        val symbol = token.text.singleOrNull().takeIf { token.kind == Token.Kind.SYMBOL }
+        if (depth == 0 && symbol == ')') break
+        if (symbol != null && symbol in "([{") depth++
+        if (symbol != null && symbol in ")]}") depth--
+        if (depth == 0 && symbol == ',') arguments += ArrayList<Token>() else arguments.last() += token
+    }
+    return if (arguments.size == 1 && arguments[0].isEmpty()) emptyList() else arguments
+}

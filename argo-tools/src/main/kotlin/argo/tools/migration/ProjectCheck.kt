@@ -1,0 +1,96 @@
+package argo.tools.migration
+
+import java.nio.file.Path
+import kotlin.io.path.name
+
+/** What would be otherwise in a project file: `.mas2j`, `.jcm`, or one of Gradle. */
+internal class ProjectCheck(private val file: Path, text: String) {
+    private val advices = Advices("$file")
+    private val tokens = tokensOf(text)
+
+    /** The project file of Jason says which agents have which architecture; others do not say it so that it can be relied on. */
+    private val isJasonProject = file.name.endsWith(".mas2j")
+
+    /** All that is to be said. [needArch] are the names of the `.asl` files whose agents need `argo.Arch`. */
+    fun advices(needArch: Set<String>): List<Advice> {
+        tokens.indices.forEach(::architecture)
+        tokens.indices.forEach(::otherArgo)
+        tokens.indices.forEach(::infrastructure)
+        if (isJasonProject) agents().forEach { withoutArch(it, needArch) }
+        return advices.all
+    }
+
+    private fun architecture(at: Int) {
+        val start = when {
+            tokens[at].text == "agentArchClass" -> at + 1
+            words(at, "ag", "-", "arch", ":") -> at + 4
+            else -> return
+        }
+        val name = dottedName(start)
+        if (name.substringAfterLast('.').equals("Argo", ignoreCase = true)) {
+            advices.change(tokens[at].line, "the architecture $name belongs to another version of ARGO", "argo.Arch")
+        }
+    }
+
+    /** Another version's jar holds classes of the same names, and the first on the class path wins. */
+    private fun otherArgo(at: Int) {
+        val text = tokens[at].text
+        if (tokens[at].kind != Token.Kind.STRING || !OTHER_ARGO.containsMatchIn(text)) return
+        advices.change(tokens[at].line, "$text brings another version of ARGO, with classes of the same names", "take it out, and put argo.jar into lib/")
+    }
+
+    private fun infrastructure(at: Int) {
+        if (words(at, "infrastructure", ":", "Centralised")) {
+            advices.note(tokens[at].line, "Jason calls this infrastructure Local now, and reads the old name with a message", "infrastructure: Local")
+        }
+    }
+
+    private class Agent(val name: String, val line: Int, val asl: String, val hasArch: Boolean)
+
+    /** The entries behind `agents:`, each up to its `;`. */
+    private fun agents(): List<Agent> {
+        val start = tokens.indices.firstOrNull { words(it, "agents", ":") }?.plus(2) ?: return emptyList()
+        val agents = ArrayList<Agent>()
+        var entry = ArrayList<Token>()
+        for (token in tokens.drop(start)) {
+            if (token.isSymbol('}') || token.isSymbol(':')) break
+            if (token.isSymbol(';')) {
+                agent(entry)?.let(agents::add)
+                entry = ArrayList()
+            } else {
+                entry += token
+            }
+        }
+        return agents
+    }
+
+    private fun agent(entry: List<Token>): Agent? {
+        val name = entry.firstOrNull()?.takeIf { it.kind == Token.Kind.WORD } ?: return null
+        val extension = entry.indices.firstOrNull { entry[it].text == "asl" && it >= 2 && entry[it - 1].isSymbol('.') }
+        val asl = extension?.let { entry[it - 2].text + ".asl" }
+            ?: entry.firstOrNull { it.kind == Token.Kind.STRING && it.text.trim('"').endsWith(".asl") }?.text?.trim('"')?.substringAfterLast('/')
+            ?: "${name.text}.asl"
+        return Agent(name.text, name.line, asl, entry.any { it.text == "agentArchClass" })
+    }
+
+    private fun withoutArch(agent: Agent, needArch: Set<String>) {
+        if (agent.hasArch || agent.asl !in needArch) return
+        advices.change(agent.line, "agent ${agent.name} calls internal actions of ARGO, and has no architecture for them", "${agent.name} agentArchClass argo.Arch;")
+    }
+
+    private fun words(at: Int, vararg expected: String) = at + expected.size <= tokens.size && expected.indices.all { tokens[at + it].text == expected[it] }
+
+    private fun dottedName(start: Int): String {
+        val name = StringBuilder()
+        for (token in tokens.drop(start)) {
+            if (token.kind != Token.Kind.WORD && !token.isSymbol('.')) break
+            if (token.kind == Token.Kind.WORD && name.isNotEmpty() && !name.endsWith(".")) break
+            name.append(token.text)
+        }
+        return "$name"
+    }
+
+    private companion object {
+        val OTHER_ARGO = Regex("chon-group[:/](argo)\\b", RegexOption.IGNORE_CASE)
+    }
+}

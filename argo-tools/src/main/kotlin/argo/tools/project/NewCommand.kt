@@ -1,0 +1,81 @@
+package argo.tools.project
+
+import argo.tools.ExitStatus
+import argo.tools.ToolCommand
+import argo.tools.ToolException
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+import picocli.CommandLine.Parameters
+import java.nio.file.Files
+import java.nio.file.LinkOption
+import java.nio.file.Path
+import kotlin.io.path.copyTo
+import kotlin.io.path.createDirectories
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.toPath
+import kotlin.io.path.writeText
+
+/** `new`: a project to begin with. */
+@Command(
+    name = "new",
+    description = [
+        "Makes a Jason project in a folder of its name: an agent, a filter in Kotlin, an Arduino sketch, tests that pass, builds for Gradle and Maven.",
+        "It runs without a board. Nothing that is there is overwritten.",
+    ],
+)
+internal class NewCommand : ToolCommand() {
+    @Parameters(index = "0", paramLabel = "NAME", description = ["the project's name: letters, digits, - and _"])
+    private lateinit var name: String
+
+    @Option(names = ["--in"], paramLabel = "FOLDER", description = ["where its folder is made (the working directory)"])
+    private var parent: Path = Path.of("")
+
+    @Option(names = ["--argo-jar"], paramLabel = "FILE", description = ["argo.jar, if this does not run from it"])
+    private var argoJar: Path? = null
+
+    @Option(names = ["--testkit-jar"], paramLabel = "FILE", description = ["argo-testkit.jar, if it is not beside argo.jar"])
+    private var testKitJar: Path? = null
+
+    override fun call(): Int {
+        ProjectName.problem(name)?.let { misuse(it) }
+        val argo = existing(argoJar ?: ownJar())
+        val testKit = testKitJar?.let(::existing) ?: listOf(TEST_KIT, "argo-testkit-$VERSION.jar").map(argo::resolveSibling).find { it.isRegularFile() }
+        val target = parent.resolve(name)
+        if (Files.exists(target, LinkOption.NOFOLLOW_LINKS)) throw ToolException("$target is there already, and is not overwritten; another name, or another folder with --in")
+        if (!Files.isDirectory(parent.toAbsolutePath())) throw ToolException("there is no folder $parent to make the project in")
+        make(target, argo, testKit)
+        out.println("made $target: \"cd $target\", then \"gradle\" or \"mvn compile exec:exec\" runs it; README.md tells more")
+        if (testKit == null) err.println("there is no $TEST_KIT beside argo.jar, so the project has a test of its filter and none of its agent; --testkit-jar says where it is")
+        return ExitStatus.DONE
+    }
+
+    /** Makes all of it under another name first, so that a disk that is full leaves no half project. */
+    private fun make(target: Path, argo: Path, testKit: Path?) {
+        val draft = Files.createDirectory(parent.toAbsolutePath().resolve(".$name-${ProcessHandle.current().pid()}"))
+        try {
+            projectFiles(ProjectName(name), withTestKit = testKit != null).forEach { (path, text) ->
+                draft.resolve(path).apply { parent.createDirectories() }.writeText(text)
+            }
+            val lib = draft.resolve("lib").createDirectories()
+            argo.copyTo(lib.resolve("argo.jar"))
+            testKit?.copyTo(lib.resolve(TEST_KIT))
+            Files.move(draft, target.toAbsolutePath())
+        } finally {
+            draft.toFile().deleteRecursively()
+        }
+    }
+
+    private fun existing(file: Path): Path = file.takeIf { it.isRegularFile() } ?: throw ToolException("there is no file $file")
+
+    private fun ownJar(): Path {
+        val own = NewCommand::class.java.protectionDomain.codeSource.location.toURI().toPath()
+        return own.takeIf { it.isRegularFile() } ?: misuse("this does not run from argo.jar; --argo-jar says where it is")
+    }
+
+    private companion object {
+        const val TEST_KIT = "argo-testkit.jar"
+
+        /** As the build calls it. */
+        const val VERSION = "0.1.0"
+    }
+}

@@ -1,0 +1,27 @@
+// Turns the LED of its board on while something is near in front of it.
+
+// The board's port. This one is a recording, so that everything runs without a board; for a real one write its name: board(ttyACM0).
+// "java -jar lib/argo.jar ports" lists those there are.
+board("replay:recordings/drive.rec").
+
+!start.
+
++!start : board(Port) <-
+    argo.port(Port);
+    argo.limit(100);
+    argo.change_filter(frontOnly);
+    argo.percepts(open).
+
+-!start[error_msg(Why)] <- .print(Why); .wait(2000); !start.
+
++dist(front, Cm) : Cm < 40 & not led(on) <-
+    -+led(on);
+    argo.act(ledOn);
+    .print("something is ", Cm, " cm in front of me").
+
++dist(front, Cm) : Cm >= 40 & led(on) <-
+    -+led(off);
+    argo.act(ledOff);
+    .print("the way is free").
+
++port(Port, off) <- .print("there is no board at ", Port); .wait(2000); !start.

@@ -1,0 +1,83 @@
+package argo.tools
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldBeEmpty
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
+import picocli.CommandLine
+
+class CommandLineSpec : FunSpec({
+    fun all(command: CommandLine): List<CommandLine> = listOf(command) + command.subcommands.values.flatMap(::all)
+
+    test("every command has help, says what it does, and has an exit status of 0 for that") {
+        all(tools()).map { it.commandSpec.qualifiedName(" ").split(' ').drop(1) }.forEach { words ->
+            val said = argo(*words.toTypedArray(), "--help")
+            withClue("argo $words\n$said") {
+                said.status shouldBe 0
+                said.out shouldStartWith "Usage: argo ${words.joinToString(" ")}".trim()
+                said.err.shouldBeEmpty()
+            }
+        }
+    }
+
+    context("wrong arguments are refused with a reason and exit status 2") {
+        listOf(
+            "" to "name a command: ports, monitor",
+            "fly" to "there is no command 'fly'; there are: ports",
+            "filter" to "name a command: check, explain, convert",
+            "ports --fly" to "Unknown option: '--fly'",
+            "ports --baud fast" to "fast is not a whole number",
+            "ports --baud 0" to "--baud is from 1 to",
+            "monitor" to "Missing required parameter: 'PORT'",
+            "monitor sim:x --mode sing" to "--mode is request or listen, not sing",
+            "monitor sim:x --interval -1" to "--interval is from 0 to",
+            "monitor sim:x --count 0" to "--count is at least 1, not 0",
+            "monitor sim:x --protocol 3" to "--protocol is 1, 2 or auto, not 3",
+            "request sim:x a --baud 0" to "--baud is from 1 to",
+            "request sim:x a --timeout 0" to "--timeout is from 1 to",
+            "request sim:x" to "Missing required parameter: 'MESSAGE'",
+            "send sim:x a b" to "there is nothing to do with 'b' here",
+            "filter check" to "Missing required parameter: 'FILE'",
+            "filter convert f.xml --to yaml" to "--to is xml, json, kotlin, not yaml",
+            "filter convert f.xml" to "Missing required option: '--to=FORM'",
+            "new" to "Missing required parameter: 'NAME'",
+            "new ../up" to "a project's name begins with a letter",
+        ).forEach { (line, reason) ->
+            test("argo $line") {
+                val said = argo(*line.split(' ').filter { it.isNotEmpty() }.toTypedArray())
+                said.status shouldBe 2
+                said.err shouldContain reason
+                said.err shouldContain "--help shows what there is"
+                said.out.shouldBeEmpty()
+            }
+        }
+    }
+
+    test("a port that is not there is named with those that are") {
+        val said = argo("request", "ttyNoSuchBoard9", "getPercepts")
+        said.status shouldBe 1
+        said.err shouldContain "there is no port ttyNoSuchBoard9"
+        said.err shouldNotContain "\tat "
+    }
+
+    test("the version names the Java that runs it too") {
+        val said = argo("--version")
+        said.status shouldBe 0
+        said.out shouldStartWith "ARGO "
+        said.out shouldContain "Java ${Runtime.version().feature()}"
+    }
+
+    test("the completion script knows every command") {
+        val script = argo("completion").out
+        script shouldStartWith "#!/usr/bin/env bash"
+        script.split(Regex("\\W+")) shouldContainAll tools().subcommands.keys.map { it.substringBefore('-') }
+    }
+
+    test("what could command a terminal is shown, not done") {
+        printable("a\u001B[2Jb\u0007\u009Bc") shouldBe "a\\u001B[2Jb\\u0007\\u009Bc"
+    }
+})

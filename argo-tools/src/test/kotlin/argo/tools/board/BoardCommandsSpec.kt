@@ -1,0 +1,172 @@
+package argo.tools.board
+
+import argo.tools.Said
+import argo.tools.argo
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.engine.spec.tempdir
+import io.kotest.engine.spec.tempfile
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldBeEmpty
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import javino.FakeBoard
+import javino.Link
+import javino.LinkSettings
+import javino.PseudoTerminals
+import javino.Recording
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+
+class BoardCommandsSpec : FunSpec({
+    val pairs: EnabledOrReasonIf = { if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal") }
+
+    test("request prints the answer, and what could command a terminal as text") {
+        board { it.whenAsked("getPercepts").answer("dist(f,3);say(\"\u001B[2J\");") }.with { port ->
+            argo("request", port, "getPercepts") shouldBe Said(0, "dist(f,3);say(\"\\u001B[2J\");\n", "")
+            val json = Json.parseToJsonElement(argo("request", port, "getPercepts", "--json").out).jsonObject
+            json.getValue("answer").jsonPrimitive.content shouldBe "dist(f,3);say(\"\u001B[2J\");"
+            json.getValue("protocol").jsonPrimitive.content shouldBe "version 1"
+        }
+    }
+
+    test("a board that does not answer is told from one that is not there") {
+        board { it.whenAsked("getPercepts").staySilent() }.with { port ->
+            val said = argo("request", port, "getPercepts", "--boot", "0", "--timeout", "50")
+            said.status shouldBe 1
+            said.err shouldContain "gave no answer to \"getPercepts\" within 50 ms"
+        }
+        argo("request", "sim:tools-missing", "getPercepts").err shouldContain "there is no simulated board"
+    }
+
+    test("a port that somebody has is told with who has it") {
+        board { }.with { port ->
+            Link.open(port, LinkSettings.defaults(), "agent bob").use {
+                val said = argo("send", port, "ledOn")
+                said.status shouldBe 1
+                said.err shouldContain "in use by agent bob"
+            }
+        }
+    }
+
+    test("send says what is known of the outcome") {
+        board { it.whenAsked("ledOn") }.with { port ->
+            argo("send", port, "ledOn", "--boot", "0").out shouldContain "does not tell whether it acted"
+        }
+        board { it.version2().whenAsked("fly").refuse().also { _ -> it.whenAsked("ledOn") } }.with { port ->
+            argo("send", port, "ledOn", "--protocol", "2") shouldBe Said(0, "the board has acted\n", "")
+            val refused = argo("send", port, "fly", "--protocol", "auto")
+            refused.status shouldBe 1
+            refused.err shouldContain "fly"
+        }
+    }
+
+    test("a message that fits into no frame is refused with the reason") {
+        board { }.with { port ->
+            val said = argo("send", port, "x".repeat(256))
+            said.status shouldBe 1
+            said.err shouldContain "at most 255 bytes"
+        }
+    }
+
+    test("monitor shows what comes, and at the end how often each came") {
+        board { it.whenAsked("getPercepts").answer("dist(f,3);light(1);", "dist(f,4);light(1);") }.with { port ->
+            val said = argo("monitor", port, "--count", "3", "--interval", "0")
+            said.status shouldBe 0
+            said.err.shouldBeEmpty()
+            said.out.lines().filter { " s " in it && "dist(f," in it && "last" !in it }.size shouldBe 3
+            said.out shouldContain "3 messages in "
+            said.out shouldContain Regex("dist\\(f,_\\): 3(, .* a second)?, last dist\\(f,4\\)")
+        }
+    }
+
+    test("monitor listens to a board that speaks unasked") {
+        val file = tempfile(suffix = ".rec").apply { writeText("javino-recording 1\n0\tin\tdist(1);\n5\tin\tdist(2);\n") }
+        argo("monitor", "replay:$file", "--mode", "listen", "--count", "1").out shouldContain "1 messages"
+    }
+
+    test("monitor prints JSON lines, the summary last") {
+        board { it.whenAsked("getPercepts").answer("dist(f,3);") }.with { port ->
+            val lines = argo("monitor", port, "--count", "2", "--interval", "0", "--json").out.trim().lines().map { Json.parseToJsonElement(it).jsonObject }
+            lines.dropLast(1).map { it.getValue("percepts").jsonArray.single().jsonPrimitive.content } shouldContainExactly listOf("dist(f,3)", "dist(f,3)")
+            lines.last().getValue("summary").jsonObject.getValue("messages").jsonPrimitive.content shouldBe "2"
+        }
+    }
+
+    test("what monitor records can be replayed, and is not overwritten") {
+        val file = tempdir().toPath().resolve("drive.rec")
+        board { it.whenAsked("getPercepts").answer("dist(f,3);", "dist(f,4);") }.with { port ->
+            argo("monitor", port, "--count", "2", "--interval", "0", "--record", "$file").status shouldBe 0
+            val again = argo("monitor", port, "--count", "1", "--record", "$file")
+            again.status shouldBe 1
+            again.err shouldContain "$file is there already, and is not overwritten"
+        }
+        val recording = Recording.read(file)
+        recording.received().map { it.message() } shouldContainExactly listOf("dist(f,3);", "dist(f,4);")
+        recording.isOfRequests shouldBe true
+        argo("request", "replay:$file", "getPercepts").out shouldBe "dist(f,3);\n"
+    }
+
+    test("a board that goes while it is monitored ends it with the reason, and the summary of what came") {
+        FakeBoard.plugIn("tools").use { board ->
+            var asked = 0
+            board.whenAsked("getPercepts").answer { _ -> if (++asked == 3) board.unplug(); "dist(f,3);" }
+            val said = argo("monitor", board.port(), "--interval", "0")
+            said.status shouldBe 1
+            said.err shouldContain "port sim:tools is gone"
+            said.out shouldContain "2 messages in "
+        }
+    }
+
+    test("ports says whether a board answers only when it is asked to") {
+        board { it.version2().whenAsked("getPercepts").answer("a;") }.with { port ->
+            argo("ports", port).out shouldNotContain "Javino"
+            argo("ports", port, "--probe").out shouldContain "a Javino board of version 2"
+        }
+        board { it.whenAsked("getPercepts").answer("a;") }.with { port ->
+            val json = Json.parseToJsonElement(argo("ports", port, "--probe", "--json").out).jsonArray.single().jsonObject
+            json.getValue("answers").jsonPrimitive.content shouldBe "true"
+            json.getValue("board").jsonPrimitive.content shouldBe "a Javino board of version 1"
+        }
+        val missing = argo("ports", "sim:tools-missing", "--probe")
+        missing.status shouldBe 1
+        missing.out shouldContain "there is no simulated board"
+    }
+
+    test("ports tells who holds a port, and does not probe it").config(enabledOrReasonIf = pairs) {
+        PseudoTerminals.open().use { pair ->
+            val holder = ProcessBuilder("sleep", "600").redirectInput(pair.computer()).start()
+            try {
+                val said = argo("ports", pair.computer().path, "--probe")
+                withClue(said) {
+                    said.out shouldContain "process ${holder.pid()} ("
+                    said.out shouldContain "not asked, since it is in use"
+                }
+            } finally {
+                holder.destroyForcibly()
+            }
+        }
+    }
+
+    test("a recording that holds nothing a board said cannot be replayed") {
+        val file = tempfile().apply { writeText("javino-recording 1\n") }
+        argo("replay", "$file") shouldBe Said(1, "", "$file: the recording holds nothing that a board said\n")
+        file.writeText("dist(1)\n")
+        argo("replay", "$file").err shouldContain "$file:1: the first line of a recording"
+        argo("replay", "no-such.rec").err shouldBe "there is no file no-such.rec\n"
+    }
+})
+
+private fun board(rules: (FakeBoard) -> Unit) = rules
+
+/** Runs [use] with the port of a board of these rules. */
+private fun ((FakeBoard) -> Unit).with(use: (String) -> Unit) = FakeBoard.plugIn("tools").use { board ->
+    board.lenient()
+    this(board)
+    use(board.port())
+}

@@ -1,0 +1,62 @@
+package argo.tools.doctor
+
+import argo.tools.argo
+import argo.tools.doctor.Finding.Level
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.string.shouldContain
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+
+class ExaminationSpec : FunSpec({
+    val board = Device("ttyACM0", isUsb = true, remedy = null, holders = emptyList())
+    val healthy = Patient(groups = listOf("ada", "dialout"), devices = Result.success(listOf(board)))
+
+    test("a machine with nothing amiss has nothing to be done") {
+        Examination(healthy).findings().filter { it.level != Level.GOOD || it.remedy != null }.shouldBeEmpty()
+    }
+
+    listOf(
+        Triple("a Java that is too old", healthy.copy(java = 11), Level.PROBLEM to "ARGO needs 17 or newer"),
+        Triple("a driver that does not run", healthy.copy(devices = Result.failure(Exception("no library"))), Level.PROBLEM to "see the message"),
+        Triple("no port at all", healthy.copy(devices = Result.success(emptyList())), Level.WARNING to "plug the board in"),
+        Triple("only ports of the machine's own", healthy.copy(devices = Result.success(listOf(board.copy(isUsb = false)))), Level.WARNING to "plug the board in"),
+        Triple("a board that the user may not open", healthy.copy(devices = Result.success(listOf(board.copy(remedy = "join them")))), Level.PROBLEM to "join them"),
+        Triple("a user in no group for ports", healthy.copy(groups = listOf("ada"), devices = Result.success(listOf(board.copy(remedy = "x")))), Level.WARNING to "usermod -aG dialout"),
+        Triple("a board that another program holds", healthy.copy(devices = Result.success(listOf(board.copy(holders = listOf("process 7 (minicom)"))))), Level.PROBLEM to "end that program"),
+        Triple("ModemManager", healthy.copy(processes = setOf("ModemManager")), Level.WARNING to "systemctl disable --now ModemManager"),
+        Triple("brltty", healthy.copy(processes = setOf("brltty")), Level.WARNING to "apt remove brltty"),
+        Triple("no socat", healthy.copy(hasSocat = false), Level.WARNING to "apt install socat"),
+        Triple("no socat on a Mac", healthy.copy(hasSocat = false, system = "Mac OS X"), Level.WARNING to "brew install socat"),
+    ).forEach { (what, machine, expected) ->
+        test("$what is found, with what to do") {
+            val (level, remedy) = expected
+            Examination(machine).findings().find { it.level == level && remedy in it.remedy.orEmpty() }.shouldNotBeNull()
+        }
+    }
+
+    test("Windows is not told of groups, ModemManager and socat") {
+        val windows = healthy.copy(system = "Windows 11", groups = null, processes = setOf("ModemManager"), hasSocat = false)
+        Examination(windows).findings().filter { it.level != Level.GOOD }.shouldBeEmpty()
+    }
+
+    test("the command examines this machine, and opens no port") {
+        val said = argo("doctor", "--json")
+        Json.parseToJsonElement(said.out).jsonArray.first().toString() shouldContain "Java is ${Runtime.version()}"
+        argo("doctor").out shouldContain "ok      Java is"
+    }
+})
+
+private data class Patient(
+    override val system: String = "Linux",
+    override val java: Int = 21,
+    override val javaInFull: String = "some Java",
+    override val user: String = "ada",
+    override val groups: List<String>?,
+    override val processes: Set<String> = emptySet(),
+    override val hasSocat: Boolean = true,
+    val devices: Result<List<Device>>,
+) : Machine {
+    override fun ports() = devices
+}

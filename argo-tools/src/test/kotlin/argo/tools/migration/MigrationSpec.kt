@@ -1,0 +1,142 @@
+package argo.tools.migration
+
+import argo.tools.argo
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import java.nio.file.Path
+import kotlin.io.path.createDirectories
+import kotlin.io.path.name
+import kotlin.io.path.readText
+import kotlin.io.path.useDirectoryEntries
+import kotlin.io.path.writeText
+
+class MigrationSpec : FunSpec({
+    val root = tempdir().toPath()
+    fun folder(vararg files: Pair<String, String>): Path = root.resolve("p${root.useDirectoryEntries { it.count() }}").apply {
+        files.forEach { (name, text) -> resolve(name).apply { parent.createDirectories() }.writeText(text) }
+    }
+    fun advices(vararg files: Pair<String, String>) = Migration(listOf(folder(*files))).advices()
+
+    /** What is said of one line of an agent. */
+    fun of(line: String) = advices("a.asl" to line)
+
+    context("what does the same here is not spoken of") {
+        listOf(
+            "+!s : serialPort(P) <- .argo.port(P); .argo.limit(20); .argo.percepts(open).",
+            "+!s <- .port(ttyACM0); .limit(50); .percepts(block); .act(front); .filter(none).",
+            "+!s <- argo.port(\"/dev/ttyUSB0\", [baud(115200)]); argo.act(say(\"hi\")); argo.explain(d(1), W).",
+            "+port(P,S) : S = off | S = timeout <- .argo.percepts(close).",
+            "+port(ttyACM0,on)[source(percept)] <- .print(x). +!s <- .argo.port(ttyACM0).",
+            "+!s <- .send(bob, tell, port(1,2,3)); .my.act(x); .wait(1000).",
+        ).forEach { line -> test(line) { of(line).shouldBeEmpty() } }
+    }
+
+    context("what must change is told with the line") {
+        listOf(
+            "+!s <- .argo.port(ttyACM0, true)." to "the second argument of .argo.port is a list of options here, not true",
+            "+!s <- .port(a, b, c)." to ".port is given 3 arguments",
+            "+!s <- .port()." to ".port is given 0 arguments",
+            "+!s <- .port(/dev/ttyACM0)." to "/dev/ttyACM0 is not a term that Jason reads as a port",
+            "+!s <- .argo.limit(1000000000)." to ".argo.limit(1000000000) is in milliseconds: one perception in 16667 minutes",
+            "+!s <- .limit(0.5)." to "is a whole number of milliseconds from 0, not 0.5",
+            "+!s <- .limit(-1)." to "is a whole number of milliseconds from 0, not -1",
+            "+!s <- .percepts(opened)." to "perception is set to open, block or close, not opened",
+            "+!s <- .act(move, 3)." to ".act is given 2 arguments",
+            "+!s <- .argo.filter(only, led(X), X = on)." to ".argo.filter(only, …) is a filter written into the plan",
+            "+!s <- .argo.filter(remove)." to ".argo.filter(remove) is a filter written into the plan",
+            "+!s <- .argo.sleep(3)." to "there is no internal action .argo.sleep",
+            "+!s <- argo.filter(x)." to "there is no internal action argo.filter",
+            "+port(P,S)[source(interoception)] <- true." to "no belief has source(interoception) here",
+            "+port(P,broken) <- true." to "a port is never broken here",
+            "+port(ttyUSB0,on) <- true. +!s <- .port(\"/dev/ttyUSB0\")." to "so that ttyUSB0 never matches",
+        ).forEach { (line, what) ->
+            test(line) {
+                val advices = advices("a.asl" to "// an agent\n\n$line\n").filter { it.must }
+                withClue(advices) {
+                    advices shouldHaveSize 1
+                    advices.single().what shouldContain what
+                    advices.single().line shouldBe 3
+                    Path.of(advices.single().file).name shouldBe "a.asl"
+                }
+            }
+        }
+    }
+
+    context("what may matter is a note") {
+        listOf(
+            "+!s <- .port(COM5)." to "COM5 is a variable to Jason",
+            "+!s <- .argo.limit(1000)." to "one perception in 1000 ms",
+            "+!s <- .act(\"led\")." to "the string \"led\" is sent without its quotes here",
+            "+!s <- .port(ttyACM0); .port(ttyACM1)." to "ttyACM1 is another port than ttyACM0 before",
+            "+!s <- .change_filter(byValue)." to "there is no file of the filter byValue",
+        ).forEach { (line, what) ->
+            test(line) {
+                of(line).single().must shouldBe false
+                of(line).single().what shouldContain what
+            }
+        }
+    }
+
+    test("project files name the architecture, and whom it is missing") {
+        val advices = advices(
+            "old.mas2j" to "MAS old {\n infrastructure: Centralised\n agents:\n  bob agentArchClass jason.Argo;\n  eve x/talker.asl;\n  max;\n aslSourcePath: \"src\";\n}",
+            "src/bob.asl" to "+!s <- .port(a).", "src/talker.asl" to "+!s <- .act(a).", "src/max.asl" to "+!s <- .filter(none).",
+        )
+        advices.map { it.line to it.must } shouldBe listOf(2 to false, 4 to true, 5 to true)
+        advices[1].what shouldContain "jason.Argo belongs to another version"
+        advices[2].what shouldContain "agent eve calls internal actions of ARGO"
+        advices("new.mas2j" to "MAS m { agents: bob agentArchClass argo.Arch; }", "bob.asl" to "+!s <- .port(a).").shouldBeEmpty()
+    }
+
+    test("projects of JaCaMo and Gradle that bring another version are found") {
+        val advices = advices(
+            "p.jcm" to "mas hello {\n agent bob: a.asl {\n  ag-arch: jason.Argo\n }\n uses package: argo \"com.github.chon-group:argo-jcm:1.1\"\n}",
+            "build.gradle" to "// com.github.chon-group:Argo\nimplementation 'com.github.chon-group:Argo:1.0'",
+        )
+        advices.map { it.line } shouldBe listOf(2, 3, 5)
+        advices("p.jcm" to "mas m { agent b { ag-arch: argo.Arch } uses package: mailer \"com.github.chon-group:mailer:1\" }").shouldBeEmpty()
+    }
+
+    test("filter files are read, those that an agent changes to and those that are given") {
+        val advices = advices(
+            "a.asl" to "+!s <- .change_filter(front).",
+            "filters/front.xml" to "<PerceptionFilter>\n<filter><predicate>d</predicate>\n<parameter operator=\"NE\" id=\"0\">f</parameter></filter>\n" +
+                "<filter><predicate>d</predicate><anotation name=\"q\" operator=\"E\">fr.*</anotation></filter></PerceptionFilter>",
+            "other.xml" to "<project/>",
+        )
+        advices.map { it.line to it.must } shouldBe listOf(3 to false, 4 to true, 4 to false)
+        advices[1].what shouldContain "for a regular expression the operator is MATCHES"
+    }
+
+    test("the command's exit status says whether something must change") {
+        val bad = folder("a.asl" to "+!s <- .argo.sleep(3).\n")
+        val said = argo("check-agent", "$bad")
+        said.status shouldBe 1
+        said.out shouldContain "a.asl:1: must change: there is no internal action .argo.sleep"
+        said.out shouldContain "1 files read: 1 things must change, 0 to know of"
+        val json = Json.parseToJsonElement(argo("check-agent", "$bad/a.asl", "--json").out).jsonArray.single().jsonObject
+        json.getValue("must").jsonPrimitive.content shouldBe "true"
+        argo("check-agent", "${folder("a.asl" to "+!s <- .port(COM5).")}").status shouldBe 0
+        argo("check-agent", "$bad/none.asl").err shouldBe "there is no file $bad/none.asl\n"
+        argo("check-agent", "$bad/../").status shouldBe 1
+    }
+
+    test("the actions that are known are those there are") {
+        val sources = Path.of("../argo-arch/src/main/kotlin/argo")
+        val actions = sources.useDirectoryEntries("*.kt") { files ->
+            files.filter { it.name[0].isLowerCase() && "open class ${it.name.removeSuffix(".kt")} " in it.readText() }.map { it.name.removeSuffix(".kt") }.toSet()
+        }
+        ArgoActions.NAMES shouldBe actions
+        val dotForms = Path.of("../argo-arch/src/stdlib/kotlin/jason/stdlib/DotForms.kt").readText()
+        ArgoActions.DOT_NAMES shouldBe Regex("^class (\\w+)", RegexOption.MULTILINE).findAll(dotForms).map { it.groupValues[1] }.toSet()
+    }
+})
