@@ -56,7 +56,7 @@ private fun classPath(jason: Path): String {
     return listOf(jason, *own.toTypedArray(), Path.of(System.getProperty("argo.jar"))).joinToString(File.pathSeparator)
 }
 
-private fun jarOf(type: Class<*>): Path = Path.of(type.protectionDomain.codeSource.location.toURI())
+internal fun jarOf(type: Class<*>): Path = Path.of(type.protectionDomain.codeSource.location.toURI())
 
 private fun project(port: File): Path {
     val project = createTempDirectory("bare-project")

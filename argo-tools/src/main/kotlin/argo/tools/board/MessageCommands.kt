@@ -59,7 +59,7 @@ internal class RequestCommand : MessageCommand() {
 @Command(
     name = "send",
     description = [
-        "Sends a command. A board of version 2, spoken to with --protocol 2 or auto, says whether it has acted; one of version 1 says nothing.",
+        "Sends a command. A board of version 2 says whether it has acted; one of version 1 says nothing.",
         "Opening a port resets most boards.",
     ],
 )

@@ -1,0 +1,68 @@
+package samples.bare
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import javino.PseudoTerminals
+import java.io.File
+import java.nio.file.Path
+
+/** The tools as everybody has them: `java -jar argo.jar`, without Jason. */
+class JarToolsSpec : FunSpec({
+    val folder = tempdir().toPath()
+    val jar = System.getProperty("argo.jar").let { Path.of(it).toAbsolutePath().normalize().toString() }
+    val pairs: EnabledOrReasonIf = { if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal") }
+    val recording = folder.resolve("drive.rec").toFile().apply {
+        writeText("javino-recording 1\n0\tout\tgetPercepts\n5\tin\tdist(f,30);\n905\tin\tdist(f,20);\n")
+    }
+
+    test("the jar runs, and says which version it is") {
+        val said = JarProgram.run(folder, "-jar", jar, "--version")
+        said.status shouldBe 0
+        said.printed shouldContain Regex("ARGO \\d+\\.\\d+\\.\\d+, Java ")
+    }
+
+    test("it looks at ports, filters and the machine without Jason") {
+        JarProgram.run(folder, "-jar", jar, "ports", "--json").status shouldBe 0
+        JarProgram.run(folder, "-jar", jar, "doctor").printed shouldContain "the serial driver's native library runs"
+        folder.resolve("f.json").toFile().writeText("""{"rules": [{"predicate": "dist", "arity": 1}]}""")
+        JarProgram.run(folder, "-jar", jar, "filter", "convert", "f.json", "--to", "kotlin").printed shouldContain "drop(\"dist\") { arity(1) }"
+        val refused = JarProgram.run(folder, "-jar", jar, "fly")
+        refused.status shouldBe 2
+        refused.printed shouldContain "there is no command 'fly'"
+    }
+
+    test("an interrupted monitor tells what it has seen") {
+        JarProgram.start(folder, "-jar", jar, "monitor", "replay:$recording", "--interval", "10").use { monitor ->
+            monitor.awaitLine("dist(f,20)")
+            val said = monitor.interrupt()
+            withClue(said.printed) {
+                said.printed shouldContain " messages in "
+                said.printed shouldContain "dist(f,_): "
+                said.printed shouldNotContain "Exception"
+            }
+        }
+    }
+
+    test("a reader that has seen enough ends it quietly") {
+        val command = "${thisJava().program} -jar $jar monitor replay:$recording --interval 10 | head -n 2"
+        val said = JarProgram.run(ProcessBuilder("sh", "-c", command).directory(folder.toFile()))
+        said.status shouldBe 0
+        said.printed.lines().filter { it.isNotEmpty() }.size shouldBe 2
+    }
+
+    test("a recording is a board on a pseudo-terminal, which shows its commands and is taken away at the end").config(enabledOrReasonIf = pairs) {
+        JarProgram.start(folder, "-jar", jar, "replay", "$recording").use { replay ->
+            val port = replay.awaitLine("/").trim()
+            JarProgram.run(folder, "-jar", jar, "request", port, "getPercepts").printed shouldContain "dist(f,30);"
+            JarProgram.run(folder, "-jar", jar, "send", port, "ledOn").printed shouldContain "the board has acted"
+            replay.awaitLine("command: ledOn")
+            withClue(replay.interrupt().printed) { File(port).exists() shouldBe false }
+        }
+    }
+})

@@ -1,0 +1,89 @@
+package samples.bare
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import jason.asSemantics.Agent
+import org.jetbrains.kotlin.cli.common.ExitCode
+import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
+import java.io.ByteArrayOutputStream
+import java.io.File
+import java.io.PrintStream
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.isDirectory
+import kotlin.io.path.name
+import kotlin.io.path.useDirectoryEntries
+
+/** What `java -jar argo.jar new` makes is compiled, tested and run as its own builds do it, with nothing but what they put on the class path. */
+class NewProjectSpec : FunSpec({
+    val folder = tempdir().toPath()
+    val project = folder.resolve("my-robot")
+    val avr: EnabledOrReasonIf = {
+        if (ARDUINO_CORE.isDirectory()) Enabled.enabled else Enabled.disabled("there is no Arduino core: ./argo firmware says what it needs")
+    }
+
+    beforeSpec {
+        val made = JarProgram.run(
+            folder, "-jar", System.getProperty("argo.jar"), "new", "my-robot", "--testkit-jar", System.getProperty("argo.testkit.jar"),
+        )
+        withClue(made.printed) { made.status shouldBe 0 }
+        compile(project.resolve("src/main/kotlin"), project.resolve("main"), emptyList())
+    }
+
+    test("its agent runs without a board, through its filter in Kotlin") {
+        val run = JarProgram.start(project, "-cp", path(main(project) + jason()), "jason.infra.local.RunLocalMAS", "my_robot.mas2j", "--no-net")
+        run.use { it.awaitLine("[robot] something is ") }
+    }
+
+    test("its tests pass") {
+        val test = project.resolve("test")
+        val libraries = main(project) + project.resolve("lib/argo-testkit.jar") + jason() + kotest()
+        compile(project.resolve("src/test/kotlin"), test, libraries)
+        val specs = project.resolve("src/test/kotlin").useDirectoryEntries { files -> files.map { it.name.removeSuffix(".kt") }.toList() }
+        specs.sorted() shouldBe listOf("RobotFiltersSpec", "RobotSpec")
+        specs.forEach { spec ->
+            val run = JarProgram.run(project, "-cp", path(libraries + test), "io.kotest.engine.launcher.MainKt", "--specs", spec)
+            withClue(run.printed) {
+                run.status shouldBe 0
+                run.printed shouldContain Regex("[23] passed")
+            }
+        }
+    }
+
+    test("its sketch compiles for an Uno").config(enabledOrReasonIf = avr) {
+        val sketch = project.resolve("sketch/my_robot/my_robot.ino")
+        val library = Path.of("../javino-arduino").toAbsolutePath().normalize()
+        val make = ProcessBuilder("make", "-s", "-C", "$library", "SKETCHES=$sketch", "BUILD=${folder.resolve("avr")}", "${folder.resolve("avr")}/avr/uno/my_robot.elf")
+        val run = JarProgram.run(make)
+        withClue(run.printed) { run.status shouldBe 0 }
+        folder.resolve("avr/avr/uno/my_robot.elf").exists() shouldBe true
+    }
+})
+
+private val ARDUINO_CORE = Path.of(System.getenv("ARDUINO_AVR") ?: "/usr/share/arduino/hardware/arduino/avr").resolve("cores/arduino")
+
+/** What the project's own build puts on its class path, but for Jason. */
+private fun main(project: Path) = listOf(project.resolve("main"), project.resolve("src/main/resources"), project.resolve("lib/argo.jar"))
+
+private fun jason(): List<Path> =
+    listOf(Agent::class.java, Class.forName("javax.json.Json"), Class.forName("org.glassfish.json.JsonProviderImpl")).map(::jarOf)
+
+/** Kotest with what it needs, from this test's own class path, and nothing of ARGO. */
+private fun kotest(): List<Path> = (System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")).split(File.pathSeparator)
+    .map(Path::of).filter { jar -> KOTEST.any(jar.name::startsWith) }
+
+private val KOTEST = listOf("kotest-", "kotlin-stdlib", "kotlin-reflect", "kotlinx-", "opentest4j", "java-diff-utils", "classgraph", "mordant", "jna", "diffutils", "annotations-")
+
+private fun path(entries: List<Path>) = entries.joinToString(File.pathSeparator)
+
+private fun compile(sources: Path, target: Path, libraries: List<Path>) {
+    val messages = ByteArrayOutputStream()
+    val own = libraries + Path.of(System.getProperty("argo.jar")) + jarOf(Unit::class.java)
+    val exit = K2JVMCompiler().exec(PrintStream(messages), "-no-stdlib", "-no-reflect", "-Werror", "-classpath", path(own), "-jvm-target", "17", "-d", "$target", "$sources")
+    withClue(messages) { exit shouldBe ExitCode.OK }
+}
