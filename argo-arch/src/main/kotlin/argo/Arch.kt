@@ -227,7 +227,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         override val isPerceiving get() = perceiving
         override val beliefs: BeliefBase get() = ts.ag.bb
 
-        override fun nanos() = System.nanoTime()
+        override fun nanos() = platform.clock.nanos()
 
         override fun ports(): List<ViewedPort> {
             val inUse = ports.current?.terms.orEmpty()

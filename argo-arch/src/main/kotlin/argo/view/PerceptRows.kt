@@ -13,7 +13,7 @@ internal class PerceptRows {
     private var port: Any? = null
     private var more = 0
 
-    /** When the last byte of the newest message came, by [System.nanoTime]; null: there was none. */
+    /** When the last byte of the newest message came, by the agent's clock; null: there was none. */
     var newestNanos: Long? = null
         private set
 
