@@ -17,6 +17,8 @@ import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.io.StringReader
 import java.nio.file.Path
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
 
 /** No page shows what does not work, or leads nowhere. */
 class DocumentsSpec : FunSpec({
@@ -27,6 +29,13 @@ class DocumentsSpec : FunSpec({
 
     test("the pages are found") {
         documents.map { it.name } shouldContainAll listOf("README.md", "docs/filters.md", "samples/blink/README.md", "javino-arduino/README.md")
+    }
+
+    test("the page on internal actions says what the sources say") {
+        val page = root.resolve("docs/internal-actions.md")
+        val expected = InternalActionsPage(root).text
+        if (System.getProperty("argo.write.documents") == "true") page.writeText(expected)
+        withClue("-Dargo.write.documents=true makes it anew") { page.readText() shouldBe expected }
     }
 
     context("its language is told, for it decides how the block is tried:") {
@@ -68,15 +77,15 @@ class DocumentsSpec : FunSpec({
 
     context("./argo knows what is told to it in") {
         val commands = Regex("""(?m)^  ([a-z]+)[ \[]""").findAll(ProcessBuilder("$root/argo").start().inputReader().readText()).map { it.groupValues[1] }.toSet()
-        written("sh").forEach { snippet ->
+        (written("sh") + written("console")).forEach { snippet ->
             val told = Regex("""\./argo ([a-z]+)""").findAll(snippet.text).map { it.groupValues[1] }.toList()
             if (told.isNotEmpty()) test("$snippet") { withClue(commands) { (told - commands).shouldBeEmpty() } }
         }
     }
 })
 
-/** `text` is what somebody reads or a program prints; `cpp`, `c` and `ini` are tried by the firmware's tests or not at all. */
-private val LANGUAGES = setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "java", "sh", "groovy", "cpp", "c", "ini", "text")
+/** `text` is what somebody reads or a program prints, `console` what is typed and what then is printed; `cpp`, `c` and `ini` are tried by the firmware's tests or not at all. */
+private val LANGUAGES = setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "java", "sh", "console", "cpp", "c", "ini", "text")
 
 private fun readAgent(text: String) {
     val agent = Agent().apply { initAg() }
