@@ -30,7 +30,7 @@ internal class JarProgram private constructor(private val process: Process) : Au
 
     /** Ends it as Ctrl-C does, and waits for that. */
     fun interrupt(): Ended {
-        process.destroy()
+        process.toHandle().destroy() // process.destroy() would close its output too
         return ended()
     }
 
