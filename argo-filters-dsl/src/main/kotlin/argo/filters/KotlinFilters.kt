@@ -29,15 +29,17 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
             PerceptionFilter.OnSwitch.FREEZE -> ", OnSwitch.FREEZE"
         }
         line(0, "val ${kotlinName(filter.name)} = $builder(${kotlinString(filter.name)}$onSwitch) {")
-        filter.rules.forEach { rule(verb, it) }
+        filter.rules.forEach { rule(verb, it.predicate, saidOf(it)) }
         line(0, "}")
         return text.toString()
     }
 
-    private fun rule(verb: String, rule: Rule) {
-        val said = listOfNotNull(rule.arity?.let { "arity($it)" }, rule.rate?.everyMs?.let { "everyMs($it)" }) +
+    private fun saidOf(rule: Rule): List<String> =
+        listOfNotNull(rule.arity?.let { "arity($it)" }, rule.rate?.everyMs?.let { "everyMs($it)" }) +
             rule.rate?.deadbands.orEmpty().map(::deadband) + rule.conditions.map(::condition)
-        val head = "$verb(${kotlinString("${rule.predicate}")})"
+
+    private fun rule(verb: String, predicate: Predicate, said: List<String>) {
+        val head = "$verb(${kotlinString("$predicate")})"
         when (said.size) {
             0 -> line(1, head)
             1 -> line(1, "$head { ${said.single()} }")

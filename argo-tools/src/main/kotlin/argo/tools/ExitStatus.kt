@@ -2,6 +2,7 @@ package argo.tools
 
 import argo.filters.FilterException
 import java.io.IOException
+import java.io.UncheckedIOException
 import java.nio.file.AccessDeniedException
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.NoSuchFileException
@@ -24,5 +25,6 @@ internal fun saidTo(failure: Throwable): String? = when (failure) {
     is AccessDeniedException -> "${failure.file}: this user may not do that there"
     is javino.PortException, is javino.MalformedRecordingException -> failure.message
     is IOException -> "$failure"
+    is UncheckedIOException -> failure.cause?.let(::saidTo)
     else -> null
 }

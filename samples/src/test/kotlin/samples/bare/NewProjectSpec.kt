@@ -42,12 +42,12 @@ class NewProjectSpec : FunSpec({
 
     test("its tests pass") {
         val test = project.resolve("test")
-        val libraries = main(project) + project.resolve("lib/argo-testkit.jar") + jason() + kotest()
+        val libraries = main(project) + listOf(project.resolve("lib/argo-testkit.jar")) + jason() + kotest()
         compile(project.resolve("src/test/kotlin"), test, libraries)
         val specs = project.resolve("src/test/kotlin").useDirectoryEntries { files -> files.map { it.name.removeSuffix(".kt") }.toList() }
         specs.sorted() shouldBe listOf("RobotFiltersSpec", "RobotSpec")
         specs.forEach { spec ->
-            val run = JarProgram.run(project, "-cp", path(libraries + test), "io.kotest.engine.launcher.MainKt", "--specs", spec)
+            val run = JarProgram.run(project, "-cp", path(libraries + listOf(test)), "io.kotest.engine.launcher.MainKt", "--specs", spec)
             withClue(run.printed) {
                 run.status shouldBe 0
                 run.printed shouldContain Regex("[23] passed")
@@ -83,7 +83,7 @@ private fun path(entries: List<Path>) = entries.joinToString(File.pathSeparator)
 
 private fun compile(sources: Path, target: Path, libraries: List<Path>) {
     val messages = ByteArrayOutputStream()
-    val own = libraries + Path.of(System.getProperty("argo.jar")) + jarOf(Unit::class.java)
+    val own = libraries + listOf(Path.of(System.getProperty("argo.jar")), jarOf(Unit::class.java))
     val exit = K2JVMCompiler().exec(PrintStream(messages), "-no-stdlib", "-no-reflect", "-Werror", "-classpath", path(own), "-jvm-target", "17", "-d", "$target", "$sources")
     withClue(messages) { exit shouldBe ExitCode.OK }
 }

@@ -82,7 +82,7 @@ internal class MonitorCommand : ToolCommand() {
         fun untilEnd(): Int {
             val status = try {
                 while (!isOver()) message()
-                ExitStatus.DONE
+                if (rates.messages() == 0L) ExitStatus.FAILED else ExitStatus.DONE
             } catch (_: PortInterruptedException) {
                 ExitStatus.DONE
             } catch (trouble: PortException) {

@@ -46,7 +46,7 @@ internal class AgentCheck(private val file: Path, text: String) {
         if (call.arguments.size > 2) return arity(call, "the port and a list of options")
         if (options?.singleOrNull()?.text in TRUTH_VALUES) {
             advices.change(call.line, "the second argument of ${call.name} is a list of options here, not ${options?.single()?.text}", "leave it out: an agent of ARGO sleeps when there is nothing to do and wakes for its percepts")
-        } else if (options != null && !options.first().isSymbol('[') && !options.first().isVariable) {
+        } else if (options != null && options.firstOrNull()?.let { it.isSymbol('[') || it.isVariable } != true) {
             advices.change(call.line, "the second argument of ${call.name} is a list of options here", "such as [baud(115200), timeout(1000)]")
         }
         val name = port.singleOrNull()

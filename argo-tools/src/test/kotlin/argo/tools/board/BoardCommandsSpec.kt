@@ -85,6 +85,15 @@ class BoardCommandsSpec : FunSpec({
         }
     }
 
+    test("monitor fails if nothing came, and says how often the board was silent") {
+        board { it.whenAsked("getPercepts").staySilent() }.with { port ->
+            val said = argo("monitor", port, "--seconds", "1", "--boot", "0", "--timeout", "100", "--protocol", "1")
+            said.status shouldBe 1
+            said.out shouldContain "gave no answer"
+            said.out shouldContain Regex("\\d+ requests without an answer")
+        }
+    }
+
     test("monitor listens to a board that speaks unasked") {
         val file = tempfile(suffix = ".rec").apply { writeText("javino-recording 1\n0\tin\tdist(1);\n5\tin\tdist(2);\n") }
         argo("monitor", "replay:$file", "--mode", "listen", "--count", "1").out shouldContain "1 messages"

@@ -8,6 +8,10 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
@@ -115,6 +119,18 @@ class MigrationSpec : FunSpec({
         )
         advices.map { it.line to it.must } shouldBe listOf(3 to false, 4 to true, 4 to false)
         advices[1].what shouldContain "for a regular expression the operator is MATCHES"
+    }
+
+    test("no text makes a check throw") {
+        val parts = Arb.element(
+            ".argo.port(", ".limit(", "percepts(", ".act(", ".filter(", "port(", "source(", "a", "X", "true", "9", "-", ",", ")", "[", "]", "(", "\"s\"", "'", ";", ".",
+            "\n", "agents:", "agentArchClass", "ag-arch:", "infrastructure:", "{", "}", "only", "on", "Centralised",
+        )
+        checkAll(Arb.list(parts, 0..30)) {
+            val text = it.joinToString("")
+            AgentCheck(Path.of("a.asl"), text).advices()
+            ProjectCheck(Path.of("p.mas2j"), text).advices(setOf("a.asl"))
+        }
     }
 
     test("the command's exit status says whether something must change") {
