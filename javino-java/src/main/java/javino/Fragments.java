@@ -20,6 +20,7 @@ final class Fragments {
     private boolean excused;
     private int requests; // since a message came
     private long dropped;
+    private boolean tooLong;
 
     /** @param limit bytes that a message has at most; a longer one is dropped */
     Fragments(int limit) {
@@ -42,7 +43,9 @@ final class Fragments {
         last = frame;
         sendsParts |= frame.has(Frame.MORE);
         excused = false;
-        if (!usable || parts.size() + frame.payloadLength() > limit) {
+        boolean fits = parts.size() + frame.payloadLength() <= limit;
+        tooLong |= usable && !fits;
+        if (!usable || !fits) {
             drop();
             return null;
         }
@@ -67,6 +70,7 @@ final class Fragments {
         gathering = false;
         parts.reset();
         requests = 0;
+        tooLong = false;
         return message;
     }
 
@@ -87,6 +91,16 @@ final class Fragments {
     /** Says that frames may have been lost before a silence. */
     void excuse() {
         excused = true;
+    }
+
+    /** Bytes that a message has at most. */
+    int limit() {
+        return limit;
+    }
+
+    /** Whether a message was too long, and none has come whole since. */
+    boolean tooLong() {
+        return tooLong;
     }
 
     /** Messages, or parts of them, that were dropped so far. */

@@ -19,6 +19,9 @@ final class Inbox {
 
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int BUFFER = 1024;
+    /** Messages that wait at most to be taken: nobody may ever take one of a board that speaks unasked. The newest count. */
+    private static final int MOST_MESSAGES = 64;
+    private static final System.Logger LOG = System.getLogger(Inbox.class.getName());
     /** Reads at most, one after the other, of what a line has ready: more than any driver holds, but an end for a line that never rests. */
     private static final int READS = 64;
 
@@ -36,6 +39,7 @@ final class Inbox {
     private boolean version2; // and nothing else
     private int awaited; // the action whose outcome is waited for
     private Outcome outcome;
+    private boolean toldOfLength;
     private long wasted; // bytes that had made no frame by the last one that did, or a silence behind them
     private volatile long lastByteNanos;
 
@@ -226,14 +230,33 @@ final class Inbox {
 
     private void keep(Frame frame) {
         if (frame.version() == 1) {
-            messages.add(new Message(1, frame.text()));
+            keep(new Message(1, frame.text()));
         } else if (frame.has(Frame.ACK | Frame.REFUSAL)) {
             keepOutcome(frame);
         } else {
             Message message = fragments.accept(frame, decoder.discarded() > wasted);
             wasted = decoder.discarded();
             if (message != null) {
-                messages.add(message);
+                keep(message);
+            }
+            tellOfLength();
+        }
+    }
+
+    private void keep(Message message) {
+        if (messages.size() == MOST_MESSAGES) {
+            messages.poll();
+        }
+        messages.add(message);
+    }
+
+    /** Says so when a message was too long; and not again before one has come that was not. */
+    private void tellOfLength() {
+        if (fragments.tooLong() != toldOfLength) {
+            toldOfLength = fragments.tooLong();
+            if (toldOfLength) {
+                LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent a message of more than " + fragments.limit()
+                        + " bytes, which is dropped; longer ones are dropped without a word until one comes that is not");
             }
         }
     }

@@ -5,15 +5,19 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
 
 private const val PAST = Long.MIN_VALUE / 4
 
 /** An inbox on a line in memory, whose far end a test holds. */
-private class InboxProbe {
+private class InboxProbe(protocol: Protocol = Protocol.V1, messageLimit: Int = Frame.MAX_PAYLOAD) {
     val clock = JumpingClock()
     private val line = MemoryLine.unlimited("probe", LineSettings.defaults(), clock)
     val receivedAt = mutableListOf<Long>()
-    val inbox = Inbox(line.computer(), clock, receivedAt::add)
+    val inbox = Inbox(line.computer(), clock, receivedAt::add, protocol, messageLimit)
 
     fun arrives(bytes: String) = line.board().write(bytes.toByteArray(Charsets.ISO_8859_1), 0, bytes.length, 0)
 
@@ -95,4 +99,50 @@ class InboxSpec : FunSpec({
         probe.unplug()
         shouldThrow<PortGoneException> { probe.next() }
     }
+
+    test("of messages that nobody takes the newest are kept") {
+        val probe = InboxProbe()
+        probe.arrives((0 until 100).joinToString("") { "fffe03%03d".format(it) })
+        generateSequence { probe.next() }.toList() shouldBe (36 until 100).map { "%03d".format(it) }
+    }
+
+    test("messages that are too long are dropped with a warning, and with another one only after one that is not") {
+        val probe = InboxProbe(Protocol.V2, 300)
+        var sequence = 0
+        fun says(vararg parts: String) = parts.forEachIndexed { i, part ->
+            val flags = if (i < parts.lastIndex) Frame.MORE else 0
+            probe.arrives(String(Frame.version2(part.toByteArray(), flags, sequence++ % 16).toBytes(), Charsets.ISO_8859_1))
+        }
+        val long = "x".repeat(200)
+        val warnings = warningsOf(Inbox::class.java) {
+            repeat(5) { says(long, long) }
+            probe.next().shouldBeNull()
+            says("short")
+            probe.next() shouldBe "short"
+            says(long, "x".repeat(100))
+            probe.next() shouldBe "x".repeat(300)
+            repeat(5) { says(long, long) }
+            probe.next().shouldBeNull()
+        }
+        warnings.size shouldBe 2
+        warnings.first() shouldContain "port probe sent a message of more than 300 bytes"
+    }
 })
+
+/** The warnings that [type] logs during [work]. */
+private fun warningsOf(type: Class<*>, work: () -> Unit): List<String> {
+    val messages = ArrayList<String>()
+    val handler = object : Handler() {
+        override fun publish(record: LogRecord) { messages += record.message }
+        override fun flush() = Unit
+        override fun close() = Unit
+    }
+    val logger = Logger.getLogger(type.name)
+    logger.addHandler(handler)
+    try {
+        work()
+    } finally {
+        logger.removeHandler(handler)
+    }
+    return messages
+}
