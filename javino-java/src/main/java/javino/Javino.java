@@ -21,13 +21,14 @@ public class Javino implements AutoCloseable {
     private final ReentrantLock opening = new ReentrantLock();
     private final Map<String, Link> links = new HashMap<>(); // by canonical name, guarded by opening
     private final LinkSettings settings;
+    private final boolean usualRate;
     private final int timeoutMillis;
     private volatile String data = "";
     private volatile String lastError = "";
 
-    /** With {@link LinkSettings#defaults()} and time limits of 1000 ms. */
+    /** With {@link LinkSettings#defaults()}, each port at its {@linkplain Transports#usualLine usual rate}, and time limits of 1000 ms. */
     public Javino() {
-        this(LinkSettings.defaults(), DEFAULT_TIMEOUT_MILLIS);
+        this(LinkSettings.defaults(), DEFAULT_TIMEOUT_MILLIS, true);
     }
 
     /**
@@ -35,6 +36,11 @@ public class Javino implements AutoCloseable {
      * @param timeoutMillis milliseconds that a call waits for the line and for a message, at least 1
      */
     public Javino(LinkSettings settings, int timeoutMillis) {
+        this(settings, timeoutMillis, false);
+    }
+
+    private Javino(LinkSettings settings, int timeoutMillis, boolean usualRate) {
+        this.usualRate = usualRate;
         this.settings = settings.protocol() == Protocol.AUTO ? settings.withProtocol(Protocol.V1) : settings;
         this.timeoutMillis = timeoutMillis;
     }
@@ -83,7 +89,7 @@ public class Javino implements AutoCloseable {
             links.values().removeIf(other -> !other.isOpen());
             Link link = links.get(name);
             if (link == null) {
-                link = Link.open(port, settings, "Javino");
+                link = Link.open(port, usualRate ? settings.withBaud(Transports.usualLine(port).baud()) : settings, "Javino");
                 links.put(name, link);
             }
             return link;

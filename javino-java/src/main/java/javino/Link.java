@@ -93,6 +93,11 @@ public final class Link implements AutoCloseable {
         return transport.name();
     }
 
+    /** Whether the far end may go without this end being told, see {@link Transport#mayVanish()}. */
+    public boolean mayVanish() {
+        return transport.mayVanish();
+    }
+
     /** The settings it was opened with. */
     public LinkSettings settings() {
         return settings;
@@ -130,7 +135,7 @@ public final class Link implements AutoCloseable {
             Message answer = exchange.request(request, timeoutMillis);
             if (answer == null) {
                 throw new PortTimeoutException(port(), "port " + port() + " gave no answer to \"" + message + "\" within " + timeoutMillis
-                        + " ms; does the board run a Javino sketch at " + settings.baud() + " baud?");
+                        + " ms; " + transport.doubt());
             }
             return answer.text();
         });

@@ -23,6 +23,9 @@ final class SerialTransport implements Transport {
     private static final long LINGER_NANOS = 100 * NANOS_PER_MILLI;
     private static final long LONGEST_LINGER_NANOS = 250 * NANOS_PER_MILLI;
 
+    /** What jSerialComm says of a device that has none. */
+    private static final String NO_SERIAL_NUMBER = "Unknown";
+
     /** jSerialComm keeps the error code of a failed opening in one place for the whole program. */
     private static final ReentrantLock OPENING = new ReentrantLock();
 
@@ -43,16 +46,19 @@ final class SerialTransport implements Transport {
     }
 
     static SerialTransport open(String name, LineSettings line) throws PortException {
-        SerialDevice device = SerialDevice.of(name);
+        return open(SerialDevice.of(name), line);
+    }
+
+    static SerialTransport open(SerialDevice device, LineSettings line) throws PortException {
         OPENING.lock();
         try {
-            SerialTransport transport = new SerialTransport(openDriver(device, line), name, line);
+            SerialTransport transport = new SerialTransport(openDriver(device, line), device.name(), line);
             transport.writer.start();
             return transport;
         } catch (SerialPortInvalidPortException e) {
             throw SerialPortErrors.noSuchPort(device, ports());
         } catch (LinkageError e) {
-            throw SerialPortErrors.noNativeLibrary(name, e);
+            throw SerialPortErrors.noNativeLibrary(device.name(), e);
         } finally {
             OPENING.unlock();
         }
@@ -79,6 +85,20 @@ final class SerialTransport implements Transport {
         } catch (LinkageError e) {
             return List.of(); // opening one says why
         }
+    }
+
+    /** The serial devices there are that are on USB; none where jSerialComm cannot run. */
+    static List<UsbPort> usbPorts() {
+        try {
+            return Arrays.stream(SerialPort.getCommPorts()).filter(port -> port.getVendorID() >= 0).map(SerialTransport::usbPort).toList();
+        } catch (LinkageError e) {
+            return List.of(); // opening one says why
+        }
+    }
+
+    private static UsbPort usbPort(SerialPort port) {
+        String serialNumber = port.getSerialNumber();
+        return new UsbPort(nameOf(port), port.getVendorID(), port.getProductID(), NO_SERIAL_NUMBER.equals(serialNumber) ? "" : serialNumber);
     }
 
     /** The name to open the port by: a device that is not in {@code /dev} itself, as pseudo-terminals are, has its path. */

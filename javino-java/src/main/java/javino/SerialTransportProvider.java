@@ -11,7 +11,7 @@ final class SerialTransportProvider implements TransportProvider {
 
     @Override
     public Transport open(String address, LineSettings line) throws PortException {
-        return SerialTransport.open(address, line);
+        return SerialTransport.open(SerialDevice.of(address), line);
     }
 
     @Override
@@ -22,5 +22,10 @@ final class SerialTransportProvider implements TransportProvider {
     @Override
     public String canonicalAddress(String address) {
         return SerialDevice.of(address).canonicalAddress();
+    }
+
+    @Override
+    public boolean isPresent(String address) {
+        return SerialDevice.of(address).exists();
     }
 }

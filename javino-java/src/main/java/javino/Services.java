@@ -5,13 +5,18 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Finds services as the calling thread sees them, and as this library does: in a Jason project the two may differ. A service that cannot be
- * loaded costs a warning and leaves the others.
+ * loaded costs one warning and leaves the others.
  */
 final class Services {
     private static final System.Logger LOG = System.getLogger(Services.class.getName());
+
+    /** Services are looked for again and again; what cannot be used is said once. */
+    private static final Set<String> TOLD = ConcurrentHashMap.newKeySet();
 
     private Services() {}
 
@@ -49,6 +54,8 @@ final class Services {
     }
 
     private static void warn(Class<?> service, ServiceConfigurationError e) {
-        LOG.log(System.Logger.Level.WARNING, "a " + service.getName() + " cannot be used", e);
+        if (TOLD.add(service.getName() + ' ' + e.getMessage())) {
+            LOG.log(System.Logger.Level.WARNING, "a " + service.getName() + " cannot be used", e);
+        }
     }
 }

@@ -18,4 +18,9 @@ final class SimTransportProvider implements TransportProvider {
     public List<String> ports() {
         return SimulatedBoards.names().stream().map(name -> scheme() + ':' + name).toList();
     }
+
+    @Override
+    public boolean isPresent(String address) {
+        return SimulatedBoards.names().contains(address);
+    }
 }

@@ -15,6 +15,16 @@ public interface Transport extends AutoCloseable {
     /** The rate this line was opened with. */
     LineSettings line();
 
+    /** Whether the far end may go without this end being told, as in a network; then a line that is silent for long is worth opening anew. */
+    default boolean mayVanish() {
+        return false;
+    }
+
+    /** What to look at when the board does not answer, as a question to a person. */
+    default String doubt() {
+        return "does the board run a Javino sketch at " + line().baud() + " baud?";
+    }
+
     /**
      * Waits until at least one byte has arrived, then takes what is there.
      *

@@ -32,4 +32,28 @@ public interface TransportProvider {
     default String canonicalAddress(String address) {
         return address;
     }
+
+    /**
+     * One name for all the names of one device, whatever their schemes: a provider that finds devices of another one gives the other's name.
+     *
+     * @return the scheme and the {@linkplain #canonicalAddress canonical address}, unless the provider knows better
+     */
+    default String canonicalName(String address) {
+        return scheme() + ':' + canonicalAddress(address);
+    }
+
+    /**
+     * Whether something is there that {@link #open} could open now. Asked again and again for a device that has gone, so it is cheap, and
+     * opens nothing.
+     *
+     * @return true also where only opening it can tell, as by default
+     */
+    default boolean isPresent(String address) {
+        return true;
+    }
+
+    /** The line to ask for when nobody has said at which rate the board speaks: 9600 baud, unless ports of this kind have another. */
+    default LineSettings usualLine() {
+        return LineSettings.defaults();
+    }
 }

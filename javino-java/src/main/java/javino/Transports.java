@@ -5,14 +5,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
+import java.util.function.BiFunction;
 
 /**
  * Opens ports by name: {@code scheme:address} through the {@link TransportProvider} of that scheme, anything else as a serial device.
  *
- * <p>{@code serial}, {@code sim} and {@code replay} (a {@link ReplayBoard}) are built in. Providers found through {@link ServiceLoader} add
- * schemes, but do not replace these. All methods are safe on any thread.
+ * <p>{@code serial}, {@code usb}, {@code tcp}, {@code sim} and {@code replay} (a {@link ReplayBoard}) are built in. Providers found through
+ * {@link ServiceLoader} add schemes, but do not replace these. All methods are safe on any thread.
  */
 public final class Transports {
+    private static final List<TransportProvider> BUILT_IN = List.of(
+            new SerialTransportProvider(), new UsbTransportProvider(), new TcpTransportProvider(), new SimTransportProvider(),
+            new ReplayTransportProvider());
+
     private Transports() {}
 
     /**
@@ -36,15 +41,29 @@ public final class Transports {
     }
 
     /**
-     * One name for all the names of one device: symbolic links are followed, and a scheme is written in front.
-     * The port need not exist, nor its scheme.
+     * One name for all the names of one device: symbolic links are followed, a USB device is the serial device that it is now, and a scheme is
+     * written in front. The port need not exist, nor its scheme.
      */
     public static String canonicalName(String port) {
+        return ask(port, TransportProvider::canonicalName, port); // a name that cannot be opened is nobody else's name
+    }
+
+    /** Whether {@code port} is there, as far as can be told without opening it, see {@link TransportProvider#isPresent}. */
+    public static boolean isPresent(String port) {
+        return ask(port, TransportProvider::isPresent, false);
+    }
+
+    /** The line to ask for when nobody has said at which rate the board at {@code port} speaks, see {@link TransportProvider#usualLine}. */
+    public static LineSettings usualLine(String port) {
+        return ask(port, (provider, address) -> provider.usualLine(), LineSettings.defaults());
+    }
+
+    private static <T> T ask(String port, BiFunction<TransportProvider, String, T> question, T ifNobodyKnows) {
         try {
             PortName name = PortName.of(port);
-            return name.scheme() + ':' + provider(port, name).canonicalAddress(name.address());
+            return question.apply(provider(port, name), name.address());
         } catch (NoSuchPortException e) {
-            return port; // a name that cannot be opened is nobody else's name
+            return ifNobodyKnows;
         }
     }
 
@@ -60,7 +79,7 @@ public final class Transports {
 
     private static Map<String, TransportProvider> providers() {
         Map<String, TransportProvider> providers = new LinkedHashMap<>();
-        for (TransportProvider builtIn : List.of(new SerialTransportProvider(), new SimTransportProvider(), new ReplayTransportProvider())) {
+        for (TransportProvider builtIn : BUILT_IN) {
             providers.put(builtIn.scheme(), builtIn);
         }
         for (ServiceLoader.Provider<TransportProvider> service : Services.providers(TransportProvider.class)) {

@@ -1,6 +1,7 @@
 package javino
 
 import io.kotest.core.test.Enabled
+import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -22,6 +23,29 @@ internal class SerialLinkSpec : LinkContract(Terminals.available, {
         end.close()
         running.handle { _, _ -> }.get(20, TimeUnit.SECONDS)
         terminals.close()
+        board.close()
+    }
+})
+
+/** The same, over a network: the fake board is a program that listens. */
+internal class TcpLinkSpec : LinkContract(Enabled.enabled, {
+    val server = Loopback()
+    val board = FakeBoard.plugIn("contract${boards.incrementAndGet()}").lenient()
+    val ends = ConcurrentLinkedQueue<Transport>()
+    val running = async {
+        while (true) TcpTransport.over(server.accept(), "the board's end", Bench.FAST.line()).use { end ->
+            ends += end
+            try {
+                board.program().run(end)
+            } catch (_: PortGoneException) {
+                // the next one may connect
+            }
+        }
+    }
+    Bench(server.port, board, { ends.forEach(Transport::close) }) {
+        server.close()
+        ends.forEach(Transport::close)
+        running.handle { _, _ -> }.get(20, TimeUnit.SECONDS)
         board.close()
     }
 })

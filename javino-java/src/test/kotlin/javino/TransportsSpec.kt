@@ -52,7 +52,7 @@ class TransportsSpec : FunSpec({
         val refusal = shouldThrow<NoSuchPortException> { Transports.open("warp:9", line) }
         refusal.port() shouldBe "warp:9"
         refusal.message shouldContain "\"warp\""
-        refusal.message shouldContain "serial, sim"
+        refusal.message shouldContain "serial, usb, tcp, sim"
     }
 
     test("a serial device may be named with its scheme") {
@@ -108,7 +108,7 @@ class TransportsSpec : FunSpec({
 })
 
 /** Does work on a thread whose class loader finds these services. */
-private fun withServices(vararg services: Pair<String, String>, work: () -> Unit) {
+internal fun withServices(vararg services: Pair<String, String>, work: () -> Unit) {
     val directory = Files.createTempDirectory("services")
     for ((service, implementation) in services) {
         val file = directory.resolve("META-INF/services/$service")
