@@ -65,7 +65,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         board = BoardPercepts(BeliefReader { log.warning(it) }, log, platform.nowMs)
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand, platform.nowMs) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
-        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle)
+        ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle) { log.warning(it) }
         view = viewOf(ViewedArch())?.also { observer = it.observer }
     }
 

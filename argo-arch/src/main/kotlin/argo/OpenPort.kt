@@ -2,26 +2,37 @@ package argo
 
 import jason.asSyntax.Term
 import javino.Link
-import java.util.concurrent.CopyOnWriteArraySet
+import java.util.concurrent.ConcurrentHashMap
 
 /**
  * A port that an agent holds open: its link, the commands that wait for it and its sensing.
  *
- * @param term the port as the agent calls it
+ * @param names what the agent calls it, and the names that it opens it by
+ * @property openedNanos when it was opened, by [System.nanoTime]
+ * @property losses how often in a row it had been lost before, each time soon after it was opened
  * @param platform what its threads run on
  */
 internal class OpenPort(
-    term: Term,
+    names: Map<Term, String>,
     val link: Link,
     val options: PortOptions,
+    val openedNanos: Long,
+    val losses: Int,
     owner: String,
     listener: SensingListener,
     platform: Platform,
 ) {
-    private val names = CopyOnWriteArraySet(listOf(term))
+    private val namesByTerm = ConcurrentHashMap(names)
 
-    /** All that the agent calls it: a device may be asked for by several names. */
-    val terms: Set<Term> get() = names
+    /** All that the agent calls it, and the names that it opens it by: a device may be asked for by several. */
+    val names: Map<Term, String> get() = namesByTerm
+
+    /** All that the agent calls it. */
+    val terms: Set<Term> get() = namesByTerm.keys
+
+    /** Whether a message has come from the board. */
+    @Volatile
+    var hasSpoken = false
 
     /** What the agent wants done. */
     val commands = Commands(link, owner, platform) { listener.lost(this, it) }
@@ -29,9 +40,9 @@ internal class OpenPort(
     /** What the board says. */
     val sensing = Sensing(this, owner, listener, platform)
 
-    /** The agent calls it [term] too. */
-    fun isCalled(term: Term) {
-        names += term
+    /** The agent calls it [term], too, and opens it by [name]. */
+    fun isCalled(term: Term, name: String) {
+        namesByTerm[term] = name
     }
 
     /** Gives the port up: waiting commands fail, both threads end. Never waits. May be called twice and by any thread. */

@@ -4,6 +4,7 @@ import jason.asSemantics.Agent
 import javino.LineClock
 import javino.Link
 import javino.LinkSettings
+import javino.Transports
 import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.TimeUnit
 
@@ -28,6 +29,12 @@ interface Platform {
      * @param owner the agent's name
      */
     fun open(port: String, settings: LinkSettings, owner: String): Link
+
+    /**
+     * Whether [port] is there to be opened, as far as can be told without opening it. Asked about once a second while a port is waited for
+     * whose device has gone.
+     */
+    fun isPresent(port: String): Boolean = Transports.isPresent(port)
 
     companion object {
         /** The machine. */

@@ -6,6 +6,7 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 import javino.LinkSettings
 import javino.Protocol
+import javino.Transports
 
 /**
  * How a port is used: the second argument of `argo.port`.
@@ -13,11 +14,13 @@ import javino.Protocol
  * @property link baud rate and manners on the line
  * @property timeoutMs how long an answer may take, in ms
  * @property listens whether the board speaks unasked, so that it is listened to and never asked
+ * @property saysBaud whether the rate is settled; else it is what ports of the port's kind usually have, see [on]
  */
 internal data class PortOptions(
     val link: LinkSettings = LinkSettings.defaults(),
     val timeoutMs: Int = DEFAULT_TIMEOUT_MS,
     val listens: Boolean = false,
+    val saysBaud: Boolean = false,
 ) {
     companion object {
         /** How long an answer may take unless `timeout(Ms)` says otherwise: three times what twelve percepts take at 9600 baud. */
@@ -43,10 +46,13 @@ internal data class PortOptions(
         return link.withPaced(paced).withProtocol(version)
     }
 
+    /** These options for [port]: with the rate that ports of its kind usually have, if none was asked for. */
+    fun on(port: String): PortOptions = if (saysBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), saysBaud = true)
+
     private fun with(option: Term): PortOptions {
         val name = (option as? Literal)?.takeIf { it.arity == 1 && !it.isVar }?.functor
         return when (name) {
-            "baud" -> copy(link = link.withBaud(whole(option, 1..MOST_BAUD)))
+            "baud" -> copy(link = link.withBaud(whole(option, 1..MOST_BAUD)), saysBaud = true)
             "timeout" -> copy(timeoutMs = whole(option, 1..MOST_MS))
             "boot" -> copy(link = link.withBootMillis(whole(option, 0..MOST_MS)))
             "spacing" -> copy(link = link.withSpacingMillis(whole(option, 0..MOST_MS)))

@@ -1,7 +1,9 @@
 package argo
 
 import jason.asSyntax.Term
+import javino.Link
 import javino.PortException
+import javino.PortInterruptedException
 import javino.Transports
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
@@ -9,13 +11,15 @@ import kotlin.concurrent.withLock
 /**
  * The ports that one agent holds open, and the one it uses now.
  *
- * Links stay open until [closeAll], since opening a port resets most boards. What a driver may take its time for, opening and
+ * Links stay open until [closeAll], since opening a port resets most boards. One whose device goes is opened again, as it was, when its device
+ * returns; until then it is looked for, and what is done with it fails. What a driver may take its time for, opening and
  * closing, is done by a thread of this class's own. Safe for use by several threads.
  *
  * @param owner the agent's name: what a second agent is told that asks for the same port
- * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced]
- * @param platform opens the ports
+ * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced], and each port has a thread that watches it
+ * @param platform opens the ports, and says when to look for lost ones
  * @param settle is called after each change of the port in use
+ * @param warn is told why a port cannot be opened though its device has returned, once for each cause
  */
 internal class Ports(
     private val owner: String,
@@ -24,10 +28,14 @@ internal class Ports(
     private val paced: Boolean,
     private val platform: Platform,
     private val settle: () -> Unit,
+    private val warn: (String) -> Unit,
 ) {
     private val lock = ReentrantLock()
     private val open = LinkedHashMap<String, OpenPort>()
-    private val lastOptions = HashMap<String, PortOptions>()
+    private val lost = ArrayList<LostPort>()
+    private val lastOptions = HashMap<String, PortOptions>() // by name; for the thread that opens
+    private var opening: Thread? = null // opens a port now
+    private var isAsked = false // somebody waits for that
     private var stopped = false
 
     private val opener = SerialWork(platform, "argo-$owner-opening")
@@ -36,6 +44,9 @@ internal class Ports(
     @Volatile
     var current: OpenPort? = null
         private set
+
+    /** What the agent called it when it chose it; for the thread that opens, as [lastOptions] is. */
+    private var chosen: Term? = null
 
     /** All open ports. */
     fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
@@ -48,79 +59,169 @@ internal class Ports(
      * @param outcome is called once by another thread, with null or with why the port in use is still the one before; never once
      * the agent is being stopped
      */
-    fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) {
-        later { outcome(tryToChoose(term, name, options)) }
+    fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
+        asAsked { outcome(tryToChoose(term, name, options)) }
+
+    private fun tryToChoose(term: Term, name: String, options: PortOptions?): Failure? {
+        val trouble = troubleOf {
+            val key = Transports.canonicalName(name)
+            val held = lock.withLock { open[key] }
+            val wanted = (options ?: held?.options ?: lastOptions[name] ?: PortOptions()).on(name)
+            val port = held?.takeIf { it.link.isOpen && it.options == wanted } ?: openOtherwise(held, key, name, term, wanted)
+            lastOptions[name] = wanted
+            chosen = term
+            current = port
+            isBack(port, term, name)
+            settle()
+        }
+        if (trouble is ArgumentException) return Failure("too_many_ports", trouble.message.orEmpty())
+        return trouble?.let(::failureOf)?.also { failure ->
+            if (all().none { it.link.isOpen && term in it.names }) states.set(term, PortStatus.OFF, failure.cause)
+        }
     }
 
-    private fun tryToChoose(term: Term, name: String, options: PortOptions?): Failure? = try {
-        val key = Transports.canonicalName(name)
-        val wanted = options ?: lastOptions[key] ?: PortOptions()
-        val port = reusable(key, wanted) ?: openNew(key, name, term, wanted)
-        lastOptions[key] = wanted
-        port.isCalled(term)
-        current = port
-        report(port, PortStatus.ON)
-        settle()
+    /** What [work] fails with, whatever a transport throws: a plan that waits for its port must go on. */
+    private fun troubleOf(work: () -> Unit): Throwable? = try {
+        work()
         null
-    } catch (refused: ArgumentException) {
-        Failure("too_many_ports", refused.message.orEmpty())
-    } catch (trouble: Exception) { // a plan that waits for its port must go on, whatever a transport throws
-        notOpened(term, trouble)
+    } catch (trouble: Exception) {
+        trouble
     } catch (unloadable: LinkageError) { // the driver's native library
-        notOpened(term, unloadable)
+        unloadable
     }
 
-    private fun notOpened(term: Term, trouble: Throwable): Failure =
-        failureOf(trouble).also { states.set(term, PortStatus.OFF, it.cause) }
-
-    /** The port if it is open and used as [wanted]; closed if it is open and used otherwise. */
-    private fun reusable(key: String, wanted: PortOptions): OpenPort? {
-        val port = lock.withLock { open[key] } ?: return null
-        if (port.link.isOpen && port.options == wanted) return port
-        forget(port)
-        return null
+    /** Opens a port as [wanted], in place of what is [held] of it; if it cannot be opened so it is held again as it was. */
+    private fun openOtherwise(held: OpenPort?, key: String, name: String, term: Term, wanted: PortOptions): OpenPort {
+        if (held == null) return openNew(key, name, wanted, mapOf(term to name))
+        forget(held)
+        var opened: OpenPort? = null
+        try {
+            return openNew(key, name, wanted, held.names + (term to name)).also { opened = it }
+        } finally {
+            if (opened == null) holdAgain(held, key)
+        }
     }
 
-    private fun openNew(key: String, name: String, term: Term, options: PortOptions): OpenPort {
+    private fun holdAgain(port: OpenPort, key: String) {
+        val trouble = troubleOf {
+            val again = openNew(key, port.link.port(), port.options, port.names)
+            if (current === port) {
+                current = again
+                settle()
+            }
+        }
+        if (trouble != null) lose(port, trouble)
+    }
+
+    /** @param before what was lost, if it is opened because of that */
+    private fun openNew(key: String, name: String, options: PortOptions, names: Map<Term, String>, before: LostPort? = null): OpenPort {
         if (lock.withLock { open.size } >= MOST_PORTS) {
             throw ArgumentException("an agent holds at most $MOST_PORTS ports; argo.port(none) closes them")
         }
-        val port = OpenPort(term, platform.open(name, options.linkSettings(paced), owner), options, owner, listener, platform)
+        val link = interruptible(before == null) { platform.open(name, options.linkSettings(paced), owner) }
+        val port = OpenPort(names, link, options, platform.clock.nanos(), before?.losses ?: 0, owner, listener, platform)
         val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
-        if (tooLate) port.close()
+        if (tooLate) port.close() else if (paced) port.sensing.set(false, 0)
         return port
+    }
+
+    /**
+     * Does [work], for which a network may take its time: the agent's end interrupts it, and what the agent asks for interrupts what it has not
+     * asked for.
+     */
+    private fun interruptible(asked: Boolean, work: () -> Link): Link {
+        lock.withLock {
+            opening = Thread.currentThread()
+            isAsked = asked
+        }
+        try {
+            return work()
+        } finally {
+            lock.withLock { opening = null }
+            Thread.interrupted() // it was meant for this work alone
+        }
+    }
+
+    /** [port] can be used, and the agent calls it [term]. Who holds too many has those that were lost first looked for no longer. */
+    private fun isBack(port: OpenPort, term: Term, name: String) {
+        port.isCalled(term, name)
+        lock.withLock {
+            lost.removeAll { it.term == term && it.port !== port }
+            while (lost.isNotEmpty() && open.size + lost.size > MOST_PORTS) lost.removeAt(0)
+        }
+        report(port, PortStatus.ON)
     }
 
     /** What is known of [port] now; nothing is said of one that has been given up. */
     fun report(port: OpenPort, status: PortStatus, reason: String? = null) =
-        port.terms.forEach { states.set(it, status, reason) { lock.withLock { open.containsValue(port) } } }
+        port.names.keys.forEach { states.set(it, status, reason) { lock.withLock { open.containsValue(port) } } }
 
-    /** [port] cannot be used any more, for the reason given; nothing new if it has been given up already. */
+    /** [port] cannot be used any more, for the reason given; nothing new if it has been given up already. Its device is looked for. */
     fun lost(port: OpenPort, trouble: PortException) {
-        if (forget(port) && !lock.withLock { stopped }) port.terms.forEach { states.set(it, PortStatus.OFF, trouble.message) }
+        lose(port, trouble) { open.values.remove(port) }
+        port.close()
     }
 
-    /** Gives [port] up and returns whether it had still been held. */
-    private fun forget(port: OpenPort): Boolean {
-        val held = lock.withLock { open.values.remove(port) }
+    /** Has the device of [port] looked for under each of its names, if [isNews], which is asked under the lock. */
+    private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
+        val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
+        lock.withLock {
+            if (stopped || !isNews()) return
+            lost += ports
+        }
         port.close()
-        return held
+        ports.forEach { states.set(it.term, PortStatus.OFF, trouble.message) { isAwaited(it) } }
+        ports.forEach { inTurn { lookFor(it) } }
+    }
+
+    private fun isAwaited(port: LostPort) = lock.withLock { port in lost }
+
+    /** Opens [port] if its device is back, else looks for it again later. */
+    private fun lookFor(port: LostPort) {
+        if (!isAwaited(port)) return
+        val trouble = troubleOf { if (port.looked(platform.isPresent(port.name))) reopen(port) }
+        if (trouble != null && trouble !is PortInterruptedException && port.failed(trouble)) {
+            warn("port ${port.term} is still off: ${failureOf(trouble).cause}")
+        }
+        if (isAwaited(port)) platform.later(port.nextLookMs()) { inTurn { lookFor(port) } }
+    }
+
+    private fun reopen(lost: LostPort) {
+        val key = Transports.canonicalName(lost.name)
+        val port = lock.withLock { open[key] }?.takeIf { it.link.isOpen } ?: openNew(key, lost.name, lost.port.options, mapOf(lost.term to lost.name), lost)
+        val inUse = current === lost.port && chosen == lost.term
+        if (inUse) current = port
+        isBack(port, lost.term, lost.name)
+        if (inUse) settle()
+    }
+
+    private fun forget(port: OpenPort) {
+        lock.withLock { open.values.remove(port) }
+        port.close()
     }
 
     /**
-     * Closes all ports, on another thread; none is in use afterwards, and nothing is believed of them.
+     * Closes all ports, on another thread; none is in use afterwards, none is looked for, and nothing is believed of them.
      * @param closed is called by that thread
      */
-    fun closeAll(closed: () -> Unit) = later {
+    fun closeAll(closed: () -> Unit) = asAsked {
         closeNow()
         closed()
     }
 
+    /** Does what the agent asked for on the thread for it, before what it did not ask for. */
+    private fun asAsked(work: () -> Unit) = lock.withLock {
+        if (!isAsked) opening?.interrupt()
+        inTurn(work)
+    }
+
     /** Does [work] on the thread for it, unless the agent is being stopped. */
-    private fun later(work: () -> Unit) = lock.withLock { if (!stopped) opener.execute(work) }
+    private fun inTurn(work: () -> Unit) = lock.withLock { if (!stopped) opener.execute(work) }
 
     private fun closeNow() {
         current = null
+        chosen = null
+        lock.withLock { lost.clear() }
         all().forEach(::forget)
         states.clear()
         settle()
@@ -131,6 +232,7 @@ internal class Ports(
         lock.withLock {
             if (stopped) return
             stopped = true
+            opening?.interrupt()
             opener.clear()
             opener.execute(::closeNow)
         }

@@ -24,6 +24,8 @@ internal class Bench(private val time: VirtualTime) : Platform {
         return Link.over(at(port).open(port, settings.line()), settings, time)
     }
 
+    override fun isPresent(port: String) = at(port).isPresent
+
     /** The board on [port]; the first port that is asked for has the one that [first] has given out. */
     fun at(port: String): Board = boards.getOrPut(port) { unnamed?.also { unnamed = null } ?: Board(time) }
 

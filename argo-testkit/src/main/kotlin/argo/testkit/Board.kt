@@ -103,6 +103,9 @@ class Board internal constructor(private val time: VirtualTime) {
         return taken.add(index)
     }
 
+    /** Whether there is something on its port. */
+    internal val isPresent: Boolean get() = refusal?.invoke("") !is NoSuchPortException
+
     internal fun open(port: String, settings: LineSettings): Transport {
         refusal?.let { throw it(port) }
         val line = MemoryLine.paced(port, settings, time).also { this.line = it }

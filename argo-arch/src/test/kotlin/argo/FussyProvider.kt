@@ -1,0 +1,29 @@
+package argo
+
+import javino.LineSettings
+import javino.PortException
+import javino.Transport
+import javino.TransportProvider
+import javino.Transports
+
+/** Ports that may refuse to be opened: `fussy:robot` is `sim:robot`, if [refusal] has nothing against it. */
+class FussyProvider : TransportProvider {
+    override fun scheme() = "fussy"
+
+    override fun open(address: String, line: LineSettings): Transport {
+        refusal("fussy:$address", line)?.let { throw it }
+        return Transports.open("sim:$address", line)
+    }
+
+    override fun ports() = listOf<String>()
+
+    override fun canonicalName(address: String) = "sim:$address"
+
+    override fun isPresent(address: String) = Transports.isPresent("sim:$address")
+
+    companion object {
+        /** What opening a port at a rate fails with, or null. */
+        @Volatile
+        var refusal: (String, LineSettings) -> PortException? = { _, _ -> null }
+    }
+}

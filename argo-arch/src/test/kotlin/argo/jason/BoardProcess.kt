@@ -1,0 +1,47 @@
+package argo.jason
+
+import javino.FakeBoard
+import javino.LineSettings
+import javino.PortException
+import javino.Transports
+import java.util.concurrent.TimeUnit
+
+/** A board as a process of its own, at the far end of a pseudo-terminal: it counts how often it was asked for its percepts. */
+internal class BoardProcess(device: String) : AutoCloseable {
+    private val process = ProcessBuilder(
+        ProcessHandle.current().info().command().orElse("java"), "-cp", System.getProperty("java.class.path"), "argo.jason.BoardProcessKt", device,
+    ).redirectErrorStream(true).start()
+
+    init {
+        check(process.inputReader().readLine() == STARTED) { "the board's process did not start" }
+    }
+
+    /** Has the system stop the process where it is. */
+    fun stop() = signal("STOP")
+
+    /** Lets it go on there. */
+    fun goOn() = signal("CONT")
+
+    private fun signal(name: String) = check(ProcessBuilder("kill", "-$name", "${process.pid()}").start().waitFor() == 0) { "kill -$name failed" }
+
+    override fun close() {
+        process.destroyForcibly().waitFor(20, TimeUnit.SECONDS)
+    }
+}
+
+private const val STARTED = "the board runs"
+
+/** The board's program; its argument is the device of its serial line. */
+fun main(arguments: Array<String>) {
+    val board = FakeBoard.plugIn("process").lenient()
+    var count = 0
+    board.whenAsked("getPercepts").answer { "count(${++count});" }
+    Transports.open(arguments.single(), LineSettings(115_200)).use {
+        println(STARTED)
+        try {
+            board.program().run(it)
+        } catch (_: PortException) {
+            // the line has gone, and with it what the process is for
+        }
+    }
+}
