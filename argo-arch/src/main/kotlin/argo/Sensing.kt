@@ -4,6 +4,7 @@ import javino.Frame
 import javino.Link
 import javino.PortException
 import javino.PortFaultException
+import javino.PortGoneException
 import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
@@ -43,6 +44,7 @@ internal class Sensing(
     @Volatile
     private var intervalNanos = 0L
     private var lastStart: Long? = null
+    private val silence = Silence()
     private var exchangeNanos = 0L
 
     /**
@@ -54,6 +56,7 @@ internal class Sensing(
 
     /** Turns sensing on, with [intervalMs] ms between requests (0: as fast as the line allows), or off. */
     fun set(on: Boolean, intervalMs: Int) = lock.withLock {
+        if (!on) silence.end()
         this.on = on
         intervalNanos = TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong())
         changed.signalAll()
@@ -94,6 +97,7 @@ internal class Sensing(
     /** What a board that is asked says meanwhile is dropped; one that speaks unasked may have been opened since this began. */
     private fun watch(): Boolean = using {
         val message = port.link.heard(WATCH_MS)
+        if (message != null) port.hasSpoken = true
         if (message != null && port.options.listens && lock.withLock { on }) listener.received(port, message, clock.nanos())
     }
 
@@ -119,16 +123,19 @@ internal class Sensing(
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
     fun exchange(): Boolean = using {
-        port.link.next(port.options) { listener.request(port) }?.let { listener.received(port, it, clock.nanos()) }
+        port.link.next(port.options) { listener.request(port) }?.let {
+            port.hasSpoken = true
+            silence.end()
+            listener.received(port, it, clock.nanos())
+        }
     }
 
     /** Does [work] with the line; false when the port is lost. */
     private fun using(work: () -> Unit): Boolean = try {
         work()
         true
-    } catch (silence: PortTimeoutException) {
-        listener.unanswered(port, silence)
-        true
+    } catch (timeout: PortTimeoutException) {
+        unanswered(timeout)
     } catch (trouble: PortException) {
         listener.lost(port, trouble)
         false
@@ -136,6 +143,18 @@ internal class Sensing(
         unforeseen(unforeseen)
     } catch (unforeseen: LinkageError) { // the driver's native library
         unforeseen(unforeseen)
+    }
+
+    /** A far end in a network that used to answer may have gone without a word, and be back without knowing this connection. */
+    private fun unanswered(timeout: PortTimeoutException): Boolean {
+        silence.goesOn(clock.nanos())
+        if (!(port.link.mayVanish() && port.hasSpoken && silence.isLong(clock.nanos()))) {
+            listener.unanswered(port, timeout)
+            return true
+        }
+        val name = port.link.port()
+        listener.lost(port, PortGoneException(name, "port $name has not answered for ${Silence.LONG_S} s; the connection is made anew"))
+        return false
     }
 
     /** A thread that dies silently would leave a stale world. */
