@@ -11,18 +11,19 @@ import samples.collision.CollisionCommand
 import samples.lamp.BlinkCommand
 import samples.lamp.TwoBoardsCommand
 import samples.delegation.DelegationCommand
+import samples.experiment.ExperimentCommand
 import samples.typedfilters.TypedFiltersCommand
 import kotlin.system.exitProcess
 
 /**
  * Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. `demo` is the sample
- * `collision` under the name that it has at the front door.
+ * `collision` under the name that it has at the front door, and `experiment` has its place there alone.
  */
 fun main(args: Array<String>): Unit = exitProcess(
-    if (args.firstOrNull() == "demo") {
-        commandLine(CollisionCommand(), "./argo demo").execute(*args.drop(1).toTypedArray())
-    } else {
-        commandLine(Samples(), "./argo sample").execute(*args)
+    when (args.firstOrNull()) {
+        "demo" -> commandLine(CollisionCommand(), "./argo demo").execute(*args.drop(1).toTypedArray())
+        "experiment" -> commandLine(ExperimentCommand(), "./argo experiment").execute(*args.drop(1).toTypedArray())
+        else -> commandLine(Samples(), "./argo sample").execute(*args)
     },
 )
 

@@ -12,7 +12,7 @@ import kotlin.concurrent.withLock
  *
  * A command takes effect when its last byte has arrived. While the board sends an answer it does not read; of several messages
  * that have arrived meanwhile it handles the last one only. How long an answer takes is the line's business: every byte takes
- * ten bit times at the rate that the port was opened with.
+ * ten bit times at the rate that the port was opened with. Percepts that do not fit into one message are sent in several.
  *
  * @param clock what bytes are timed by; the line's own
  */
@@ -41,7 +41,7 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
 
     private fun handle(message: String, line: Transport, unread: Unread) {
         if (message != REQUEST) return sketch.act(message)
-        val answer = Frame.of(sketch.percepts()).toBytes()
+        val answer = messages(perceptsOf(sketch.percepts())).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
         line.write(answer, 0, answer.size, WRITE_LIMIT_MS)
         val end = clock.nanos() + answer.size * line.line().byteNanos()
         pause(end - clock.nanos())
@@ -55,7 +55,7 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
 
     private companion object {
         const val REQUEST = "getPercepts"
-        const val WRITE_LIMIT_MS = 10_000
+        const val WRITE_LIMIT_MS = 30_000
     }
 }
 

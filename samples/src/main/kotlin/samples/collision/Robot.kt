@@ -10,13 +10,15 @@ import kotlin.random.Random
  * `ledLightOff`, `ledTempOn` and `ledTempOff` switch.
  *
  * @param clock the time that it lives in
- * @param random the noise of its sensors
+ * @param sensors what it has for senses
  * @param noticed is told each change of what the robot does when the board notices it, which is at the next message
  */
-class Robot(private val clock: LineClock, random: Random, private val noticed: (Course, Course.State) -> Unit = { _, _ -> }) : Sketch {
+class Robot(private val clock: LineClock, private val sensors: Sensors, private val noticed: (Course, Course.State) -> Unit = { _, _ -> }) : Sketch {
     private val way = AtomicReference(Course.standing(clock.nanos()))
-    private val sensors = Sensors(random)
     private var lastNoticed = Course.State.STANDING
+
+    /** A robot with twelve sensors whose noise is [random]. */
+    constructor(clock: LineClock, random: Random, noticed: (Course, Course.State) -> Unit = { _, _ -> }) : this(clock, Sensors(random), noticed)
 
     /** Its course by the commands so far; any thread may ask. */
     val course: Course get() = way.get()

@@ -5,32 +5,44 @@ import kotlin.random.Random
 
 /**
  * The twelve sensors of the robot: distance (cm), light (0 to 1023, as an analogue input gives it) and temperature (°C) on its
- * front, back, right and left.
+ * front, back, right and left. More sensors are further sets of twelve at the same places, the sides of the second set are
+ * called `f2`, `b2` and so on.
  *
  * Every reading carries noise, and no sensor gives the same reading twice in a row, so that all twelve percepts change from
  * frame to frame: the worst case for an agent, and what real sensors come near to. A distance sensor never reads short: it
  * gives the next whole cm, or up to [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
  *
  * For one thread.
+ *
+ * @param sets how often the robot has the twelve, at least 1
  */
-class Sensors(private val random: Random) {
-    private val last = HashMap<Pair<String, Char>, Int>()
+class Sensors(private val random: Random, private val sets: Int = 1) {
+    private val last = HashMap<Pair<String, String>, Int>()
+
+    init {
+        require(sets >= 1) { "a robot has at least one set of sensors, not $sets" }
+    }
 
     /** The readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123);…temp(l,25);`. */
     fun frame(distance: Double): String = buildString {
-        for (kind in KINDS) for (side in SIDES) append(kind.functor, '(', side, ',', read(kind, side, distance), ");")
+        for (set in 1..sets) for (kind in KINDS) for (side in SIDES) {
+            val place = if (set == 1) "$side" else "$side$set"
+            append(kind.functor, '(', place, ',', read(kind, place, kind.level(side, distance)), ");")
+        }
     }
 
-    private fun read(kind: Kind, side: Char, distance: Double): Int {
-        val level = kind.level(side, distance)
-        val before = last[kind.functor to side]
+    private fun read(kind: Kind, place: String, level: Int): Int {
+        val before = last[kind.functor to place]
         val readings = kind.noise.map { level + it }.filter { it != before }
-        return readings.random(random).also { last[kind.functor to side] = it }
+        return readings.random(random).also { last[kind.functor to place] = it }
     }
 
     private class Kind(val functor: String, val noise: IntRange, val level: (side: Char, distance: Double) -> Int)
 
     companion object {
+        /** How many sensors a set has: three kinds on four sides. */
+        const val PER_SET = 12
+
         /** The most that a distance reading is above the true distance, rounded up, in cm. */
         const val DISTANCE_NOISE = 1
 

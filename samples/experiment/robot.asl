@@ -1,0 +1,55 @@
+/* Drives towards a wall and stops in front of it: the agent of the case study in C. E. Pantoja et al., EMAS 2016, plan for plan.
+   It differs in that port, interval, limit and filter are beliefs, and that it says when it has stopped.
+
+   Its initial beliefs are in the .mas2j, or come from the experiment:
+     board(Port, Options)   where the robot is
+     value(Cm)              the front distance at which it stops
+     interval(Ms)           the sensing interval
+     view(Filter)           none, or a filter of filters/ */
+
+/* Goals */
+
+!config.
+
+/* Plans: driving */
+
++!config : board(Port, Options) & interval(Ms) & view(Filter) <-
+    .port(Port, Options);
+    .limit(Ms);
+    .filter(Filter);
+    .percepts(open);
+    !start.
+
++!start : true <-
+    .act(front);
+    +status(front);
+    !moving.
+
++!moving : dist(f, X) & value(J) & X > J & status(front) <-
+    .act(front);
+    !moving.
+
++!moving : dist(f, X) & value(J) & X <= J & status(front) <-
+    .act(stop);
+    -+status(stopped).
+
+-!moving[error(port_gone), error_msg(Why)] <- +trouble(Why). // the published agent would try for ever
+-!moving <- !!moving.
+
+/* Plans: lamps */
+
++light(X, Y) : Y > 100  <- .act(ledLightOn).
++light(X, Y) : Y <= 100 <- .act(ledLightOff).
++temp(X, Y) : Y > 25  <- .act(ledTempOff).
++temp(X, Y) : Y <= 25 <- .act(ledTempOn).
+
+/* Plans: when something goes wrong */
+
+-!config[error_msg(Why)] <- +trouble(Why).
++trouble(Why) <- .print(Why).
+
++!halt <- // whoever runs the agent gives it up
+    .drop_desire(config);
+    .drop_desire(moving);
+    .act(stop);
+    -+status(stopped).

@@ -1,0 +1,89 @@
+package samples.board
+
+import javino.Frame
+import javino.FrameDecoder
+import javino.LineClock
+import javino.Protocol
+import javino.Transport
+import java.util.ArrayDeque
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * A board as the library in `javino-arduino/` makes it: it speaks version 2 of the Javino protocol with those who speak it, and
+ * version 1 with others.
+ *
+ * It handles one message at a time and keeps those that arrive meanwhile. In version 2 it acknowledges an action when it has carried
+ * it out, carries out once an action that is sent twice, answers `getPercepts(dist)` with percepts of that functor alone, and
+ * sends an answer of any length, in fragments. While it sends it does not act.
+ *
+ * @param clock what bytes are timed by; the line's own
+ */
+class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = LineClock.system()) {
+    private val lock = ReentrantLock()
+    private val never = lock.newCondition()
+    private var sequence = 0
+    private var acted: Frame? = null
+
+    /**
+     * Runs the board until its [line] is gone.
+     *
+     * @throws javino.PortGoneException when it is
+     * @throws InterruptedException when this thread is interrupted
+     */
+    fun run(line: Transport) {
+        sequence = 0
+        acted = null
+        val messages = ArrayDeque<Frame>()
+        val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line()), Protocol.AUTO, messages::add)
+        val bytes = ByteArray(MOST_READ)
+        while (true) {
+            val count = line.read(bytes, 0, bytes.size, READ_LIMIT_MS)
+            if (count == 0) decoder.idle(clock.nanos()) else decoder.accept(bytes, 0, count, clock.nanos())
+            while (messages.isNotEmpty()) handle(messages.remove(), line)
+        }
+    }
+
+    private fun handle(message: Frame, line: Transport) {
+        val text = message.text()
+        when {
+            text == REQUEST || text.startsWith("$REQUEST(") -> send(answer(text, message.version()), line)
+            message.flags() and Frame.ACK_WANTED == 0 -> sketch.act(text)
+            else -> {
+                if (message != acted) sketch.act(text)
+                acted = message
+                send(Frame.version2(ByteArray(0), Frame.ACK, message.sequence()).toBytes(), line)
+            }
+        }
+    }
+
+    private fun answer(request: String, version: Int): ByteArray {
+        val percepts = wanted(request).let { names ->
+            perceptsOf(sketch.percepts()).filter { names == null || it.substringBefore('(') in names }
+        }
+        if (version == 1) return messages(percepts).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
+        val pieces = percepts.joinToString("").chunked(Frame.MAX_PAYLOAD).ifEmpty { listOf("") }
+        return pieces.mapIndexed { i, piece ->
+            val flags = if (i < pieces.lastIndex) Frame.MORE else 0
+            Frame.version2(piece.toByteArray(Charsets.ISO_8859_1), flags, sequence++ % SEQUENCES).toBytes()
+        }.reduce(ByteArray::plus)
+    }
+
+    /** The functors that are asked for; null: all. */
+    private fun wanted(request: String): Set<String>? =
+        request.removePrefix(REQUEST).takeIf { it.isNotEmpty() }?.removeSurrounding("(", ")")?.split(',')?.toSet()
+
+    private fun send(answer: ByteArray, line: Transport) {
+        line.write(answer, 0, answer.size, WRITE_LIMIT_MS)
+        val end = clock.nanos() + answer.size * line.line().byteNanos()
+        lock.withLock { while (end - clock.nanos() > 0) clock.await(never, end - clock.nanos()) }
+    }
+
+    private companion object {
+        const val REQUEST = "getPercepts"
+        const val SEQUENCES = 16
+        const val MOST_READ = 4096
+        const val READ_LIMIT_MS = 100
+        const val WRITE_LIMIT_MS = 30_000
+    }
+}

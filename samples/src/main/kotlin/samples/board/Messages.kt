@@ -1,0 +1,12 @@
+package samples.board
+
+import javino.Frame
+
+/** The percepts in what a sketch says, each with its `;`. */
+internal fun perceptsOf(said: String): List<String> = said.split(';').dropLast(1).map { "$it;" }
+
+/** [percepts] in as few messages as hold them, at least one; none is cut in two. */
+internal fun messages(percepts: List<String>): List<String> = percepts.fold(listOf("")) { messages, percept ->
+    if (messages.last().length + percept.length > Frame.MAX_PAYLOAD) messages + percept
+    else messages.dropLast(1) + (messages.last() + percept)
+}

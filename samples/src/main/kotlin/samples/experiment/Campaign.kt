@@ -1,0 +1,78 @@
+package samples.experiment
+
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.Executors
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+
+/**
+ * Makes the runs of an experiment that have not been made, [jobs] at a time in their order, and keeps their records.
+ *
+ * A run in which this machine was too late for its own simulation is made anew, [MOST_TRIES] times at most; the last one stands, and its
+ * result says how late it was.
+ */
+internal class Campaign(
+    private val archive: Archive,
+    private val settings: Settings,
+    private val laboratory: Laboratory,
+    private val jobs: Int,
+    private val given: GivenUp,
+    private val report: (Status) -> Unit,
+) {
+    /** How far it has come: [left] ms is an estimate, [done] of [all] runs are over, [collisions] of them at the wall. */
+    internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long)
+
+    private val repeated = AtomicInteger()
+
+    /** Runs that had to be made anew because the machine was late. */
+    val repetitions: Int get() = repeated.get()
+
+    /** Makes what is missing of [trials]; returns all that are over. Ends early when it is given up. */
+    fun run(trials: List<Trial>): List<Finished> {
+        val wanted = trials.toSet()
+        val over = ConcurrentLinkedQueue(archive.finished().filter { it.trial in wanted && it.result.outcome != Outcome.FAILED })
+        val missing = ConcurrentLinkedQueue(trials - over.map { it.trial }.toSet())
+        val pool = Executors.newFixedThreadPool(jobs)
+        val workers = List(jobs) { pool.submit { work(missing, over, trials.size) } }
+        pool.shutdown()
+        workers.forEach { it.get() }
+        pool.awaitTermination(1, TimeUnit.MINUTES)
+        return over.toList()
+    }
+
+    private fun work(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
+        while (!given.isUp) {
+            report(Status(over.size, all, over.count { it.result.outcome == Outcome.COLLIDED }, missing.sumOf(::expectedMs) / jobs))
+            val trial = missing.poll() ?: return
+            over += Finished(trial, punctual(trial) ?: return)
+        }
+    }
+
+    private fun punctual(trial: Trial): Entry.Result? {
+        repeat(MOST_TRIES - 1) {
+            val result = recorded(trial) ?: return null
+            if (result.lateMs <= MOST_LATE_MS) return result
+            repeated.incrementAndGet()
+        }
+        return recorded(trial)
+    }
+
+    private fun recorded(trial: Trial): Entry.Result? = RecordWriter(archive.file(trial)).use { record ->
+        record.write(Entry.Begin(trial, settings))
+        laboratory.run(trial, record, given)?.also(record::write)
+    }
+
+    companion object {
+        /** How late the machine may be in a run, in ms: a third of what one exchange takes at 9600 baud. */
+        const val MOST_LATE_MS = 60.0
+
+        /** How often a run is made at most. */
+        const val MOST_TRIES = 3
+
+        /** About how long [trial] takes, in ms: to the limit and a little further, or to the wall if that is to be expected. */
+        fun expectedMs(trial: Trial): Long {
+            val hits = trial.condition == Condition.PUBLISHED && trial.view == View.NONE
+            return 1_000L + (200 - if (hits) 0 else trial.limit) * 100L
+        }
+    }
+}

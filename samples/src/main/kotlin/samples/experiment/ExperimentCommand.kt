@@ -1,0 +1,156 @@
+package samples.experiment
+
+import picocli.CommandLine.Command
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
+import picocli.CommandLine.Spec
+import samples.experiment.report.writeReport
+import samples.project.Logs
+import samples.project.Progress
+import sun.misc.Signal
+import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.Callable
+import kotlin.random.Random
+
+/** `experiment`: all runs of the collision experiment, and the report on them. */
+@Command(
+    name = "experiment",
+    description = [
+        "Makes the runs of the collision experiment that ARGO was published with and writes a report.",
+        "81 runs for each condition: 3 filters, 3 limits, 3 intervals, 3 replications, in randomised order and in real time.",
+        "Begun again with the same directory, it continues where it was interrupted.",
+    ],
+    exitCodeListHeading = "%nExit status:%n",
+    exitCodeList = ["0:all runs are made", "1:some have failed", "2:wrong arguments", "130:interrupted; the same command continues"],
+    sortOptions = false,
+)
+internal class ExperimentCommand : Callable<Int> {
+    @Spec
+    private lateinit var spec: CommandSpec
+
+    @Option(names = ["--quick"], description = ["24 runs for each condition in place of 81: 2 limits, 2 intervals, 2 replications"])
+    private var quick = false
+
+    @Option(names = ["--smoke"], hidden = true, description = ["the shortest plan, to try the program"])
+    private var smoke = false
+
+    @Option(names = ["--condition"], paramLabel = "a|b|c|all", defaultValue = "all", description = ["a: as published, b: this project's defaults, c: version 2 with subscription (default: \${DEFAULT-VALUE})"])
+    private lateinit var condition: String
+
+    @Option(names = ["--scaling"], description = ["also more sensors (to 768) and faster lines (to 1,000,000 baud)"])
+    private var scaling = false
+
+    @Option(names = ["--jobs"], paramLabel = "N", description = ["robots at once (default: two for each processor)"])
+    private var jobs: Int? = null
+
+    @Option(names = ["--seed"], paramLabel = "S", description = ["where the order of the runs and the noise of the sensors start from (default: another one each time)"])
+    private var seed: Long? = null
+
+    @Option(names = ["--slowdown"], paramLabel = "X", description = ["how many times slower than this computer agents reason, at least 1 (default: measured, as slow as a Raspberry Pi 3 of 2016)"])
+    private var slowdown: Double? = null
+
+    @Option(names = ["--out"], paramLabel = "DIR", defaultValue = "experiment-results", description = ["where records and report go (default: \${DEFAULT-VALUE})"])
+    private lateinit var out: Path
+
+    @Option(names = ["--port"], paramLabel = "device", description = ["the port of a real robot, such as ttyACM0 or COM5; one run after the other, and you put the robot back before each"])
+    private var port: String? = null
+
+    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    private var help = false
+
+    override fun call(): Int {
+        val conditions = conditions()
+        val archive = Archive(out)
+        val settings = try {
+            settings(archive).also(archive::open)
+        } catch (refused: ContinuationException) {
+            refuse(refused.message.orEmpty())
+        } catch (unwritable: java.io.IOException) {
+            refuse("--out $out cannot be written to: $unwritable")
+        }
+        val workers = if (port == null) jobs ?: (2 * Runtime.getRuntime().availableProcessors()) else 1
+        println("seed ${settings.seed}; agents reason ${settings.slowdown} times slower than here (${settings.computer})")
+        val finished = Experiment(archive, settings, workers).run(trials(settings, conditions)) ?: return INTERRUPTED
+        val failed = finished.filter { it.result.outcome == Outcome.FAILED }
+        val page = writeReport(archive.directory, settings, archive.finished(), machine(workers))
+        println("report: $page")
+        failed.forEach { println("${it.trial.id} failed: ${it.result.reason}") }
+        return if (failed.isEmpty()) 0 else 1
+    }
+
+    /** The published runs in one random order, and behind them those with more to do for the machine. */
+    private fun trials(settings: Settings, conditions: List<Condition>): List<Trial> =
+        randomised(conditions.flatMap(settings.plan::trials), settings.seed) +
+            if (scaling) randomised(conditions.flatMap(settings.plan::scaling), settings.seed) else emptyList()
+
+    private fun conditions(): List<Condition> {
+        jobs?.let { if (it !in 1..MOST_JOBS) refuse("--jobs is from 1 to $MOST_JOBS, not $it") }
+        slowdown?.let { if (!(it in 1.0..MOST_SLOWDOWN)) refuse("--slowdown is from 1 to ${MOST_SLOWDOWN.toInt()}, not $it") }
+        if (port?.isBlank() == true) refuse("--port names no port")
+        if (port != null && (jobs ?: 1) > 1) refuse("--jobs is for simulated robots, and --port asks for a real one")
+        if (port != null && scaling) refuse("--scaling is for simulated robots, and --port asks for a real one")
+        if (condition == "all") return Condition.entries
+        return listOf(Condition.entries.find { it.letter == condition } ?: refuse("--condition is a, b, c or all, not $condition"))
+    }
+
+    /** Those of the experiment that is to be continued, unless options say otherwise. */
+    private fun settings(archive: Archive): Settings {
+        val present = archive.settings()
+        val plan = if (smoke) Plan.SMOKE else if (quick) Plan.QUICK else Plan.FULL
+        if (present != null) return present.copy(plan = plan, seed = seed ?: present.seed, slowdown = slowdown ?: present.slowdown, port = port)
+        val chosen = slowdown
+        val events = if (chosen == null) Calibration.eventsPerSecond() else 0.0
+        return Settings(
+            plan = plan,
+            seed = seed ?: Random.nextInt(1, MOST_SEED).toLong(),
+            slowdown = chosen ?: Calibration.slowdown(events),
+            computer = if (chosen == null) Calibration.words(events) else "as asked for with --slowdown",
+            port = port,
+        )
+    }
+
+    private fun machine(workers: Int): String = listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
+        .let { "$workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
+
+    private fun refuse(why: String): Nothing = throw ParameterException(spec.commandLine(), why)
+
+    private companion object {
+        const val INTERRUPTED = 130
+        const val MOST_JOBS = 256
+        const val MOST_SLOWDOWN = 1000.0
+        const val MOST_SEED = 1_000_000
+    }
+}
+
+/** Makes the runs of an experiment with a line of progress, until they are over or somebody presses Ctrl-C. */
+internal class Experiment(private val archive: Archive, private val settings: Settings, private val jobs: Int) {
+    private val given = GivenUp()
+
+    /** Makes what is missing of [trials]; null: it was interrupted. */
+    fun run(trials: List<Trial>): List<Finished>? {
+        val progress = Progress.onStandardOutput()
+        listOf("INT", "TERM").forEach { Signal.handle(Signal(it)) { given.giveUp() } }
+        val begin = System.nanoTime()
+        val finished = PrintStream(Files.newOutputStream(archive.directory.resolve("log.txt")), true, Charsets.UTF_8).use { log ->
+            Logs.to(log)
+            Punctuality().use { punctuality ->
+                val campaign = Campaign(archive, settings, laboratory(punctuality), jobs, given) { progress.show(facts(it), System.nanoTime() - begin) }
+                campaign.run(trials)
+            }
+        }
+        progress.end()
+        if (!given.isUp) return finished
+        println("interrupted after ${finished.size} of ${trials.size} runs; the same command with --out ${archive.directory} continues")
+        return null
+    }
+
+    private fun laboratory(punctuality: Punctuality): Laboratory = SimulatedLaboratory(AgentHost(), punctuality, settings)
+
+    private fun facts(status: Campaign.Status): List<String> {
+        val seconds = status.left / 1000
+        return listOf("run ${status.done} of ${status.all}", "${status.collisions} at the wall", "about ${seconds / 60}:${"%02d".format(seconds % 60)} left")
+    }
+}

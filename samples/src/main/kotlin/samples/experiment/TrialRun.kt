@@ -1,0 +1,137 @@
+package samples.experiment
+
+import javino.Frame
+import javino.LineClock
+import javino.LineSettings
+import javino.SimulatedBoard
+import javino.SimulatedBoards
+import samples.board.FieldBoard
+import samples.board.LibraryBoard
+import samples.board.Sketch
+import samples.collision.Course
+import samples.collision.Robot
+import samples.collision.Sensors
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.random.Random
+
+/** Makes a run and writes its record, without the result. */
+internal fun interface Laboratory {
+    /** Makes the run [trial], until [given] is up; returns its result, or null if it was given up. Called by several threads. */
+    fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result?
+}
+
+/** Says to those who wait that the whole experiment is given up. */
+internal class GivenUp {
+    private val latch = CountDownLatch(1)
+
+    /** Whether it has been. */
+    val isUp: Boolean get() = latch.count == 0L
+
+    /** Gives it up. */
+    fun giveUp() = latch.countDown()
+
+    /** Waits [millis] ms at most; true if it is given up. */
+    fun await(millis: Long): Boolean = latch.await(millis, TimeUnit.MILLISECONDS)
+}
+
+/** Simulated robots, in real time; as many at once as there are threads that call [run]. */
+internal class SimulatedLaboratory(
+    private val host: AgentHost,
+    private val punctuality: Punctuality,
+    private val settings: Settings,
+    private val clock: LineClock = LineClock.system(),
+) : Laboratory {
+    override fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result? {
+        val begin = clock.nanos()
+        val robot = Robot(clock, Sensors(Random(noiseSeed(trial, settings.seed)), trial.sensors / Sensors.PER_SET))
+        val sketch = RecordedSketch(robot, record, begin, clock)
+        SimulatedBoards.plugIn(trial.id, board(trial, sketch))
+        val observer = Observer { front, events, intentions -> record.write(Entry.Belief(clock.nanos() - begin, front, events, intentions)) }
+        val agent = host.begin(trial.id, orders(trial), listOf(observer, SlowComputer(settings.slowdown)))
+        try {
+            while (!given.await(LOOK_MS)) {
+                val measured = measured(robot.course, trial.limit, clock.nanos())
+                val failure = observer.trouble ?: "the robot has neither stopped nor reached the wall within $LONGEST_S s".takeIf { clock.nanos() - begin > LONGEST_S * NANOS_PER_S }
+                if (measured == null && failure == null) continue
+                val (outcome, distance, response) = measured ?: Measured(Outcome.FAILED, robot.course.distanceAt(clock.nanos()), 0.0)
+                val reason = failure.takeIf { measured == null }
+                return Entry.Result(outcome, distance, response, sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason)
+            }
+            return null
+        } finally {
+            host.end(agent)
+            SimulatedBoards.unplug(trial.id)
+        }
+    }
+
+    private fun board(trial: Trial, sketch: Sketch): SimulatedBoard =
+        if (trial.condition == Condition.VERSION_2) SimulatedBoard { LibraryBoard(sketch, clock).run(it) } else SimulatedBoard { FieldBoard(sketch, clock).run(it) }
+
+    private fun orders(trial: Trial) = Orders(
+        port = "${SimulatedBoards.SCHEME}:${trial.id}",
+        baud = trial.baud,
+        timeoutMs = answerLimitMs(trial),
+        protocol = trial.condition.protocol,
+        limit = trial.limit,
+        interval = trial.interval,
+        filter = trial.view.filter(trial.condition),
+        sensing = trial.condition.sensing,
+    )
+
+    private companion object {
+        const val LOOK_MS = 20L
+        const val LONGEST_S = 60L
+        const val NANOS_PER_S = 1_000_000_000L
+    }
+}
+
+/** How long the board may take to answer: a second, or three times what the answer takes on the line. */
+internal fun answerLimitMs(trial: Trial): Int = maxOf(1000L, 3 * frameNanos(trial) / 1_000_000).toInt()
+
+/** What a request and the whole answer take on the line alone, in ns. */
+internal fun frameNanos(trial: Trial): Long {
+    val percepts = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM).length
+    val frames = (percepts + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
+    val around = if (trial.condition == Condition.VERSION_2) 12 else Frame.HEADER_LENGTH
+    return ("getPercepts".length + around + percepts + frames * around) * LineSettings(trial.baud).byteNanos()
+}
+
+/** [distance] in cm from the wall at the end of a run, and [responseMs] from crossing the limit to that end. */
+internal data class Measured(val outcome: Outcome, val distance: Double, val responseMs: Double)
+
+/** What there is to measure of a robot on [course] whose agent was to stop it at [limit] cm; null while it drives or stands at the start. */
+internal fun measured(course: Course, limit: Int, now: Long): Measured? {
+    val crossed = course.reached(limit.toDouble(), now)
+    fun sinceCrossed(end: Long?) = if (crossed == null || end == null) 0.0 else (end - crossed) / 1e6
+    return when (course.stateAt(now)) {
+        Course.State.STOPPED -> Measured(Outcome.STOPPED, course.distanceAt(now), sinceCrossed(course.halt))
+        Course.State.COLLIDED -> Measured(Outcome.COLLIDED, 0.0, sinceCrossed(course.reached(0.0, now)))
+        else -> null
+    }
+}
+
+/** A robot whose senses and deeds are recorded, with the robot's true place. */
+internal class RecordedSketch(private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock) : Sketch {
+    /** Commands that took effect so far; any thread may ask. */
+    val commands = AtomicInteger()
+
+    /** Answers so far. */
+    val frames = AtomicInteger()
+
+    override fun percepts(): String {
+        val now = clock.nanos()
+        return robot.percepts().also {
+            frames.incrementAndGet()
+            record.write(Entry.Frame(now - begin, it, robot.course.distanceAt(now)))
+        }
+    }
+
+    override fun act(command: String) {
+        robot.act(command)
+        commands.incrementAndGet()
+        val now = clock.nanos()
+        record.write(Entry.Command(now - begin, command, robot.course.distanceAt(now)))
+    }
+}

@@ -1,0 +1,114 @@
+package samples.experiment.report
+
+import samples.experiment.Condition
+import samples.experiment.Finished
+import samples.experiment.Outcome
+import samples.experiment.Plan
+import samples.experiment.View
+import samples.experiment.analysis.Factorial
+import samples.experiment.analysis.Published
+import samples.experiment.analysis.Source
+import java.util.Locale
+
+/** Whether something that was published, or is promised, is found in these runs. */
+internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found") }
+
+/**
+ * Something that was published, or is promised, and what these runs say to it.
+ *
+ * @property claim what was said
+ * @property seen what was measured
+ * @property why what explains it
+ */
+internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
+
+private fun List<Finished>.of(view: View, vararg limits: Int) = filter { it.trial.view == view && (limits.isEmpty() || it.trial.limit in limits) }
+private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
+private fun List<Finished>.meanResponse() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }.average()
+
+private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
+
+/** What was published, and what the [runs] under the published condition say to it. Claims on levels that [plan] has not are left out. */
+internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factorial?): List<Claim> {
+    val published = runs.filter { it.trial.condition == Condition.PUBLISHED }
+    return listOfNotNull(unfiltered(published), frontDistance(published), frontSide(published), shortest(published, plan), allocation(analysis)).filter { published.isNotEmpty() }
+}
+
+private fun unfiltered(runs: List<Finished>): Claim {
+    val none = runs.of(View.NONE)
+    return Claim(
+        "Without a filter the robot hits the wall in all cases.",
+        finding(none.size - none.stopped(), none.size),
+        "${none.size - none.stopped()} of ${none.size} runs ended at the wall.",
+        "Each frame changes twelve percepts, so it adds twelve events. Jason handles one event in a reasoning cycle, and in this condition each cycle waits " +
+            "for a whole exchange with the board. The step of the driving goal that would stop the robot is an event too and waits behind all the others.",
+    )
+}
+
+private fun frontDistance(runs: List<Finished>): Claim? {
+    val front = runs.of(View.FRONT_DISTANCE, 80, 120).ifEmpty { return null }
+    return Claim(
+        "With the front distance filter it stops in every run at limits of 80 and 120 cm.",
+        finding(front.stopped(), front.size),
+        "${front.stopped()} of ${front.size} runs stopped, ${two(front.meanResponse())} s after the limit on average.",
+        "One event a frame is what an agent can handle that takes one a cycle.",
+    )
+}
+
+private fun frontSide(runs: List<Finished>): Claim? {
+    val side = runs.of(View.FRONT_SIDE, 120).ifEmpty { return null }
+    val nearer = side.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.distance }
+    val front = runs.of(View.FRONT_DISTANCE, 120).map { it.result.distance }
+    val where = if (nearer.isEmpty()) "" else ", ${one(nearer.average())} cm from the wall on average (front distance: ${one(front.average())} cm)"
+    return Claim(
+        "With the front side filter it stops sometimes at 120 cm, always nearer to the wall.",
+        if (side.stopped() == 0 || nearer.max() >= front.min()) Finding.NO else if (side.stopped() < side.size) Finding.YES else Finding.PARTLY,
+        "${side.stopped()} of ${side.size} runs at 120 cm stopped$where; of all limits ${runs.of(View.FRONT_SIDE).stopped()} of ${runs.of(View.FRONT_SIDE).size}.",
+        "Three events a frame and one handled: the queue grows by two each cycle, so each step of the driving goal waits three times as long as the one before. " +
+            "The steps come so far apart that it is a matter of when the agent began whether one of them falls between the limit and the wall. " +
+            "That instant depends on the speed of the computer, which is an assumption here.",
+    )
+}
+
+private fun shortest(runs: List<Finished>, plan: Plan): Claim? {
+    if (40 !in plan.limits || 50 !in plan.intervals) return null
+    val cell = runs.filter { it.trial.limit == 40 && it.trial.interval == 50 && it.trial.view != View.NONE }
+    val hit = cell.size - cell.stopped()
+    val front = cell.of(View.FRONT_DISTANCE)
+    return Claim(
+        "At a limit of 40 cm and an interval of 50 ms neither filter avoids the wall.",
+        finding(hit, cell.size),
+        "$hit of ${cell.size} such runs ended at the wall; with front distance ${front.stopped()} of ${front.size} stopped, ${two(front.meanResponse())} s after the limit.",
+        "40 cm leave 4 s at 10 cm/s. The model's sensors take no time to be read, its board runs nothing else, and its robot stops at once; a real one spends time on each of " +
+            "these, and the paper does not say how much. An exchange at 9600 baud takes 174 ms, more than any of the intervals, so the interval cannot matter on this line.",
+    )
+}
+
+private fun allocation(analysis: Factorial?): Claim? {
+    if (analysis == null) return null
+    val share = 100 * analysis.share(Source.C)
+    val others = Source.entries.filter { it != Source.C }.maxOf { 100 * analysis.share(it) }
+    return Claim(
+        "The filter explains by far the most of the variation of the response time: ${Published.percent.getValue(Source.C)} %.",
+        if (share > 4 * others && share > 50) Finding.YES else if (share > others) Finding.PARTLY else Finding.NO,
+        "${one(share)} %; the next largest share is ${one(others)} %.",
+        "Whether a robot stops at all is decided by the filter. The shares of the limit and of L×F depend on how collisions enter: see the tables.",
+    )
+}
+
+/** What is promised for [condition], one of this project's own, and what the [runs] say to it; null if there are none. */
+internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
+    val own = runs.filter { it.trial.condition == condition }.ifEmpty { return null }
+    val none = own.of(View.NONE)
+    return Claim(
+        "(${condition.letter}) ${condition.title}: every run stops, without a filter too.",
+        finding(own.stopped(), own.size),
+        "${own.stopped()} of ${own.size} runs stopped; without a filter ${none.stopped()} of ${none.size}, ${two(none.meanResponse())} s after the limit on average and " +
+            "${two(none.maxOf { it.result.responseMs / 1000 })} s at most.",
+        "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: what it acts on is never older than a few exchanges.",
+    )
+}
+
+internal fun one(value: Double): String = String.format(Locale.ROOT, "%.1f", value)
+internal fun two(value: Double): String = String.format(Locale.ROOT, "%.2f", value)
+internal fun three(value: Double): String = String.format(Locale.ROOT, "%.3f", value)
