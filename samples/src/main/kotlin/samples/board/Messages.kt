@@ -2,8 +2,10 @@ package samples.board
 
 import javino.Frame
 
-/** The percepts in what a sketch says, each with its `;`. */
-internal fun perceptsOf(said: String): List<String> = said.split(';').dropLast(1).map { "$it;" }
+/** The percepts in what a sketch says, each with its `;`; what follows the last `;` goes as it is. */
+internal fun perceptsOf(said: String): List<String> = said.split(BEHIND_SEMICOLON).filter { it.isNotEmpty() }
+
+private val BEHIND_SEMICOLON = Regex("(?<=;)")
 
 /** [percepts] in as few messages as hold them, at least one; none is cut in two. */
 internal fun messages(percepts: List<String>): List<String> = percepts.fold(listOf("")) { messages, percept ->

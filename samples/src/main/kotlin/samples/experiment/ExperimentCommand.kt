@@ -147,7 +147,8 @@ internal class Experiment(private val archive: Archive, private val settings: Se
         return null
     }
 
-    private fun laboratory(punctuality: Punctuality): Laboratory = SimulatedLaboratory(AgentHost(), punctuality, settings)
+    private fun laboratory(punctuality: Punctuality): Laboratory =
+        settings.port?.let { RealLaboratory(AgentHost(), it, Attendant(given)) } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)
 
     private fun facts(status: Campaign.Status): List<String> {
         val seconds = status.left / 1000

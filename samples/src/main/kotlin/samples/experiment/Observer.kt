@@ -1,6 +1,8 @@
 package samples.experiment
 
 import jason.architecture.AgArch
+import jason.asSemantics.Intention
+import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.PredicateIndicator
@@ -39,6 +41,12 @@ internal class Observer(private val changed: (front: Double?, events: Int, inten
         hasStopped = all("status", 1).any { it.getTerm(0).toString() == "stopped" }
         trouble = all("trouble", 1).firstOrNull()?.getTerm(0)?.let { if (it is StringTerm) it.string else it.toString() }
         super.reasoningCycleFinished()
+    }
+
+    /** Has the agent stop its robot, whatever it is doing; returns at once. */
+    fun haltRobot() {
+        ts.runAtBeginOfNextCycle { ts.c.addAchvGoal(ASSyntax.createLiteral("halt"), Intention.EmptyInt) }
+        firstAgArch.wakeUpSense()
     }
 
     private fun all(functor: String, arity: Int = 2): Sequence<Literal> =

@@ -48,7 +48,7 @@ internal sealed interface Entry {
         val frames: Int,
         /** The most that this machine was late in the run, in ms. */
         val lateMs: Double,
-        /** Why there is nothing to measure, for [Outcome.FAILED]. */
+        /** Why there is nothing to measure, for [Outcome.IDLE] and [Outcome.FAILED]. */
         val reason: String? = null,
     ) : Entry
 }
@@ -64,7 +64,11 @@ internal enum class Outcome {
     @SerialName("collided")
     COLLIDED,
 
-    /** There was nothing to measure: the agent or its board came to an end, or nothing happened. */
+    /** It never drove: no command to drive reached its board. */
+    @SerialName("idle")
+    IDLE,
+
+    /** There was nothing to measure: the agent or its board came to an end. */
     @SerialName("failed")
     FAILED,
 }
@@ -104,4 +108,7 @@ internal fun readRecord(file: Path): List<Entry>? {
 }
 
 /** A run that is over. */
-internal data class Finished(val trial: Trial, val result: Entry.Result)
+internal data class Finished(val trial: Trial, val result: Entry.Result) {
+    /** Whether there is something to measure. */
+    val isMeasured: Boolean get() = result.outcome == Outcome.STOPPED || result.outcome == Outcome.COLLIDED
+}

@@ -52,18 +52,24 @@ internal class SimulatedLaboratory(
         val agent = host.begin(trial.id, orders(trial), listOf(observer, SlowComputer(settings.slowdown)))
         try {
             while (!given.await(LOOK_MS)) {
-                val measured = measured(robot.course, trial.limit, clock.nanos())
-                val failure = observer.trouble ?: "the robot has neither stopped nor reached the wall within $LONGEST_S s".takeIf { clock.nanos() - begin > LONGEST_S * NANOS_PER_S }
-                if (measured == null && failure == null) continue
-                val (outcome, distance, response) = measured ?: Measured(Outcome.FAILED, robot.course.distanceAt(clock.nanos()), 0.0)
-                val reason = failure.takeIf { measured == null }
-                return Entry.Result(outcome, distance, response, sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason)
+                val now = clock.nanos()
+                val measured = measured(robot.course, trial.limit, now)
+                val reason = if (measured != null) null else observer.trouble ?: overdue(robot.course, now - begin) ?: continue
+                val outcome = if (observer.trouble == null && robot.course.departure == null) Outcome.IDLE else Outcome.FAILED
+                val (ending, distance, response) = measured ?: Measured(outcome, robot.course.distanceAt(now), 0.0)
+                return Entry.Result(ending, distance, response, sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason)
             }
             return null
         } finally {
             host.end(agent)
             SimulatedBoards.unplug(trial.id)
         }
+    }
+
+    private fun overdue(course: Course, nanos: Long): String? = when {
+        nanos <= LONGEST_S * NANOS_PER_S -> null
+        course.departure == null -> "no command to drive has reached the board within $LONGEST_S s"
+        else -> "the robot has neither stopped nor reached the wall within $LONGEST_S s"
     }
 
     private fun board(trial: Trial, sketch: Sketch): SimulatedBoard =

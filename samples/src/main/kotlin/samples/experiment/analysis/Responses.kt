@@ -46,7 +46,7 @@ internal fun words(source: Source): String = source.factors.joinToString("×") {
 
 /** The analysis of [response] in the runs of [plan] under [condition], or null if some of them are missing or have failed. */
 internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition, response: Response): Factorial? {
-    val results = finished.filter { it.result.outcome != Outcome.FAILED }.associate { it.trial to it.result }
+    val results = finished.filter { it.isMeasured }.associate { it.trial to it.result }
     val trials = plan.trials(condition)
     if (!results.keys.containsAll(trials)) return null
     return Factorial(

@@ -8,6 +8,7 @@ import samples.experiment.View
 import samples.experiment.analysis.Factorial
 import samples.experiment.analysis.Published
 import samples.experiment.analysis.Source
+import samples.experiment.frameNanos
 import java.util.Locale
 
 /** Whether something that was published, or is promised, is found in these runs. */
@@ -31,7 +32,8 @@ private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if 
 /** What was published, and what the [runs] under the published condition say to it. Claims on levels that [plan] has not are left out. */
 internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factorial?): List<Claim> {
     val published = runs.filter { it.trial.condition == Condition.PUBLISHED }
-    return listOfNotNull(unfiltered(published), frontDistance(published), frontSide(published), shortest(published, plan), allocation(analysis)).filter { published.isNotEmpty() }
+    if (published.isEmpty()) return emptyList()
+    return listOfNotNull(unfiltered(published), frontDistance(published), frontSide(published), shortest(published, plan), allocation(analysis))
 }
 
 private fun unfiltered(runs: List<Finished>): Claim {
@@ -72,7 +74,7 @@ private fun frontSide(runs: List<Finished>): Claim? {
 
 private fun shortest(runs: List<Finished>, plan: Plan): Claim? {
     if (40 !in plan.limits || 50 !in plan.intervals) return null
-    val cell = runs.filter { it.trial.limit == 40 && it.trial.interval == 50 && it.trial.view != View.NONE }
+    val cell = runs.filter { it.trial.limit == 40 && it.trial.interval == 50 && it.trial.view != View.NONE }.ifEmpty { return null }
     val hit = cell.size - cell.stopped()
     val front = cell.of(View.FRONT_DISTANCE)
     return Claim(
@@ -80,7 +82,7 @@ private fun shortest(runs: List<Finished>, plan: Plan): Claim? {
         finding(hit, cell.size),
         "$hit of ${cell.size} such runs ended at the wall; with front distance ${front.stopped()} of ${front.size} stopped, ${two(front.meanResponse())} s after the limit.",
         "40 cm leave 4 s at 10 cm/s. The model's sensors take no time to be read, its board runs nothing else, and its robot stops at once; a real one spends time on each of " +
-            "these, and the paper does not say how much. An exchange at 9600 baud takes 174 ms, more than any of the intervals, so the interval cannot matter on this line.",
+            "these, and the paper does not say how much. A request and its answer take ${frameNanos(cell.first().trial) / 1_000_000} ms at 9600 baud, more than any of the intervals, so the interval cannot matter on this line.",
     )
 }
 

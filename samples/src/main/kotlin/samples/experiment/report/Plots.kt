@@ -5,6 +5,7 @@ import org.apache.batik.transcoder.TranscoderOutput
 import org.apache.batik.transcoder.image.PNGTranscoder
 import org.jetbrains.letsPlot.Stat
 import org.jetbrains.letsPlot.awt.plot.PlotSvgExport
+import org.jetbrains.letsPlot.coord.coordCartesian
 import org.jetbrains.letsPlot.facet.facetGrid
 import org.jetbrains.letsPlot.geom.geomBar
 import org.jetbrains.letsPlot.geom.geomBoxplot
@@ -76,6 +77,7 @@ private fun Plot.dressed(shades: Shades, width: Int, height: Int): Plot = this +
     text = elementText(color = shades.ink, family = "sans-serif"),
     axisText = elementText(color = shades.ink, size = 12),
     axisTitle = elementText(color = shades.ink, size = 13),
+    legendTitle = elementText(color = shades.ink, size = 12),
     legendText = elementText(color = shades.ink, size = 12),
     stripText = elementText(color = shades.ink, size = 13),
     panelGrid = elementLine(color = shades.faint),
@@ -171,7 +173,7 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
     )
     return (
         letsPlot(data) { x = "baud"; y = "sensors" } + geomTile(color = shades.paper) { fill = "seconds" } +
-            geomText(size = 5, color = "#1f2328") { label = "label" } + facetGrid(x = "condition", y = "view") +
+            geomText(size = 6, color = "#1f2328") { label = "label" } + facetGrid(x = "condition", y = "view", yOrder = -1) + coordCartesian() +
             scaleXDiscrete(limits = runs.map { it.trial.baud }.distinct().sorted().map { "$it" }) +
             scaleYDiscrete(limits = runs.map { it.trial.sensors }.distinct().sorted().map { "$it" }) +
             scaleFillGradient(low = "#d3f0dc", high = "#f5b971", naValue = "#e58f88", trans = "log10", name = "response time in s") +
@@ -182,5 +184,6 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
 private fun label(outcome: Outcome, responseMs: Double) = when (outcome) {
     Outcome.STOPPED -> String.format(Locale.ROOT, "%.2f", responseMs / 1000)
     Outcome.COLLIDED -> "wall"
+    Outcome.IDLE -> "never drove"
     Outcome.FAILED -> "failed"
 }

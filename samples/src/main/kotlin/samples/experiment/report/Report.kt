@@ -37,9 +37,8 @@ private const val CONFIDENCE = 0.95
 
 private class Report(private val figures: Path, private val settings: Settings, finished: List<Finished>, private val machine: String) {
     private val plan = settings.plan
-    private val usable = finished.filter { it.result.outcome != Outcome.FAILED }
-    private val failed = finished.filter { it.result.outcome == Outcome.FAILED }
-    private val runs = usable.filter { !it.trial.isScaled }.sortedBy { it.trial.condition }
+    private val failed = finished.filter { !it.isMeasured && !it.trial.isScaled }
+    private val runs = finished.filter { it.isMeasured && !it.trial.isScaled }.sortedBy { it.trial.condition }
     private val scaled = finished.filter { it.trial.isScaled }
     private val analyses: Map<Response, Map<Condition, Factorial>> = Response.entries.associateWith { response ->
         Condition.entries.mapNotNull { condition -> analysis(finished, plan, condition, response)?.let { condition to it } }.toMap()
@@ -145,10 +144,11 @@ of the effects over the total one.</p>
         return """<h2>Beyond the paper: more sensors, other lines</h2>
 <p>A limit of ${all.first().trial.limit} cm, an interval of ${all.first().trial.interval} ms, one run for each field: seconds from the limit to the stop, or the wall.
 More sensors are further sets of the twelve, each of which moves the agent to as much as the first. A version 1 message holds 255 bytes, about twenty percepts: a board with more
-sends several, each of which is a snapshot of its own to the computer, so an agent that sees the front in one of them misses it in the next.</p>
-""" + figure("scaling", "Green: fast. Orange: slow. Red: into the wall, or no measurement.") { scalingFigure(all, it) } +
+sends several, each of which is a snapshot of its own to the computer: an agent that sees the front in one of them misses it in the next. The first one is also taken for the end of the answer, so
+commands and requests arrive while the board is still sending, and of those it keeps the last one only; where no command to drive arrives at all the robot never drives. Version 2 has no such bound.</p>
+""" + figure("scaling", "Green: fast. Orange: slow. Red: into the wall, or the robot never drove.") { scalingFigure(all, it) } +
             "<h3>Where each condition begins to fail</h3>\n" + table(
-            listOf("condition", "filter", "sensors", "stops from", "hits the wall up to", "request and answer take, at the slowest that stops"),
+            listOf("condition", "filter", "sensors", "stops from", "does not up to", "request and answer take, at the slowest that stops"),
             all.groupBy { Triple(it.trial.condition, it.trial.view, it.trial.sensors) }.toSortedMap(compareBy({ it.first }, { it.second }, { it.third })).values.map(::failureRow),
             words = 2,
         )
@@ -167,7 +167,7 @@ sends several, each of which is a snapshot of its own to the computer, so an age
     private fun method(): String {
         val late = runs.map { it.result.lateMs }.sorted()
         val lateness = if (late.isEmpty()) "" else "The most that a thread which asked to be woken every 5 ms was woken late in a run was ${one(late.last())} ms, the median over runs ${one(late[late.size / 2])} ms; " +
-            "a run in which it was more than ${Campaign.MOST_LATE_MS.toInt()} ms was made anew, up to ${Campaign.MOST_TRIES} times, and ${late.count { it > Campaign.MOST_LATE_MS }} of ${late.size} that are counted here still were. An exchange takes 174 ms at 9600 baud."
+            "a run in which it was more than ${Campaign.MOST_LATE_MS.toInt()} ms was made anew, up to ${Campaign.MOST_TRIES} times, and ${late.count { it > Campaign.MOST_LATE_MS }} of ${late.size} that are counted here still were. A request and its answer take ${frameNanos(runs.first().trial) / 1_000_000} ms."
         return """<h2>How it was made</h2>
 <ul>
 <li><strong>Robot</strong>: it starts ${Course.START_CM.toInt()} cm from the wall, drives at ${Course.SPEED_CM_S.toInt()} cm/s and starts and stops at once; at 0 cm it has collided.</li>

@@ -1,0 +1,97 @@
+package samples.experiment
+
+import javino.LineClock
+import samples.collision.Course
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicReference
+
+/** Who puts the robot back before each run of a real one; returns false if the experiment is given up. */
+internal fun interface Assistant {
+    /** Has the robot put at the start for [trial]. */
+    fun ready(trial: Trial): Boolean
+}
+
+/** Asks the person at the keyboard. */
+internal class Attendant(private val given: GivenUp) : Assistant {
+    override fun ready(trial: Trial): Boolean {
+        println("\nput the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
+        while (System.`in`.available() == 0) if (given.await(LOOK_MS)) return false
+        while (System.`in`.available() > 0) System.`in`.read()
+        return true
+    }
+
+    private companion object {
+        const val LOOK_MS = 100L
+    }
+}
+
+/**
+ * A real robot on [port]; one run at a time. Nobody but its own front sensor says where it is: the response time counts from the first reading
+ * at or below the limit that the agent believes to the moment its `stop` has left, and the robot has collided when it believes [WALL_CM] cm or
+ * less. A run that the agent does not end is ended with `stop`.
+ */
+internal class RealLaboratory(
+    private val host: AgentHost,
+    private val port: String,
+    private val assistant: Assistant,
+    private val clock: LineClock = LineClock.system(),
+) : Laboratory {
+    private val pause = CountDownLatch(1)
+
+    override fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result? {
+        if (!assistant.ready(trial)) return null
+        val begin = clock.nanos()
+        val crossed = AtomicReference<Long?>()
+        val observer = Observer { front, events, intentions ->
+            val now = clock.nanos()
+            if (front != null && front <= trial.limit) crossed.updateAndGet { it ?: now }
+            record.write(Entry.Belief(now - begin, front, events, intentions))
+        }
+        val agent = host.begin(trial.id, orders(trial), listOf(observer))
+        try {
+            while (!given.await(LOOK_MS)) {
+                val now = clock.nanos()
+                val response = crossed.get()?.let { (now - it) / 1e6 } ?: 0.0
+                val outcome = outcome(observer, now - begin) ?: continue
+                halt(observer)
+                pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the newest readings are of the robot at rest
+                val reason = if (outcome != Outcome.FAILED) null else observer.trouble ?: "the agent has not stopped the robot on $port within $LONGEST_S s; the front sensor says ${observer.believedFront}"
+                return Entry.Result(outcome, observer.believedFront ?: 0.0, response, 0, 0, 0.0, reason)
+            }
+            halt(observer)
+            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the command has to go out
+            return null
+        } finally {
+            host.end(agent)
+        }
+    }
+
+    private fun outcome(observer: Observer, nanos: Long): Outcome? {
+        val front = observer.believedFront
+        return when {
+            observer.hasStopped -> Outcome.STOPPED
+            front != null && front <= WALL_CM -> Outcome.COLLIDED
+            observer.trouble != null || nanos > LONGEST_S * NANOS_PER_S -> Outcome.FAILED
+            else -> null
+        }
+    }
+
+    /** A board holds its motors as it was told last. An agent in trouble has no board to tell anything. */
+    private fun halt(observer: Observer) {
+        if (!observer.hasStopped && observer.trouble == null) observer.haltRobot()
+    }
+
+    private fun orders(trial: Trial) = Orders(
+        port, trial.baud, answerLimitMs(trial), trial.condition.protocol, trial.limit, trial.interval, trial.view.filter(trial.condition), trial.condition.sensing,
+    )
+
+    companion object {
+        /** Nearer than this a robot is at the wall, in cm. */
+        const val WALL_CM = 3.0
+        private const val LOOK_MS = 5L
+        private const val SETTLE_MS = 1_000L
+        private const val LONGEST_S = 60L
+        private const val NANOS_PER_S = 1_000_000_000L
+    }
+}

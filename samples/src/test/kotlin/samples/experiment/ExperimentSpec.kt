@@ -1,0 +1,65 @@
+package samples.experiment
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.inspectors.forAll
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import samples.Program
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.readLines
+
+/** The experiment as it is run, in real time; the runs are so short that a robot stops after one or two seconds. */
+class ExperimentSpec : FunSpec({
+    fun arguments(out: Path, vararg more: String) = arrayOf("experiment", "--smoke", "--condition", "b", "--slowdown", "1", "--jobs", "6", "--out", "$out", *more)
+
+    test("an experiment that is interrupted keeps whole lines, and goes on with the same command") {
+        val out = tempdir().toPath().resolve("results")
+        Program.samples(*arguments(out, "--seed", "5")).use { program ->
+            program.awaitLine("run 0 of 12")
+            program.interrupt()
+            program.awaitEnd().first shouldBe 130
+        }
+        out.resolve("runs").listDirectoryEntries().flatMap { it.readLines() }.forAll { JSON.decodeFromString(Entry.serializer(), it) }
+
+        val (refused, why) = Program.run(*arguments(out, "--seed", "6"))
+        why shouldContain "the seed is 5 there and 6 was asked for"
+        refused shouldBe 2
+
+        val (status, printed) = Program.run(*arguments(out))
+        printed shouldContain "seed 5"
+        printed shouldContain "report: "
+        status shouldBe 0
+        out.resolve("report.html").exists() shouldBe true
+        val finished = Archive(out).finished()
+        finished shouldHaveSize 12
+        finished.forAll {
+            it.result.outcome shouldBe Outcome.STOPPED
+            it.result.distance shouldBeLessThan it.trial.limit.toDouble()
+            it.result.frames shouldBeGreaterThan 2
+        }
+    }
+
+    listOf(
+        arrayOf("--condition", "d") to "--condition is a, b, c or all, not d",
+        arrayOf("--jobs", "0") to "--jobs is from 1 to 256, not 0",
+        arrayOf("--slowdown", "0.5") to "--slowdown is from 1 to 1000, not 0.5",
+        arrayOf("--slowdown", "NaN") to "--slowdown is from 1 to 1000, not NaN",
+        arrayOf("--port", " ") to "--port names no port",
+        arrayOf("--port", "ttyACM0", "--scaling") to "--scaling is for simulated robots",
+        arrayOf("--port", "ttyACM0", "--jobs", "3") to "--jobs is for simulated robots",
+        arrayOf("--seed", "x") to "x is not a whole number",
+        arrayOf("--out", "/dev/null") to "cannot be written to",
+    ).forEach { (arguments, why) ->
+        test("${arguments.joinToString(" ")} is refused in words") {
+            val (status, printed) = Program.run("experiment", *arguments)
+            printed shouldContain why
+            status shouldBe 2
+        }
+    }
+})
