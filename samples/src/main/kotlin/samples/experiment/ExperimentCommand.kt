@@ -12,6 +12,7 @@ import sun.misc.Signal
 import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption
 import java.util.concurrent.Callable
 import kotlin.random.Random
 
@@ -134,7 +135,7 @@ internal class Experiment(private val archive: Archive, private val settings: Se
         val progress = Progress.onStandardOutput()
         listOf("INT", "TERM").forEach { Signal.handle(Signal(it)) { given.giveUp() } }
         val begin = System.nanoTime()
-        val finished = PrintStream(Files.newOutputStream(archive.directory.resolve("log.txt")), true, Charsets.UTF_8).use { log ->
+        val finished = PrintStream(Files.newOutputStream(archive.directory.resolve("log.txt"), StandardOpenOption.CREATE, StandardOpenOption.APPEND), true, Charsets.UTF_8).use { log ->
             Logs.to(log)
             Punctuality().use { punctuality ->
                 val campaign = Campaign(archive, settings, laboratory(punctuality), jobs, given) { progress.show(facts(it), System.nanoTime() - begin) }
@@ -148,7 +149,7 @@ internal class Experiment(private val archive: Archive, private val settings: Se
     }
 
     private fun laboratory(punctuality: Punctuality): Laboratory =
-        settings.port?.let { RealLaboratory(AgentHost(), it, Attendant(given)) } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)
+        settings.port?.let { RealLaboratory(AgentHost(), it, Attendant(System.`in`.bufferedReader(), given) { what -> println("\n$what") }) } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)
 
     private fun facts(status: Campaign.Status): List<String> {
         val seconds = status.left / 1000

@@ -2,9 +2,12 @@ package samples.experiment
 
 import javino.LineClock
 import samples.collision.Course
+import java.io.BufferedReader
 import java.util.concurrent.CountDownLatch
+import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
+import kotlin.concurrent.thread
 
 /** Who puts the robot back before each run of a real one; returns false if the experiment is given up. */
 internal fun interface Assistant {
@@ -12,17 +15,29 @@ internal fun interface Assistant {
     fun ready(trial: Trial): Boolean
 }
 
-/** Asks the person at the keyboard. */
-internal class Attendant(private val given: GivenUp) : Assistant {
+/**
+ * Asks a person, who answers each time with a line of [keyboard]; when there are no more lines the experiment is given up. For one thread.
+ *
+ * @param tell takes what the person is to do
+ */
+internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) : Assistant {
+    private val answers = LinkedBlockingQueue<Unit>()
+    private val reader = lazy {
+        thread(name = "keyboard", isDaemon = true) { // a read of the keyboard cannot be interrupted
+            keyboard.forEachLine { answers.put(Unit) }
+            given.giveUp()
+        }
+    }
+
     override fun ready(trial: Trial): Boolean {
-        println("\nput the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
-        while (System.`in`.available() == 0) if (given.await(LOOK_MS)) return false
-        while (System.`in`.available() > 0) System.`in`.read()
+        tell("put the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
+        reader.value
+        while (answers.poll() == null) if (given.await(LOOK_MS)) return answers.poll() != null
         return true
     }
 
     private companion object {
-        const val LOOK_MS = 100L
+        const val LOOK_MS = 50L
     }
 }
 

@@ -49,6 +49,16 @@ class RealLaboratorySpec : FunSpec({
         SimulatedBoards.unplug("abandoned")
     }
 
+    test("a person is asked before each run, and an answer counts once") {
+        val asked = ArrayList<String>()
+        val given = GivenUp()
+        val person = Attendant("\n\n".reader().buffered(), given) { asked += it }
+        List(2) { person.ready(trial) } shouldBe listOf(true, true)
+        asked.first() shouldContain "put the robot 200 cm from the wall for b-frontDistance-190-20-1"
+        person.ready(trial) shouldBe false // there is nobody any more
+        given.isUp shouldBe true
+    }
+
     test("nothing runs while the robot is not put back") {
         RecordWriter(file()).use { RealLaboratory(host, "sim:real", { false }).run(trial, it, GivenUp()) } shouldBe null
     }

@@ -71,7 +71,7 @@ $counts"""
         val published = publishedClaims(runs, plan, analyses.getValue(Response.TIME)[Condition.PUBLISHED])
         val own = listOf(Condition.DEFAULTS, Condition.VERSION_2).mapNotNull { promise(runs, it) }
         return "<h2>What was reproduced, what was not, and why</h2>\n" + published.joinToString("\n", transform = ::section) +
-            (if (own.isEmpty()) "" else "<h3>And then beaten</h3>\n" + own.joinToString("\n", transform = ::section))
+            (if (own.isEmpty()) "" else "<h3>And this project's own conditions</h3>\n" + own.joinToString("\n", transform = ::section))
     }
 
     private fun section(claim: Claim) = """<section class="claim"><p><strong>${escaped(claim.claim)}</strong>
