@@ -21,19 +21,19 @@ internal fun interface Assistant {
  * @param tell takes what the person is to do
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) : Assistant {
-    private val answers = LinkedBlockingQueue<Unit>()
+    private val answers = LinkedBlockingQueue<Boolean>() // false: there are no more
     private val reader = lazy {
         thread(name = "keyboard", isDaemon = true) { // a read of the keyboard cannot be interrupted
-            keyboard.forEachLine { answers.put(Unit) }
-            given.giveUp()
+            keyboard.forEachLine { answers.put(true) }
+            answers.put(false)
         }
     }
 
     override fun ready(trial: Trial): Boolean {
         tell("put the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
         reader.value
-        while (answers.poll() == null) if (given.await(LOOK_MS)) return answers.poll() != null
-        return true
+        while (!given.isUp) if (answers.poll(LOOK_MS, TimeUnit.MILLISECONDS) ?: continue) return true else given.giveUp()
+        return false
     }
 
     private companion object {
