@@ -17,9 +17,15 @@ import jason.asSyntax.Literal
 internal class BeliefReader(private val warn: (String) -> Unit) {
     private val parser = PerceptReader(kept = 0) // what is kept is kept here, with what became of it
     private val known = object : LinkedHashMap<String, Reading>(16, 0.75f, true) {
-        override fun removeEldestEntry(eldest: Map.Entry<String, Reading>) = size > MOST_KNOWN
+        override fun removeEldestEntry(eldest: Map.Entry<String, Reading>) = size > room
     }
+    private var room = LEAST_KNOWN
     private val reported = HashSet<String>()
+
+    /** Says that the board's messages have so many [percepts]: readings that stay are known again, not all that sensors ever said. */
+    fun expect(percepts: Int) {
+        room = (2 * percepts).coerceIn(LEAST_KNOWN, MOST_KNOWN)
+    }
 
     /** What [percept] says; empty if it cannot be read, several literals only where a stray quote or bracket had joined them. */
     fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parse(percept).also { known[percept] = it }) {
@@ -55,6 +61,7 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
     }
 
     private companion object {
+        const val LEAST_KNOWN = 128
         const val MOST_KNOWN = 4096
         const val MOST_REPORTED = 100
     }

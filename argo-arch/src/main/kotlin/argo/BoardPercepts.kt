@@ -43,7 +43,10 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
     /** What the agent perceives of a [message] of the board on [port], whose last byte came at [receivedNanos] by the platform's clock. */
     fun snapshot(port: OpenPort?, message: String, receivedNanos: Long): Snapshot {
         val texts = perceptsOf(message)
-        return lock.withLock { snapshot(port, texts, receivedNanos) }
+        return lock.withLock {
+            reader.expect(texts.size)
+            snapshot(port, texts, receivedNanos)
+        }
     }
 
     /** [snapshot] as it is with the filter that is active now. */

@@ -24,6 +24,17 @@ class BeliefReaderSpec : FunSpec({
         check(read("dist(f,1)").single() === read("dist(f,1)").single())
     }
 
+    test("as many readings are known again as a message has, and no more than twice as many of those that went before") {
+        for ((percepts, remembered, forgotten) in listOf(Triple(12, 100, 200), Triple(1_200, 1_200, 2_500), Triple(1_000_000, 4_000, 5_000))) {
+            reader.expect(percepts)
+            val first = read("first").single()
+            repeat(remembered) { read("p($it)") }
+            check(read("first").single() === first) { "forgotten after $remembered others" }
+            repeat(forgotten) { read("q($percepts,$it)") }
+            check(read("first").single() !== first) { "still known after $forgotten others" }
+        }
+    }
+
     test("a percept may not claim a source") {
         read("dist(f,1)[source(bob),q(1)]").single().toString() shouldBe "dist(f,1)[q(1)]"
         read("dist(f,2)[source(self)]").single().toString() shouldBe "dist(f,2)"
