@@ -4,6 +4,9 @@ dependencies {
     implementation(project(":argo-arch"))
     implementation(libs.jason)
     implementation(libs.jmh.core)
+    implementation(libs.lets.plot.kotlin)
+    implementation(libs.lets.plot.awt)
+    implementation(libs.slf4j.jdk14) // where Lets-Plot logs to
     annotationProcessor(libs.jmh.processor)
 }
 

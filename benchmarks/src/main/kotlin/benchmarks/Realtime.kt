@@ -3,45 +3,70 @@ package benchmarks
 import javino.Protocol
 import java.io.File
 
-/** One figure of the table. @property target what it should not exceed or fall below, in words; empty: nothing */
+/** One figure of the table. @property target what it should be, in words; empty: nothing was set */
 internal class Figure(val name: String, val value: Double, val unit: String, val target: String = "")
 
-/** Measures what makes a robot's agent prompt, prints a table and writes it to [json]. */
-fun realtime(json: File) {
-    val figures = mutableListOf<Figure>()
-    fun show(vararg more: Figure) = more.forEach {
-        figures += it
-        println("%-70s %10.3f %-6s %s".format(it.name, it.value, it.unit, it.target))
+/**
+ * Measures what makes a robot's agent prompt: prints a table, writes it to [json], and two plots beside it as `NAME-age.svg` and
+ * `NAME-line.svg`.
+ */
+fun realtime(json: File) = Realtime().run(json)
+
+private class Realtime {
+    private val figures = mutableListOf<Figure>()
+    private val ages = mutableListOf<Ages>()
+    private val lineUse = LinkedHashMap<Pair<Int, Int>, Double>()
+
+    fun run(json: File) {
+        println("real time, ${machine()}:")
+        latency()
+        lineUse()
+        agents()
+        ages()
+        json.writeText(figures.joinToString(",\n", "{\"machine\": \"${machine()}\", \"figures\": [\n", "\n]}\n", transform = ::asJson))
+        val stem = json.path.removeSuffix(".json")
+        File("$stem-age.svg").writeText(agePlot(ages))
+        File("$stem-line.svg").writeText(lineUsePlot(lineUse))
+        println("all results: $json, $stem-age.svg, $stem-line.svg")
     }
-    println("real time, ${machine()}:")
-    measureLatency().let {
-        show(
-            Figure("frame to command over a pseudo-terminal, median", it.ms(0.5), "ms", "at most 0.5"),
-            Figure("frame to command over a pseudo-terminal, 99th percentile", it.ms(0.99), "ms", "at most 3"),
-        )
+
+    private fun show(name: String, value: Double, unit: String, target: String = "") {
+        figures += Figure(name, value, unit, target)
+        println("%-84s %10.3f %-4s %s".format(name, value, unit, target).trimEnd())
     }
-    for ((baud, target) in listOf(9600 to 95, 115_200 to 95, 1_000_000 to 80)) for (protocol in listOf(Protocol.V1, Protocol.AUTO)) {
-        val version = if (protocol == Protocol.V1) 1 else 2
-        show(Figure("line use at $baud baud, version $version, argo.limit(0)", 100 * LineUse(baud, protocol).measure(), "%", "at least $target"))
+
+    private fun latency() = measureLatency().let {
+        show("frame to command over a pseudo-terminal, median", it.ms(0.5), "ms", "at most 0.5")
+        show("frame to command over a pseudo-terminal, 99th percentile", it.ms(0.99), "ms", "at most 3")
     }
-    show(Figure("processor time of an agent that senses at 50 Hz", 100 * processorShare(), "%", "at most 2"))
-    IdleHeap().measure().forEach { (what, bytes) -> show(Figure("heap of $what that is idle", bytes / 1024, "KB", "at most 150")) }
-    Crowd().measure().let {
-        show(
-            Figure("answers a second, 1000 agents at 10 Hz", it.rate, "1/s", "10000"),
-            Figure("memory of their process", it.residentMb, "MB", "less than 1024"),
-        )
-    }
-    for (sensors in listOf(12, 120, 1200)) for (plans in listOf(1, 10, 100)) {
-        SnapshotAge(sensors, plans).measure().figures().forEach { (what, ms) ->
-            show(Figure("age of a snapshot when acted on, $sensors sensors, $plans plans a percept, $what", ms, "ms"))
+
+    private fun lineUse() {
+        for ((baud, target) in listOf(9600 to 95, 115_200 to 95, 1_000_000 to 80)) for (protocol in listOf(Protocol.V1, Protocol.AUTO)) {
+            val version = if (protocol == Protocol.V1) 1 else 2
+            val share = LineUse(baud, protocol).measure()
+            lineUse[baud to version] = share
+            show("line use at $baud baud, version $version, argo.limit(0)", 100 * share, "%", "at least $target")
         }
     }
-    json.writeText(figures.joinToString(",\n", "{\"machine\": \"${machine()}\", \"figures\": [\n", "\n]}\n", transform = ::asJson))
-    println("all results: $json")
-}
 
-private fun asJson(figure: Figure) = with(figure) {
-    val number = if (value.isFinite()) "$value" else "null"
-    "  {\"name\": \"$name\", \"value\": $number, \"unit\": \"$unit\", \"target\": \"$target\"}"
+    private fun agents() {
+        show("processor time of an agent that senses at 50 Hz over a pseudo-terminal", 100 * processorShare(), "%", "at most 2")
+        IdleHeap().measure().forEach { (what, bytes) -> show("heap of $what that is idle", bytes / 1024, "KB", "at most 150") }
+        val crowd = Crowd().measure()
+        show("answers a second to ${Crowd.AGENTS} agents that sense at 10 Hz in one Java machine", crowd.rate, "1/s", "10000")
+        show("memory of their process, boards included", crowd.residentMb, "MB", "less than 1024")
+    }
+
+    private fun ages() {
+        for (sensors in listOf(12, 120, 1200)) for (plans in listOf(1, 10, 100)) {
+            val distribution = SnapshotAge(sensors, plans).measure()
+            ages += Ages(sensors, plans, distribution)
+            distribution.figures().forEach { (what, ms) -> show("age of the snapshot acted on, $sensors sensors, $plans plans a percept, $what", ms, "ms") }
+        }
+    }
+
+    private fun asJson(figure: Figure) = with(figure) {
+        val number = if (value.isFinite()) "$value" else "null"
+        "  {\"name\": \"$name\", \"value\": $number, \"unit\": \"$unit\", \"target\": \"$target\"}"
+    }
 }

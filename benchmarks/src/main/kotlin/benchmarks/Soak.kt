@@ -105,7 +105,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
     }
 
     private companion object {
-        const val BAUD = 500_000
+        const val BAUD = 2_000_000
         const val LIMIT_S = 60
     }
 }

@@ -16,7 +16,7 @@ private const val REQUEST = "getPercepts"
 private const val ACTION = "speed("
 
 /** Exchanges at each rate, half of them actions; `./argo bench faults` asks for a million. */
-private val EXCHANGES = Integer.getInteger("argo.exchanges", 20_000)
+private val EXCHANGES = Integer.getInteger("argo.exchanges", 100_000)
 private val FAST = LinkSettings.defaults().withBaud(115_200).withBootMillis(0)
 
 private fun percepts(n: Int) = "count($n,${n * 31L % 1009});" + "dist(f,$n);".repeat(8)
