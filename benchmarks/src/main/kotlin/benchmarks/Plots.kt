@@ -26,11 +26,11 @@ internal fun agePlot(measured: List<Ages>): String {
     val data = mapOf(
         "age" to points.map { it.third },
         "share" to points.map { it.second * 100 },
-        "case" to points.map { "${it.first.sensors} sensors, ${it.first.plans} plans a percept" },
+        "case" to points.map { "${it.first.sensors} × ${it.first.plans}" },
     )
     return svg(
         letsPlot(data) { x = "age"; y = "share"; color = "case" } + geomLine() + geomPoint(size = 2.0) + scaleXLog10() +
-            labs(title = "Age of the snapshot that an intention acts on", x = "age at most, ms", y = "share of actions, %", color = ""),
+            labs(title = "Age of the snapshot that an intention acts on", x = "age at most, ms", y = "share of actions, %", color = "sensors × plans"),
     )
 }
 
