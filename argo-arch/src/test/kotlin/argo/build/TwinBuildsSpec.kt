@@ -4,6 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
 import java.nio.file.Path
+import kotlin.io.path.readText
 
 /** Gradle is the build for users, Maven its twin for places that reach only Maven Central: neither may drift. */
 class TwinBuildsSpec : FunSpec({
@@ -30,6 +31,16 @@ class TwinBuildsSpec : FunSpec({
 
     test("both publish the same libraries, documented by the same Dokka") {
         maven.libraries to maven.dokka shouldBe (gradle.libraries to gradle.dokka)
+    }
+
+    test("both jars run the same program, and may load the serial driver") {
+        val pom = root.resolve("argo-arch/pom.xml").readText()
+        val script = root.resolve("argo-arch/build.gradle.kts").readText()
+        listOf("Main-Class", "Enable-Native-Access").forEach { entry ->
+            val maven = checkNotNull(Regex("<$entry>(.+)</$entry>").find(pom)) { "no $entry in the pom" }
+            val gradle = checkNotNull(Regex("\"$entry\" to \"(.+)\"").find(script)) { "no $entry in the script" }
+            maven.groupValues[1] shouldBe gradle.groupValues[1]
+        }
     }
 
     for (module in gradle.modules.keys) {

@@ -3,12 +3,15 @@ package argo.tools
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
 import picocli.CommandLine
+import java.nio.file.Path
+import kotlin.io.path.readText
 
 class CommandLineSpec : FunSpec({
     fun all(command: CommandLine): List<CommandLine> = listOf(command) + command.subcommands.values.flatMap(::all)
@@ -75,6 +78,12 @@ class CommandLineSpec : FunSpec({
         val script = argo("completion").out
         script shouldStartWith "#!/usr/bin/env bash"
         script.split(Regex("\\W+")) shouldContainAll tools().subcommands.keys.map { it.substringBefore('-') }
+    }
+
+    test("the page on the tools has a row for every command, and no other") {
+        val rows = Regex("^\\| `([a-z-]+(?: [a-z]+)?)", RegexOption.MULTILINE).findAll(Path.of("../docs/tools.md").readText()).map { it.groupValues[1] }.toList()
+        val commands = tools().subcommands.flatMap { (name, command) -> command.subcommands.keys.map { "$name $it" }.ifEmpty { listOf(name) } }
+        rows shouldContainExactlyInAnyOrder commands
     }
 
     test("what could command a terminal is shown, not done") {

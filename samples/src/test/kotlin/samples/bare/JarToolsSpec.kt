@@ -65,4 +65,16 @@ class JarToolsSpec : FunSpec({
             withClue(replay.interrupt().printed) { File(port).exists() shouldBe false }
         }
     }
+
+    test("what a board said unasked is said from its beginning when somebody listens").config(enabledOrReasonIf = pairs) {
+        val spoken = folder.resolve("spoken.rec").toFile().apply { writeText("javino-recording 1\n0\tin\tdist(1);\n300\tin\tdist(2);\n") }
+        JarProgram.start(folder, "-jar", jar, "replay", "$spoken").use { replay ->
+            val port = replay.awaitLine("/").trim()
+            val heard = JarProgram.run(folder, "-jar", jar, "monitor", port, "--mode", "listen", "--count", "2", "--timeout", "5000")
+            withClue(heard.printed) {
+                heard.status shouldBe 0
+                heard.printed.lines().take(2).map { it.substringAfterLast("  ") } shouldBe listOf("dist(1)", "dist(2)")
+            }
+        }
+    }
 })

@@ -61,7 +61,7 @@ internal class LineOptions {
 
 /** The version that a link speaks, in words. */
 internal fun versionSpoken(protocol: Protocol): String = when (protocol) {
-    Protocol.AUTO -> "no version yet"
+    Protocol.AUTO -> "an unknown version"
     Protocol.V1 -> "version 1"
     Protocol.V2 -> "version 2"
 }
