@@ -11,16 +11,13 @@ import kotlinx.serialization.json.Json
 internal class Answer(val status: Int, val type: String, val body: ByteArray, val allow: String? = null) {
     companion object {
         /** [json], as it is. */
-        fun json(status: Int, json: String) = Answer(status, "application/json", json.toByteArray())
+        fun json(status: Int, json: String, allow: String? = null) = Answer(status, "application/json", json.toByteArray(), allow)
 
-        /** Done, or refused, for a reason that the page shows. */
-        fun said(status: Int, words: String) = json(status, Json.encodeToString(Words.serializer(), Words(words)))
-
-        /** Refused for this reason. */
-        fun problem(status: Int, reason: String) = said(status, reason)
+        /** Done, or refused, with [words] for a person to read. */
+        fun said(status: Int, words: String, allow: String? = null) = json(status, Json.encodeToString(Words.serializer(), Words(words)), allow)
 
         /** The resource knows [allowed] only. */
-        fun wrongMethod(allowed: String) = Answer(405, "application/json", Json.encodeToString(Words.serializer(), Words("use $allowed here")).toByteArray(), allowed)
+        fun wrongMethod(allowed: String) = said(405, "use $allowed here", allowed)
     }
 
     @Serializable

@@ -4,6 +4,8 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
 
 /**
  * The browsers that watch one view. Each has a thread of its own, which a browser that does not read can hold up and nothing else.
@@ -47,27 +49,27 @@ internal class Browsers(private val most: Int, private val nanos: () -> Long) {
 
     /** A browser that watches, and the thread that serves it. */
     inner class Browser(private val thread: Thread) {
-        private val isServed = AtomicBoolean(true)
-
-        @Volatile
+        private val lock = ReentrantLock()
+        private var isServed = true
         private var writingSince: Long? = null
 
         /** Does [write], which takes as long as the browser wants. */
         fun write(write: () -> Unit) {
-            writingSince = nanos()
+            lock.withLock { writingSince = nanos() }
             write()
-            writingSince = null
+            lock.withLock { writingSince = null }
         }
 
         /** Its thread does something else from now on. */
-        fun isGone() {
-            synchronized(isServed) { isServed.set(false) }
+        internal fun isGone() {
+            lock.withLock { isServed = false }
             Thread.interrupted()
         }
 
-        fun giveUpIfStalled(limitNanos: Long) {
-            val since = writingSince ?: return
-            if (nanos() - since > limitNanos) synchronized(isServed) { if (isServed.get()) thread.interrupt() } // ends its write and closes its connection
+        /** Ends a write that has begun [limitNanos] ns ago, and with it the connection. */
+        internal fun giveUpIfStalled(limitNanos: Long) = lock.withLock {
+            val since = writingSince
+            if (isServed && since != null && nanos() - since > limitNanos) thread.interrupt()
         }
     }
 }

@@ -29,17 +29,17 @@ internal class ViewCommands(private val agent: ViewedAgent) {
         "/explain" -> if (method == "GET") explain(query) else Answer.wrongMethod("GET")
         "/filter" -> if (method == "POST") asked<FilterWish>(type, body) { changeFilter(it.name) } else Answer.wrongMethod("POST")
         "/percepts" -> if (method == "POST") asked<PerceptsWish>(type, body) { perceive(it.open) } else Answer.wrongMethod("POST")
-        else -> Answer.problem(404, "there is nothing at ${shown(path)}")
+        else -> Answer.said(404, "there is nothing at ${shown(path)}")
     }
 
     private inline fun <reified T> asked(type: String?, body: InputStream, act: (T) -> Answer): Answer {
-        if (type?.substringBefore(';')?.trim() != "application/json") return Answer.problem(415, "the request must be JSON, of type application/json")
+        if (type?.substringBefore(';')?.trim() != "application/json") return Answer.said(415, "the request must be JSON, of type application/json")
         val text = body.readNBytes(MOST_BYTES + 1)
-        if (text.size > MOST_BYTES) return Answer.problem(413, "the request is longer than $MOST_BYTES bytes")
+        if (text.size > MOST_BYTES) return Answer.said(413, "the request is longer than $MOST_BYTES bytes")
         val wish = try {
             Json.decodeFromString<T>(text.decodeToString())
         } catch (wrong: SerializationException) {
-            return Answer.problem(400, "the request cannot be read: ${wrong.message.orEmpty().lineSequence().first()}")
+            return Answer.said(400, "the request cannot be read: ${wrong.message.orEmpty().lineSequence().first()}")
         }
         return act(wish)
     }
@@ -47,18 +47,18 @@ internal class ViewCommands(private val agent: ViewedAgent) {
     private fun filters(): Answer = try {
         Answer.json(200, Json.encodeToString(Filters.serializer(), Filters(agent.filterNames())))
     } catch (broken: ServiceConfigurationError) {
-        Answer.problem(500, "a filter provider on the class path cannot be used: ${broken.message}")
+        Answer.said(500, "a filter provider on the class path cannot be used: ${broken.message}")
     } catch (broken: RuntimeException) { // a provider is a project's own code
-        Answer.problem(500, "looking for filters ended in $broken")
+        Answer.said(500, "looking for filters ended in $broken")
     }
 
     private fun explain(query: String?): Answer {
         val percept = query.orEmpty().split('&').find { it.startsWith(PERCEPT) }?.removePrefix(PERCEPT)
-            ?: return Answer.problem(400, "say which percept: /explain?$PERCEPT…")
+            ?: return Answer.said(400, "say which percept: /explain?$PERCEPT…")
         val text = try {
             URLDecoder.decode(percept, Charsets.UTF_8)
         } catch (wrong: IllegalArgumentException) {
-            return Answer.problem(400, "the percept cannot be read: ${wrong.message}")
+            return Answer.said(400, "the percept cannot be read: ${wrong.message}")
         }
         return Answer.said(200, agent.explain(text))
     }
@@ -66,15 +66,15 @@ internal class ViewCommands(private val agent: ViewedAgent) {
     private fun changeFilter(name: String?): Answer = try {
         changeFilter(name?.let(agent::filter))
     } catch (missing: FilterNotFoundException) {
-        Answer.problem(404, missing.message.orEmpty())
+        Answer.said(404, missing.message.orEmpty())
     } catch (refused: FilterException) {
-        Answer.problem(422, refused.message.orEmpty())
+        Answer.said(422, refused.message.orEmpty())
     } catch (broken: ServiceConfigurationError) {
-        Answer.problem(500, "a filter provider on the class path cannot be used: ${broken.message}")
+        Answer.said(500, "a filter provider on the class path cannot be used: ${broken.message}")
     } catch (broken: RuntimeException) { // a provider is a project's own code
-        Answer.problem(500, "looking for the filter $name ended in $broken")
+        Answer.said(500, "looking for the filter $name ended in $broken")
     } catch (unreadable: IOException) {
-        Answer.problem(500, "the filter $name cannot be read: $unreadable")
+        Answer.said(500, "the filter $name cannot be read: $unreadable")
     }
 
     private fun changeFilter(filter: PerceptionFilter?): Answer =

@@ -59,7 +59,7 @@ internal class ViewServer(
         val refusal = RequestGate.refusal(headers.getFirst("Host"), headers.getFirst("Origin"), headers.getFirst("Sec-Fetch-Site"), path == "/")
         val file = ViewFile.of(path)
         when {
-            refusal != null -> exchange.answer(Answer.problem(403, refusal))
+            refusal != null -> exchange.answer(Answer.said(403, refusal))
             path == EVENTS -> if (exchange.requestMethod == "GET") stream(exchange) else exchange.answer(Answer.wrongMethod("GET"))
             file != null -> exchange.answer(if (exchange.requestMethod == "GET") file.answer() else Answer.wrongMethod("GET"))
             else -> exchange.answer(commands.answer(exchange.requestMethod, path, exchange.requestURI.rawQuery, headers.getFirst("Content-Type"), exchange.requestBody))
@@ -83,7 +83,7 @@ internal class ViewServer(
                 }
             }
         }
-        if (!isAdmitted) exchange.answer(Answer.problem(503, "too many pages show this agent already; close one and load this one again"))
+        if (!isAdmitted) exchange.answer(Answer.said(503, "too many pages show this agent already; close one and load this one again"))
     }
 
     private fun HttpExchange.answer(answer: Answer) {
