@@ -95,7 +95,7 @@ function showFigures(shown, since) {
   const figures = [
     ['newest message', age(plus(sensors.frameAgeMs))],
     ['last perception', age(plus(sensors.handedOverAgeMs))],
-    ['delay to the agent', age(sensors.delayMs)],
+    ['its delay', age(sensors.delayMs)],
     ['messages', rate(rates?.frames)],
     ['perceptions', rate(rates?.handOvers)],
     ['commands', rate(rates?.commands)],
@@ -153,7 +153,6 @@ function perceptRow(percept) {
   button.type = 'button';
   button.title = 'Why?';
   const made = row(button);
-  made.children[3].setAttribute('role', 'status');
   button.addEventListener('click', () => explain(percept.key, button.textContent));
   return made;
 }
@@ -276,6 +275,7 @@ async function explain(key, percept) {
   if (explained.delete(key)) return show();
   try {
     explained.set(key, (await ask(`explain?percept=${encodeURIComponent(percept)}`)).words);
+    text($('told'), explained.get(key));
   } catch (trouble) {
     explained.set(key, `cannot be told now: ${trouble.message}`);
   }
