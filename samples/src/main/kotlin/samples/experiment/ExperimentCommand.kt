@@ -114,7 +114,7 @@ internal class ExperimentCommand : Callable<Int> {
     }
 
     private fun machine(workers: Int): String = listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
-        .let { "$workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
+        .let { "At most $workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
 
     private fun refuse(why: String): Nothing = throw ParameterException(spec.commandLine(), why)
 
