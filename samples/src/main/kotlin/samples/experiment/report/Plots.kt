@@ -98,6 +98,9 @@ private val OUTCOMES = listOf("stopped", "ran into the wall")
 
 private fun outcome(run: Finished) = OUTCOMES[if (run.result.outcome == Outcome.COLLIDED) 1 else 0]
 
+/** What the axis of response times shows, in s. */
+private const val LEAST_S = 0.02
+private const val MOST_S = 20.0
 private const val FULL_DOT = 16
 private const val CROSS = 4
 
@@ -130,14 +133,14 @@ private fun filterColours(shades: Shades) = scaleColorManual(values = shades.fil
 internal fun timesFigure(runs: List<Finished>, shades: Shades): Plot {
     val data = mapOf(
         "filter" to runs.map { words(it.trial.view) },
-        "seconds" to runs.map { maxOf(0.01, it.result.responseMs / 1000) },
+        "seconds" to runs.map { (it.result.responseMs / 1000).coerceIn(LEAST_S, MOST_S) },
         "end" to runs.map(::outcome),
         "condition" to runs.map { title(it.trial.condition) },
     )
     return (
         letsPlot(data) { x = "filter"; y = "seconds"; color = "filter" } + geomBoxplot(outlierSize = 0, width = 0.5, fill = shades.paper) +
             geomPoint(size = 3.0, alpha = 0.7) { shape = "end" } + facetGrid(x = "condition") +
-            scaleXDiscrete(limits = FILTERS) + scaleYLog10(breaks = listOf(0.1, 0.2, 0.5, 1, 2, 5, 10), labels = listOf("0.1", "0.2", "0.5", "1", "2", "5", "10")) +
+            scaleXDiscrete(limits = FILTERS) + scaleYLog10(limits = LEAST_S to MOST_S, breaks = listOf(0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10), labels = listOf("0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10")) +
             filterColours(shades) + scaleShapeManual(values = listOf(FULL_DOT, CROSS), limits = OUTCOMES, name = "") +
             labs(x = "", y = "response time in s")
         ).dressed(shades, 960, 420)
@@ -172,7 +175,7 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
         "condition" to runs.map { title(it.trial.condition) },
     )
     return (
-        letsPlot(data) { x = "baud"; y = "sensors" } + geomTile(color = shades.paper) { fill = "seconds" } +
+        letsPlot(data) { x = "baud"; y = "sensors" } + geomTile(width = 1, height = 1, color = shades.paper) { fill = "seconds" } +
             geomText(size = 6, color = "#1f2328") { label = "label" } + facetGrid(x = "condition", y = "view", yOrder = -1) + coordCartesian() +
             scaleXDiscrete(limits = runs.map { it.trial.baud }.distinct().sorted().map { "$it" }) +
             scaleYDiscrete(limits = runs.map { it.trial.sensors }.distinct().sorted().map { "$it" }) +
