@@ -14,7 +14,7 @@ import jdk.net.ExtendedSocketOptions;
 
 /** Connects to a board on the network, with a time limit, and says to a person why it could not. An interrupt ends the wait. */
 final class TcpConnector {
-    /** For all addresses of a host together; a local network needs a few. */
+    /** For the lookup of the host, and for connecting to all its addresses together; a local network needs a few. */
     static final int LIMIT_MILLIS = 3_000;
 
     private static final long NANOS_PER_MILLI = 1_000_000L;
@@ -38,7 +38,7 @@ final class TcpConnector {
     static SocketChannel connect(String port, TcpAddress address) throws PortException {
         long deadline = System.nanoTime() + LIMIT_MILLIS * NANOS_PER_MILLI;
         try {
-            InetAddress[] hosts = InetAddress.getAllByName(address.host());
+            InetAddress[] hosts = HostLookup.addresses(address.host(), LIMIT_MILLIS * NANOS_PER_MILLI, InetAddress::getAllByName);
             IOException first = null;
             for (int i = 0; i < hosts.length; i++) {
                 long left = Math.max(NANOS_PER_MILLI, deadline - System.nanoTime());
@@ -48,7 +48,7 @@ final class TcpConnector {
                     first = first == null ? e : first;
                 }
             }
-            throw first == null ? new UnknownHostException(address.host()) : first;
+            throw first == null ? new UnknownHostException("the host " + address.host() + " has no address") : first;
         } catch (IOException e) {
             throw refusal(port, address, e);
         }
@@ -102,9 +102,12 @@ final class TcpConnector {
         if (cause instanceof PortException known) {
             return known;
         }
+        if (Thread.currentThread().isInterrupted()) {
+            return new PortInterruptedException(port);
+        }
         String start = "port " + port + " cannot be opened: ";
         if (cause instanceof UnknownHostException) {
-            return new NoSuchPortException(port, start + "there is no host " + address.host() + " in this network, or its name is misspelt");
+            return new NoSuchPortException(port, start + cause.getMessage());
         }
         if (cause instanceof SocketTimeoutException) {
             return new NoSuchPortException(port, start + address + " did not answer within " + LIMIT_MILLIS

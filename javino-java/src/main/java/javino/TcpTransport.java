@@ -31,7 +31,7 @@ final class TcpTransport implements Transport {
         writable = new Readiness(channel, SelectionKey.OP_WRITE);
     }
 
-    /** Opens a connection; takes {@value TcpConnector#LIMIT_MILLIS} ms at most, and as long as the system needs to look up the host. */
+    /** Opens a connection; takes {@value TcpConnector#LIMIT_MILLIS} ms at most, and as long again to look up the host. */
     static TcpTransport connect(String name, TcpAddress address, LineSettings line) throws PortException {
         SocketChannel channel = TcpConnector.connect(name, address);
         try {

@@ -5,8 +5,12 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.io.InterruptedIOException
+import java.net.InetAddress
+import java.net.UnknownHostException
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
@@ -56,7 +60,29 @@ class TcpPortSpec : FunSpec({
     }
 
     test("a host that does not exist is named") {
-        refusal("tcp://no-such-robot.invalid:4000") shouldContain "no host no-such-robot.invalid"
+        val host = "r".repeat(64) + ".invalid" // longer than a name may be, so nobody is asked
+        refusal("tcp://$host:4000") shouldContain "no host $host"
+    }
+
+    test("looking up a host has a time limit, ends with an interrupt, and is not begun again while it is under way").config(timeout = 60.seconds, blockingTest = true) {
+        val asked = AtomicInteger()
+        val begun = CompletableFuture<Unit>()
+        val answer = CompletableFuture<Array<InetAddress>>()
+        val resolver = HostLookup.Resolver {
+            asked.incrementAndGet()
+            begun.complete(Unit)
+            answer.get()
+        }
+        repeat(3) { shouldThrow<UnknownHostException> { HostLookup.addresses("slow", 1_000_000, resolver) }.message shouldContain "host slow" }
+        Thread.currentThread().interrupt()
+        shouldThrow<InterruptedIOException> { HostLookup.addresses("slow", Long.MAX_VALUE, resolver) }
+        Thread.interrupted() shouldBe true
+        begun.get(20, TimeUnit.SECONDS)
+        asked.get() shouldBe 1
+        val loopback = arrayOf(InetAddress.getLoopbackAddress())
+        val waiting = async { HostLookup.addresses("slow", Long.MAX_VALUE, resolver) }
+        answer.complete(loopback)
+        waiting.get(20, TimeUnit.SECONDS) shouldBe loopback
     }
 
     test("a network has no rate, so a board there is not held to 9600 baud") {
