@@ -76,7 +76,7 @@ internal class Ports(
         }
         if (trouble is ArgumentException) return Failure("too_many_ports", trouble.message.orEmpty())
         return trouble?.let(::failureOf)?.also { failure ->
-            if (all().none { it.link.isOpen && term in it.names }) states.set(term, PortStatus.OFF, failure.cause)
+            if (all().none { it.link.isOpen && term in it.names }) states.set(term, PortStatus.OFF, failure.cause) { lock.withLock { !stopped } }
         }
     }
 
@@ -179,7 +179,10 @@ internal class Ports(
     /** Opens [port] if its device is back, else looks for it again later. */
     private fun lookFor(port: LostPort) {
         if (!isAwaited(port)) return
-        val trouble = troubleOf { if (port.looked(platform.isPresent(port.name))) reopen(port) }
+        var isPresent = false
+        val unknown = troubleOf { isPresent = platform.isPresent(port.name) }
+        val isDue = port.looked(isPresent)
+        val trouble = unknown ?: if (isDue) troubleOf { reopen(port) } else null
         if (trouble != null && trouble !is PortInterruptedException && port.failed(trouble)) {
             warn("port ${port.term} is still off: ${failureOf(trouble).cause}")
         }
