@@ -124,11 +124,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
      * Sends [text] to the board on [port].
      * @param outcome is called once, with null when its last byte has left the line, else with the reason why it has not
      */
-    internal fun send(port: OpenPort, text: String, outcome: (Failure?) -> Unit) {
+    internal fun send(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
         val observed = observer.commandIssued(port.link.port(), text)
-        if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(text).also(observed))
+        if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(text, options).also(observed))
         val number = commands.issue()
-        port.commands.submit(text) {
+        port.commands.submit(text, options) {
             commands.done(number)
             observed(it)
             outcome(it)

@@ -73,7 +73,8 @@ private const val MOST_QUEUE = 1000
 /** An argument that an internal action cannot use; [message] says what was found and what is expected. */
 internal class ArgumentException(message: String) : Exception(message)
 
-private fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
+/** The argument of [option], a whole number in [range]. */
+internal fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
     ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")
 
 private fun oneOf(option: Literal, vararg words: String): String = option.getTerm(0).toString().takeIf { it in words }

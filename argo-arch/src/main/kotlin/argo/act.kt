@@ -13,19 +13,26 @@ import javino.Frame
  * The intention is suspended until the last byte has left the line, or, with a board of version 2 of the protocol, until the board has
  * said that it acted; the agent is not. Commands go out in their order.
  *
+ * `argo.act(W, Options)` takes a list of
+ * - `timeout(Ms)`, 1 to 600,000: the outcome is known Ms ms after the call in any case. A command that has not begun to go out by then is
+ *   withdrawn and never sent. One that has fails with `error(act_unconfirmed)`, since it may be carried out
+ * - `urgent`: it goes before commands that wait, behind urgent ones that do. A command on the line is never interrupted, and with a board of
+ *   version 2 its outcome is awaited first
+ *
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`,
  * `error(port_timeout)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` if it does not know the action or not
  * with these arguments, and with `error(act_unconfirmed)` if it has not said that it acted, though it may have.
  */
 @Suppress("ClassName")
-open class act : BoardAction("argo.act", 1..1) {
+open class act : BoardAction("argo.act", 1..2) {
     override val suspends get() = true
 
     override fun run(call: Call) {
         val arch = call.arch
         val text = commandText(call.args[0])
+        val options = call.args.getOrNull(1)?.let(CommandOptions::of) ?: CommandOptions()
         val port = arch.portInUse() ?: throw call.failure("no_port", "no port is in use; choose one with argo.port first")
-        arch.send(port, text, call.suspendIntention())
+        arch.send(port, text, options, call.suspendIntention())
     }
 }
 

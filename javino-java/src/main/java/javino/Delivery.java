@@ -45,17 +45,18 @@ final class Delivery {
      * Returns when the board has acted.
      *
      * @param timeoutMillis milliseconds to wait at most for the actions before it, and then for a turn on the line
+     * @param preparation done before it is written for the first time
      * @throws PortTimeoutException if its turn did not come, and then nothing was sent
      * @throws ActionRefusedException if the board does not know it, or not with these arguments
      * @throws ActionUnconfirmedException if the board has said neither
      */
-    void deliver(Frame action, int timeoutMillis) throws PortException {
+    void deliver(Frame action, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
         awaitTurn(timeoutMillis);
         try {
             sequence = (sequence + 1) % Frame.SEQUENCES;
             inbox.expectOutcome(sequence);
             Frame frame = action.toVersion2(Frame.ACK_WANTED, sequence);
-            Inbox.Outcome outcome = repeat(frame, timeoutMillis);
+            Inbox.Outcome outcome = repeat(frame, timeoutMillis, preparation);
             if (outcome == null) {
                 throw new ActionUnconfirmedException(port, "port " + port + " did not say that it acted on \"" + action.text()
                         + "\"; it may have, or the board does not run any more");
@@ -80,9 +81,9 @@ final class Delivery {
         }
     }
 
-    private Inbox.Outcome repeat(Frame frame, int timeoutMillis) throws PortException {
+    private Inbox.Outcome repeat(Frame frame, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
         long patience = patienceNanos();
-        long first = send(frame, timeoutMillis);
+        long first = send(frame, timeoutMillis, preparation);
         Inbox.Outcome outcome = await(first, patience);
         if (outcome != null) {
             longestNanos = Math.max(longestNanos, clock.nanos() - first);
@@ -90,13 +91,13 @@ final class Delivery {
         for (int repeats = 0; outcome == null && repeats < REPEATS; repeats++) {
             patience *= 2;
             boolean remembered = clock.nanos() - first < LAST_REPEAT_MILLIS * NANOS_PER_MILLI;
-            outcome = await(remembered ? send(frame, timeoutMillis) : clock.nanos(), patience);
+            outcome = await(remembered ? send(frame, timeoutMillis, () -> { }) : clock.nanos(), patience);
         }
         return outcome;
     }
 
-    private long send(Frame frame, int timeoutMillis) throws PortException {
-        return writer.write(FrameWriter.Kind.ACTION, frame, timeoutMillis, () -> { });
+    private long send(Frame frame, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
+        return writer.write(FrameWriter.Kind.ACTION, frame, timeoutMillis, preparation);
     }
 
     private long patienceNanos() {

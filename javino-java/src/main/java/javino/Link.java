@@ -3,6 +3,7 @@ package javino;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Lock;
+import java.util.function.BooleanSupplier;
 
 /**
  * An open port that one owner exchanges messages through.
@@ -154,19 +155,42 @@ public final class Link implements AutoCloseable {
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
     public void send(String message, int timeoutMillis) throws PortException {
+        send(message, timeoutMillis, () -> true);
+    }
+
+    /**
+     * As {@link #send(String, int)}, of an action that may be given up until its turn has come.
+     *
+     * @param goes asked once, by the calling thread, right before the first byte is written: whether the action is still to be sent
+     * @return false if it was not, and then nothing was sent
+     */
+    public boolean send(String message, int timeoutMillis, BooleanSupplier goes) throws PortException {
         Frame action = Frame.of(message);
         requireTime(timeoutMillis);
-        noticing(() -> {
-            if (exchange.mustAsk()) {
-                awaitStart();
-            }
-            if (exchange.protocol() == Protocol.V2) {
-                delivery.deliver(action, timeoutMillis);
-                return null;
-            }
-            writer.awaitTime(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, exchange::awaitGap));
-            return null;
-        });
+        try {
+            return noticing(() -> {
+                if (exchange.mustAsk()) {
+                    awaitStart();
+                }
+                if (exchange.protocol() == Protocol.V2) {
+                    delivery.deliver(action, timeoutMillis, () -> requireWanted(goes));
+                } else {
+                    writer.awaitTime(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> {
+                        exchange.awaitGap();
+                        requireWanted(goes);
+                    }));
+                }
+                return true;
+            });
+        } catch (GivenUpException e) {
+            return false;
+        }
+    }
+
+    private void requireWanted(BooleanSupplier goes) throws GivenUpException {
+        if (!goes.getAsBoolean()) {
+            throw new GivenUpException(port());
+        }
     }
 
     /**
