@@ -5,6 +5,8 @@ import argo.view.AgentView
 import argo.view.ViewedAgent
 import argo.view.ViewedPort
 import jason.architecture.AgArch
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
@@ -50,7 +52,14 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     @Volatile
     private var intervalMs = DEFAULT_INTERVAL_MS
     private var lastInCycle: Long? = null
+    private val staleness = Staleness(platform.nowMs)
+
+    @Volatile
     private var sensed: List<Literal> = emptyList()
+    private val sightings = Sightings { sensed }
+
+    @Volatile
+    private var staleBelieved: Set<Term> = emptySet()
 
     /** The agent's live view, if it has one: `argo_view=8080` among its options. There from [init] on. */
     @Volatile
@@ -62,7 +71,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         log = Logger.getLogger("${Arch::class.java.name}.$agName")
         policy = sensingPolicy()
         waker = Waker(this, platform)
-        board = BoardPercepts(BeliefReader { log.warning(it) }, log, platform.nowMs)
+        board = BoardPercepts(BeliefReader { log.warning(it) }, log, sightings, platform.nowMs)
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand, platform.nowMs) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle) { log.warning(it) }
@@ -96,6 +105,14 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     /** Why the active filter does with [percept] what it does. */
     internal fun explain(percept: Literal): String = board.explain(percept)
+
+    /** The youngest percept belief that unifies with [percept] under [un], and its age in ms; null if there is none. Called by the agent's thread. */
+    internal fun youngest(percept: Literal, un: Unifier): Pair<Literal, Long>? {
+        val candidates = ts.ag.bb.getCandidateBeliefs(percept, un)?.asSequence().orEmpty()
+        return candidates.filter { !it.isRule && it.hasSource(BeliefBase.APercept) && un.clone().unifiesNoUndo(percept, it) }
+            .mapNotNull { belief -> sightings.lastSeenNanos(belief)?.let { belief to (platform.clock.nanos() - it) / NANOS_PER_MS } }
+            .minByOrNull { (_, ageMs) -> ageMs }
+    }
 
     /** Starts or stops perceiving. */
     internal fun perceive(open: Boolean) {
@@ -154,6 +171,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private fun senseAnew() {
         board.forgetHeldBack()
         handOver.clear()
+        staleness.renew()
         applySensing()
     }
 
@@ -168,9 +186,23 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
             sensed = snapshot.percepts
             observer.handedOver(snapshot)
         }
-        listOfNotNull(environment.dueInMs(), board.dueInMs().takeIf { perceiving }).minOrNull()?.let(waker::wakeIn)
-        if (!environmentNews && snapshot == null && !states.hasNews()) return null
-        return (environment.percepts + sensed + states.beliefs()).toMutableList()
+        val staleNews = believeStale()
+        listOfNotNull(environment.dueInMs(), board.dueInMs().takeIf { perceiving }, staleDueInMs().takeIf { it != 0L }).minOrNull()?.let(waker::wakeIn)
+        if (!environmentNews && snapshot == null && !states.hasNews() && !staleNews) return null
+        return (environment.percepts + sensed + states.beliefs() + staleBelieved.map { ASSyntax.createLiteral(STALE, it) }).toMutableList()
+    }
+
+    /** In how many ms the board in use will have been silent for too long; null: it is not listened to, or may be silent. */
+    private fun staleDueInMs(): Long? =
+        ports.current?.takeIf { perceiving }?.options?.staleAfterMs(intervalMs)?.let(staleness::dueInMs)
+
+    /** The names of the port in use if its board has been silent for too long. */
+    private fun stalePorts(): Set<Term> = if (staleDueInMs() == 0L) ports.current?.terms.orEmpty().toSet() else emptySet()
+
+    /** Makes up the agent's mind about [stalePorts], and says whether that is news. */
+    private fun believeStale(): Boolean {
+        val now = stalePorts()
+        return (now != staleBelieved).also { staleBelieved = now }
     }
 
     private fun senseInCycle() {
@@ -183,7 +215,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     override fun canSleep(): Boolean =
-        super.canSleep() && !handOver.isReady() && !states.hasNews() && !environment.isWaiting() && !(perceiving && board.dueInMs() == 0L)
+        super.canSleep() && !handOver.isReady() && !states.hasNews() && !environment.isWaiting() && stalePorts() == staleBelieved && !(perceiving && board.dueInMs() == 0L)
 
     override fun reasoningCycleFinished() {
         observer.cycleFinished()
@@ -209,9 +241,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
             if (port !== ports.current || !perceiving) return
+            staleness.renew()
             handOver.put(board.snapshot(port, message, receivedNanos).also(observer::filtered))
             ports.report(port, PortStatus.ON)
-            waker.wake { !handOver.isReady() }
+            waker.wake { !handOver.isReady() && staleBelieved.isEmpty() }
         }
 
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) =
@@ -254,6 +287,9 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     internal companion object {
+        /** The functor of the belief that nothing comes from a port. */
+        const val STALE = "stale"
+
         /** The sensing interval in ms until `argo.limit` sets another. */
         const val DEFAULT_INTERVAL_MS = 50
         private const val SENSING = "argo_sensing"

@@ -16,9 +16,15 @@ import kotlin.concurrent.withLock
  * Safe for use by several threads: the sensing thread does the work, so that the agent's has little left to do.
  *
  * @param log is told at level FINE why a percept is dropped
+ * @param sightings is told what stood in each message
  * @param nowMs a clock in ms that never goes back
  */
-internal class BoardPercepts(private val reader: BeliefReader, private val log: Logger, private val nowMs: () -> Long) {
+internal class BoardPercepts(
+    private val reader: BeliefReader,
+    private val log: Logger,
+    private val sightings: Sightings,
+    private val nowMs: () -> Long,
+) {
     private val lock = ReentrantLock()
     private val session = FilterSession.ofTexts()
     private var filterVersion = 0L
@@ -57,7 +63,13 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
     private fun snapshot(port: OpenPort?, texts: List<String>, receivedNanos: Long): Snapshot {
         explainTo(log, texts)
         val kept = session.perceive(texts, nowMs())
-        return remember(Snapshot(port, texts, kept, filterVersion, kept.flatMap(reader::read), receivedNanos))
+        return remember(read(port, texts, kept, receivedNanos))
+    }
+
+    private fun read(port: OpenPort?, texts: List<String>, kept: List<String>, receivedNanos: Long): Snapshot {
+        val percepts = kept.flatMap(reader::read)
+        sightings.seen(if (session.seen == kept) percepts else session.seen.flatMap(reader::read), percepts, receivedNanos)
+        return Snapshot(port, texts, kept, filterVersion, percepts, receivedNanos)
     }
 
     private fun explainTo(log: Logger, texts: List<String>) {
@@ -74,7 +86,7 @@ internal class BoardPercepts(private val reader: BeliefReader, private val log: 
         try {
             val last = newest ?: return null
             val kept = session.due(nowMs()) ?: return null
-            return remember(Snapshot(last.port, last.texts, kept, filterVersion, kept.flatMap(reader::read), last.receivedNanos))
+            return remember(read(last.port, last.texts, kept, last.receivedNanos))
         } finally {
             lock.unlock()
         }

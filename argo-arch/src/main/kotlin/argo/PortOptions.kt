@@ -15,13 +15,25 @@ import javino.Transports
  * @property timeoutMs how long an answer may take, in ms
  * @property listens whether the board speaks unasked, so that it is listened to and never asked
  * @property saysBaud whether the rate is settled; else it is what ports of the port's kind usually have, see [on]
+ * @property staleMs after how many ms without a message `stale(Port)` is believed, 0: never; null: as [staleAfterMs] says
  */
 internal data class PortOptions(
     val link: LinkSettings = LinkSettings.defaults(),
     val timeoutMs: Int = DEFAULT_TIMEOUT_MS,
     val listens: Boolean = false,
     val saysBaud: Boolean = false,
+    val staleMs: Int? = null,
 ) {
+    /**
+     * After how many ms without a message `stale(Port)` is believed, null: never. Unless it is set: when two answers in turn may have
+     * stayed out, but never for a board that speaks when it has something to say.
+     *
+     * @param intervalMs the sensing interval in ms
+     */
+    fun staleAfterMs(intervalMs: Int): Long? =
+        if (staleMs != null) staleMs.toLong().takeIf { it > 0 } else (intervalMs + 2L * timeoutMs).takeUnless { listens }
+
+
     companion object {
         /** How long an answer may take unless `timeout(Ms)` says otherwise: three times what twelve percepts take at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500
@@ -54,6 +66,7 @@ internal data class PortOptions(
         return when (name) {
             "baud" -> copy(link = link.withBaud(whole(option, 1..MOST_BAUD)), saysBaud = true)
             "timeout" -> copy(timeoutMs = whole(option, 1..MOST_MS))
+            "stale" -> copy(staleMs = whole(option, 0..MOST_MS))
             "boot" -> copy(link = link.withBootMillis(whole(option, 0..MOST_MS)))
             "spacing" -> copy(link = link.withSpacingMillis(whole(option, 0..MOST_MS)))
             "queue" -> copy(link = link.withBoardQueue(whole(option, 1..MOST_QUEUE)))
@@ -64,7 +77,7 @@ internal data class PortOptions(
     }
 }
 
-private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), protocol(2) or protocol(auto), boot(Ms), spacing(Ms) and queue(Messages)"
+private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), protocol(2) or protocol(auto), boot(Ms), spacing(Ms), queue(Messages) and stale(Ms)"
 private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
 private const val MOST_BAUD = 20_000_000
 private const val MOST_MS = 600_000

@@ -19,6 +19,13 @@ class FilterSession<P : Any> internal constructor(private val formOf: (P) -> Per
     val filter: PerceptionFilter?
         get() = matcher?.filter
 
+    /**
+     * Of the last perception, the percepts that stand in the picture it was made of: all but those that are frozen and those that stand for
+     * percepts that are held back.
+     */
+    var seen: List<P> = emptyList()
+        private set
+
     /** When the next percept that is held back is to be delivered, in the clock's milliseconds; null: none is held back. */
     var nextDueMs: Long? = null
         private set
@@ -68,8 +75,9 @@ class FilterSession<P : Any> internal constructor(private val formOf: (P) -> Per
     }
 
     private fun decide(percepts: List<P>, nowMs: Long): List<P> {
-        val matcher = matcher ?: return percepts
+        val matcher = matcher ?: return percepts.also { seen = it }
         val passed = if (rates.isEmpty) percepts.filterNot { drops(matcher, it) } else percepts.mapNotNull { decide(matcher, it, nowMs) }.distinct()
+        seen = if (nextDueMs == null) passed else passed.filter(percepts.toHashSet()::contains)
         return if (frozen.isEmpty()) passed else passed + stillFrozen(passed)
     }
 

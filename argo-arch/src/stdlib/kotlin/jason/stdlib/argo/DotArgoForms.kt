@@ -27,3 +27,7 @@ class filter : argo.change_filter()
 /** `.argo.explain(…)`: see [argo.explain]. */
 @Suppress("ClassName")
 class explain : argo.explain()
+
+/** `.argo.age(…)`: see [argo.age]. */
+@Suppress("ClassName")
+class age : argo.age()

@@ -1,0 +1,50 @@
+package argo
+
+import jason.asSemantics.DefaultInternalAction
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.InternalActionLiteral
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Literal
+import jason.asSyntax.NumberTerm
+import jason.asSyntax.PlanBody
+import jason.asSyntax.Term
+
+/**
+ * The internal action `argo.age(Literal, Ms)`: unifies Ms with the age in ms of the percept belief that unifies with Literal: the time since
+ * the newest message of the board in which it stood, whether or not that message has been perceived yet. So a percept that a board repeats
+ * is young though it causes no event, and one that a filter freezes or holds back grows old. Of several percepts it is the youngest, whose
+ * values the variables in Literal get. It may be used in the context of a plan: `+!go : argo.age(dist(f,_), Ms) & Ms < 200`.
+ *
+ * In a context it is false if no percept of a board that the agent believes unifies with Literal; as a step of a plan it then fails the plan
+ * with `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
+ */
+@Suppress("ClassName")
+open class age : DefaultInternalAction() {
+    override fun getMinArgs() = 2
+
+    override fun getMaxArgs() = 2
+
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        checkArguments(args)
+        val call = "argo.age(${args.joinToString(",")})"
+        val percept = args[0] as? Literal
+        if (percept == null || percept.isVar || percept is ListTerm) throw wrongArgument("a percept is a literal such as dist(f,X), not ${args[0]}").of(call)
+        if (!args[1].isVar && args[1] !is NumberTerm) throw wrongArgument("an age is a number of milliseconds, not ${args[1]}").of(call)
+        val arch = architectures(ts).filterIsInstance<Arch>().firstOrNull()
+            ?: throw Failure("not_argo", "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j").of(call)
+        val (youngest, ageMs) = arch.youngest(percept, un) ?: return if (isPlanStep(ts, un)) throw notPerceived(percept).of(call) else false
+        return un.unifies(percept, youngest) && un.unifies(args[1], ASSyntax.createNumber(ageMs.toDouble()))
+    }
+
+    private fun notPerceived(percept: Literal) =
+        Failure("not_perceived", "no percept of a board that is believed now unifies with $percept")
+
+    /** Whether this call is a step of a plan, whose unifier Jason passes then; a context has a unifier of its own. */
+    private fun isPlanStep(ts: TransitionSystem, un: Unifier): Boolean {
+        val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
+        val step = means.currentStep ?: return false
+        return means.unif === un && step.bodyType == PlanBody.BodyType.internalAction && (step.bodyTerm as? InternalActionLiteral)?.getIA(ts.ag) is age
+    }
+}
