@@ -1,7 +1,11 @@
 package argo.filters
 
-/** A rule in the form in which it is applied. */
-internal class CompiledRule(val rule: Rule) {
+/**
+ * A rule in the form in which it is applied.
+ *
+ * @property critical the critical rule that it is of, or null
+ */
+internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val negated = rule.predicate.negated
     private val namespace = rule.predicate.namespace
     private val arity = rule.arity ?: ANY

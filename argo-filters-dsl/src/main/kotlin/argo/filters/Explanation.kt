@@ -31,11 +31,18 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             Explanation(percept, Outcome.KEPT, null, " by filter ${filter.name}: its text is not a percept, and filters leave that to the parser")
 
         fun of(matcher: PerceptMatcher, percept: PerceptForm): Explanation {
+            val critical = matcher.criticalRules(percept).firstOrNull()
+            if (critical != null) return critical(matcher, percept, critical)
             val met = matcher.rulesThatMeet(percept)
             val rule = met.firstOrNull { matcher.filter.mode == Mode.KEEP || it.rate == null }
             val outcome = if (matcher.drops(met)) Outcome.DROPPED else Outcome.KEPT
             val reason = if (rule == null) notMet(matcher, percept, met) else met(matcher, rule)
             return Explanation("$percept", outcome, rule?.rule, " by filter ${matcher.filter.name}: $reason")
+        }
+
+        private fun critical(matcher: PerceptMatcher, percept: PerceptForm, met: CriticalRule): Explanation {
+            val number = matcher.filter.critical.indexOfFirst { it === met } + 1
+            return Explanation("$percept", Outcome.KEPT, met.rule, " by filter ${matcher.filter.name}: critical rule $number meets it: $met")
         }
 
         fun heldBack(matcher: PerceptMatcher, percept: PerceptForm, hold: Hold<*>, nowMs: Long): Explanation {

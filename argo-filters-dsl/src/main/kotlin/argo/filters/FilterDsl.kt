@@ -23,7 +23,7 @@ annotation class FilterDsl
  * @throws IllegalArgumentException if a predicate, a value or a pattern cannot be read; the message says what is wrong with it
  */
 fun perceptionFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
-    PerceptionFilter(name, DropRules().apply(rules).rules, Mode.DROP, onSwitch)
+    DropRules().apply(rules).let { PerceptionFilter(name, it.rules, Mode.DROP, onSwitch, it.critical) }
 
 /**
  * A filter that keeps the percepts its rules meet and drops all others.
@@ -37,12 +37,13 @@ fun perceptionFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: 
  * Parameters and errors are those of [perceptionFilter].
  */
 fun keepingFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: KeepRules.() -> Unit): PerceptionFilter =
-    PerceptionFilter(name, KeepRules().apply(rules).rules, Mode.KEEP, onSwitch)
+    KeepRules().apply(rules).let { PerceptionFilter(name, it.rules, Mode.KEEP, onSwitch, it.critical) }
 
 /** The rules of a filter under construction. */
 @FilterDsl
 sealed class RuleList(private val mode: Mode) {
     internal val rules = ArrayList<Rule>()
+    internal val critical = ArrayList<CriticalRule>()
 
     /**
      * Adds all rules of [other], as if they were written here.
@@ -56,6 +57,34 @@ sealed class RuleList(private val mode: Mode) {
     fun include(other: PerceptionFilter) {
         require(other.mode == mode) { "filter ${other.name} cannot be included: one of the two drops what its rules meet, and the other keeps it" }
         rules += other.rules
+        critical += other.critical
+    }
+
+    /**
+     * Percepts of [predicate] that meet all [conditions] must not wait: they are kept whatever other rules say, and come before all else. A
+     * critical rule drops nothing.
+     *
+     * ```kotlin
+     * critical("dist") { argument(1) lt 15; reflex("stop") }
+     * ```
+     *
+     * @throws IllegalArgumentException if [predicate] is none, or the reflex cannot be sent
+     */
+    fun critical(predicate: String, conditions: CriticalConditions.() -> Unit = {}) {
+        critical += CriticalConditions().apply(conditions).criticalRule(Predicate.of(predicate))
+    }
+
+    /**
+     * As the other form, of percepts of a declared type, whose arguments have names.
+     *
+     * ```kotlin
+     * critical(Distance) { cm lt 15; reflex("stop") }
+     * ```
+     */
+    fun <T : PerceptType> critical(type: T, conditions: context(TypedCriticalRule) T.() -> Unit = {}) {
+        val rule = CriticalConditions()
+        conditions(TypedCriticalRule(rule), type)
+        critical += rule.criticalRule(type.predicate)
     }
 
     protected fun add(predicate: Predicate, conditions: RuleConditions.() -> Unit) {

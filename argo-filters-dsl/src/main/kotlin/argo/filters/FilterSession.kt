@@ -8,7 +8,11 @@ import argo.filters.PerceptionFilter.OnSwitch
  * [P] is the form in which percepts come: [FilterSession.ofTexts] takes them as they came off the line, `literalSession()` takes Jason
  * literals. Time is the caller's: milliseconds of any clock that never goes back. Not safe for use by several threads at once.
  */
-class FilterSession<P : Any> internal constructor(private val formOf: (P) -> PerceptForm?, private val drops: (PerceptMatcher, P) -> Boolean) {
+class FilterSession<P : Any> internal constructor(
+    private val formOf: (P) -> PerceptForm?,
+    private val drops: (PerceptMatcher, P) -> Boolean,
+    private val criticalRules: (PerceptMatcher, P) -> List<CriticalRule>,
+) {
     private var matcher: PerceptMatcher? = null
     private var rates = RateMemory<P>(null)
     private var snapshot: List<P> = emptyList()
@@ -24,6 +28,10 @@ class FilterSession<P : Any> internal constructor(private val formOf: (P) -> Per
      * percepts that are held back.
      */
     var seen: List<P> = emptyList()
+        private set
+
+    /** The percepts that the last perception was made of and that critical rules meet, once for each such rule. */
+    var critical: List<CriticalPercept<P>> = emptyList()
         private set
 
     /** When the next percept that is held back is to be delivered, in the clock's milliseconds; null: none is held back. */
@@ -52,6 +60,7 @@ class FilterSession<P : Any> internal constructor(private val formOf: (P) -> Per
      */
     fun perceive(percepts: List<P>, nowMs: Long): List<P> {
         nextDueMs = null
+        critical = criticalOf(percepts)
         delivered = java.util.List.copyOf(decide(percepts, nowMs))
         snapshot = if (nextDueMs == null) emptyList() else java.util.List.copyOf(percepts)
         return delivered
@@ -70,8 +79,14 @@ class FilterSession<P : Any> internal constructor(private val formOf: (P) -> Per
     fun explain(percept: P, nowMs: Long): Explanation {
         val matcher = matcher ?: return Explanation.noFilter(percept.toString())
         val form = formOf(percept) ?: return Explanation.noPercept(percept.toString(), matcher.filter)
-        val hold = rates.holds(matcher.rulesThatMeet(form), form, percept, nowMs).firstOrNull()
+        val isCritical = matcher.criticalRules(form).isNotEmpty()
+        val hold = if (isCritical) null else rates.holds(matcher.rulesThatMeet(form), form, percept, nowMs).firstOrNull()
         return if (hold == null) Explanation.of(matcher, form) else Explanation.heldBack(matcher, form, hold, nowMs)
+    }
+
+    private fun criticalOf(percepts: List<P>): List<CriticalPercept<P>> {
+        val matcher = matcher?.takeUnless { it.filter.critical.isEmpty() } ?: return emptyList()
+        return percepts.distinct().flatMap { percept -> criticalRules(matcher, percept).map { CriticalPercept(it, percept) } }
     }
 
     private fun decide(percepts: List<P>, nowMs: Long): List<P> {
@@ -84,9 +99,11 @@ class FilterSession<P : Any> internal constructor(private val formOf: (P) -> Per
     private fun decide(matcher: PerceptMatcher, percept: P, nowMs: Long): P? {
         val form = formOf(percept) ?: return percept
         val met = matcher.rulesThatMeet(form)
-        val holds = rates.holds(met, form, percept, nowMs)
-        if (holds.isNotEmpty()) return holdBack(holds, nowMs)
-        if (matcher.drops(met)) return null
+        if (matcher.criticalRules(form).isEmpty()) {
+            val holds = rates.holds(met, form, percept, nowMs)
+            if (holds.isNotEmpty()) return holdBack(holds, nowMs)
+            if (matcher.drops(met)) return null
+        }
         rates.letThrough(met, form, percept, nowMs)
         return percept
     }
@@ -108,6 +125,6 @@ class FilterSession<P : Any> internal constructor(private val formOf: (P) -> Per
 
     companion object {
         /** A session over percepts as they came off the line, without a filter at first. */
-        fun ofTexts(): FilterSession<String> = FilterSession({ TextForm.of(it) }, { matcher, percept -> matcher.drops(percept) })
+        fun ofTexts(): FilterSession<String> = FilterSession({ TextForm.of(it) }, { matcher, percept -> matcher.drops(percept) }, { matcher, percept -> matcher.criticalRules(percept) })
     }
 }

@@ -26,12 +26,19 @@ import jason.asSyntax.Trigger
  */
 fun PerceptMatcher.drops(percept: Literal): Boolean = LiteralForm.of(percept)?.let(::drops) ?: false
 
+/** The critical rules that [percept] meets, in the order of the filter. */
+fun PerceptMatcher.criticalRules(percept: Literal): List<CriticalRule> = LiteralForm.of(percept)?.let(::criticalRules).orEmpty()
+
 /** Why the filter keeps or drops [percept]. */
 fun PerceptMatcher.explain(percept: Literal): Explanation =
     LiteralForm.of(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept.toString(), filter)
 
 /** A session over percepts that are Jason literals, as they come from a Jason environment; without a filter at first. */
-fun literalSession(): FilterSession<Literal> = FilterSession({ LiteralForm.of(it) }, { matcher, percept -> matcher.drops(percept) })
+fun literalSession(): FilterSession<Literal> = FilterSession(
+    { LiteralForm.of(it) },
+    { matcher, percept -> matcher.drops(percept) },
+    { matcher, percept -> matcher.criticalRules(percept) },
+)
 
 /** A percept that is a Jason literal. */
 internal class LiteralForm private constructor(private val literal: Literal, override val predicate: Predicate) : PerceptForm {

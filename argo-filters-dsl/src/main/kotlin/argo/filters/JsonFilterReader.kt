@@ -16,11 +16,12 @@ internal class JsonFilterReader(text: String, private val source: String, privat
     }
 
     private fun filter(node: JsonNode): PerceptionFilter? {
-        val members = members(node, "a filter", RULES, KEEP, ON_SWITCH) ?: return null
+        val members = members(node, "a filter", RULES, CRITICAL, KEEP, ON_SWITCH) ?: return null
         val keep = oneOf(members[KEEP], false, FilterWords.MODES) ?: Mode.DROP
         val onSwitch = oneOf(members[ON_SWITCH], true, FilterWords.ON_SWITCHES) ?: OnSwitch.FORGET
         if (RULES !in members) report(node.position, "the filter has no \"$RULES\"; expected an array of rules, which may be empty")
-        return PerceptionFilter(name, items(members[RULES]).mapNotNull(::rule), keep, onSwitch)
+        val critical = items(members[CRITICAL]).mapNotNull(::criticalRule)
+        return PerceptionFilter(name, items(members[RULES]).mapNotNull(::rule), keep, onSwitch, critical)
     }
 
     private fun <T> oneOf(member: JsonNode.Member?, isText: Boolean, words: Map<String, T>): T? {
@@ -32,8 +33,7 @@ internal class JsonFilterReader(text: String, private val source: String, privat
 
     private fun rule(node: JsonNode): Rule? {
         val members = members(node, "a rule", PREDICATE, CONDITIONS, ARITY, EVERY_MS, DEADBAND) ?: return null
-        if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
-        val predicate = predicate(members[PREDICATE])
+        val predicate = predicate(node, members)
         val deadbands = LinkedHashMap<Int?, Deadband>()
         members[DEADBAND]?.let { deadband(it, null) }?.let { deadbands[null] = it }
         val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, deadbands) }
@@ -41,6 +41,24 @@ internal class JsonFilterReader(text: String, private val source: String, privat
         val everyMs = wholeNumber(members[EVERY_MS], 1)?.toLong()
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands.values.toSet())
         return predicate?.let { Rule(it, conditions, arity, rate) }
+    }
+
+    private fun criticalRule(node: JsonNode): CriticalRule? {
+        val members = members(node, "a critical rule", PREDICATE, CONDITIONS, ARITY, REFLEX) ?: return null
+        val predicate = predicate(node, members)
+        val conditions = items(members[CONDITIONS]).mapNotNull {
+            val deadband = (it as? JsonNode.Object)?.members?.find { member -> member.name == DEADBAND }
+            if (deadband != null) report(deadband.position, "a \"$DEADBAND\" in a critical rule; a critical percept is never held back")
+            condition(it, HashMap())
+        }
+        val arity = wholeNumber(members[ARITY], 0)
+        val reflex = members[REFLEX]?.let { member -> text(member)?.let { reporting(member.value) { it.also(CriticalRule::requireSendable) } } }
+        return if (predicate == null || REFLEX in members && reflex == null) null else CriticalRule(Rule(predicate, conditions, arity), reflex)
+    }
+
+    private fun predicate(node: JsonNode, members: Map<String, JsonNode.Member>): Predicate? {
+        if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
+        return predicate(members[PREDICATE])
     }
 
     private fun predicate(member: JsonNode.Member?): Predicate? {
@@ -175,6 +193,8 @@ internal class JsonFilterReader(text: String, private val source: String, privat
 
     private companion object {
         const val RULES = "rules"
+        const val CRITICAL = "critical"
+        const val REFLEX = "reflex"
         const val KEEP = "keep"
         const val ON_SWITCH = "onSwitch"
         const val PREDICATE = "predicate"

@@ -26,6 +26,7 @@ internal object JsonFilterWriter {
     private fun filter(filter: PerceptionFilter): JsonObject = buildJsonObject {
         if (filter.mode == PerceptionFilter.Mode.KEEP) put("keep", true)
         if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) put("onSwitch", "freeze")
+        if (filter.critical.isNotEmpty()) putJsonArray("critical") { filter.critical.forEach { add(criticalRule(it)) } }
         putJsonArray("rules") { filter.rules.forEach { add(rule(it)) } }
     }
 
@@ -41,6 +42,13 @@ internal object JsonFilterWriter {
                 some.forEach { add(deadband(it)) }
             }
         }
+    }
+
+    private fun criticalRule(critical: CriticalRule): JsonObject = buildJsonObject {
+        put("predicate", critical.rule.predicate.toString())
+        critical.rule.arity?.let { put("arity", it) }
+        critical.reflex?.let { put("reflex", it) }
+        if (critical.rule.conditions.isNotEmpty()) putJsonArray("conditions") { critical.rule.conditions.forEach { add(condition(it)) } }
     }
 
     private fun deadband(deadband: Deadband) = buildJsonObject {

@@ -9,12 +9,14 @@ package argo.filters
  * @property name what agents call the filter
  * @property mode what becomes of the percepts that a rule meets
  * @property onSwitch what becomes of beliefs that this filter hides when an agent changes to it
+ * @param critical the rules on percepts that must not wait, which have the last word
  */
 class PerceptionFilter(
     val name: String,
     rules: List<Rule>,
     val mode: Mode = Mode.DROP,
     val onSwitch: OnSwitch = OnSwitch.FORGET,
+    critical: List<CriticalRule> = emptyList(),
 ) {
     /** What becomes of the percepts that one of a filter's rules meets. */
     enum class Mode {
@@ -36,18 +38,22 @@ class PerceptionFilter(
 
     val rules: List<Rule> = java.util.List.copyOf(rules)
 
+    /** The rules on percepts that must not wait, in their order. */
+    val critical: List<CriticalRule> = java.util.List.copyOf(critical)
+
     constructor(name: String, vararg rules: Rule) : this(name, rules.asList())
 
     override fun equals(other: Any?): Boolean =
-        other is PerceptionFilter && mode == other.mode && onSwitch == other.onSwitch && rules == other.rules
+        other is PerceptionFilter && mode == other.mode && onSwitch == other.onSwitch && rules == other.rules && critical == other.critical
 
-    override fun hashCode(): Int = 31 * (31 * mode.hashCode() + onSwitch.hashCode()) + rules.hashCode()
+    override fun hashCode(): Int = 31 * (31 * (31 * mode.hashCode() + onSwitch.hashCode()) + rules.hashCode()) + critical.hashCode()
 
     /** The filter in words: `filter frontDistance drops temperature; light; distance where argument 0 is not front`. */
     override fun toString(): String {
         val verb = if (mode == Mode.DROP) "drops" else "keeps only"
         val what = if (rules.isEmpty()) "nothing" else rules.joinToString("; ")
-        return "filter $name $verb $what" + if (onSwitch == OnSwitch.FREEZE) ", and freezes what it hides" else ""
+        val lane = if (critical.isEmpty()) "" else critical.joinToString("; ", ", takes for critical ")
+        return "filter $name $verb $what$lane" + if (onSwitch == OnSwitch.FREEZE) ", and freezes what it hides" else ""
     }
 }
 

@@ -2,7 +2,7 @@ package argo.filters
 
 /** The conditions of one rule under construction, all of which a percept must meet. */
 @FilterDsl
-class RuleConditions internal constructor() {
+open class RuleConditions internal constructor() {
     private val conditions = ArrayList<Condition>()
     private val deadbands = LinkedHashSet<Deadband>()
     private val begun = ArrayList<AnyTerm>()
@@ -62,6 +62,24 @@ class RuleConditions internal constructor() {
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands)
         return Rule(predicate, conditions.toList(), arity, rate)
     }
+}
+
+/** The conditions of a critical rule under construction, and its reflex. It can have neither [everyMs] nor a [deadband]. */
+class CriticalConditions internal constructor() : RuleConditions() {
+    private var reflex: String? = null
+
+    /**
+     * The command [command] is sent when a percept comes that meets the rule, before the agent reasons; see [CriticalRule.reflex].
+     *
+     * @throws IllegalArgumentException if [command] cannot be sent, or the rule has a reflex already
+     */
+    fun reflex(command: String) {
+        require(reflex == null) { "a critical rule has one reflex, and '$reflex' is it; expected another rule for '$command'" }
+        CriticalRule.requireSendable(command)
+        reflex = command
+    }
+
+    internal fun criticalRule(predicate: Predicate) = CriticalRule(rule(predicate), reflex)
 }
 
 /**

@@ -1,14 +1,14 @@
 package argo.filters
 
 /** Finds rules by the functor of a percept, in its text and without allocating: a hash table with open addressing. */
-internal class RuleIndex(rules: List<Rule>) {
+internal class RuleIndex(rules: List<CompiledRule>) {
     private val functors: Array<String?>
     private val rulesOf: Array<Array<CompiledRule>>
     private val mask: Int
     private val shift: Int
 
     init {
-        val byFunctor = rules.groupBy { it.predicate.functor }
+        val byFunctor = rules.groupBy { it.rule.predicate.functor }
         val size = Integer.highestOneBit(maxOf(byFunctor.size, 1)) * SPACE
         functors = arrayOfNulls(size)
         rulesOf = Array(size) { emptyArray() }
@@ -18,7 +18,7 @@ internal class RuleIndex(rules: List<Rule>) {
             var slot = slot(functor.hashCode())
             while (functors[slot] != null) slot = slot + 1 and mask
             functors[slot] = functor
-            rulesOf[slot] = rules.map(::CompiledRule).toTypedArray()
+            rulesOf[slot] = rules.toTypedArray()
         }
     }
 

@@ -5,7 +5,14 @@
 package argo.filters
 
 /** A rule on a declared percept type under construction. The words of this file find it by themselves in the block of the rule. */
-class TypedRule internal constructor(internal val conditions: RuleConditions)
+open class TypedRule internal constructor(internal val conditions: RuleConditions)
+
+/** A critical rule on a declared percept type under construction. */
+class TypedCriticalRule internal constructor(internal val critical: CriticalConditions) : TypedRule(critical)
+
+/** The command [command] is sent when a percept comes that meets the rule; see [CriticalConditions.reflex]. */
+context(rule: TypedCriticalRule)
+fun PerceptType.reflex(command: String): Unit = rule.critical.reflex(command)
 
 /** It is the atom [atom], as Jason writes it: `side eq "front"`. */
 context(rule: TypedRule)

@@ -22,7 +22,8 @@ internal class XmlFilterReader(text: String, private val source: String, private
         noText(root)
         val mode = oneOf(attributes[KEEP], FilterWords.MODES) ?: PerceptionFilter.Mode.DROP
         val onSwitch = oneOf(attributes[ON_SWITCH], FilterWords.ON_SWITCHES) ?: PerceptionFilter.OnSwitch.FORGET
-        return PerceptionFilter(name, children(root, FILTER).mapNotNull(::rule), mode, onSwitch)
+        val (rules, critical) = children(root, FILTER, CRITICAL).partition { it.name == FILTER }
+        return PerceptionFilter(name, rules.mapNotNull(::rule), mode, onSwitch, critical.mapNotNull(::criticalRule))
     }
 
     private fun <T> oneOf(attribute: XmlAttribute?, words: Map<String, T>): T? {
@@ -34,6 +35,22 @@ internal class XmlFilterReader(text: String, private val source: String, private
 
     private fun rule(element: XmlElement): Rule? {
         val attributes = attributes(element, ARITY, EVERY_MS, DEADBAND)
+        val rate = rate(attributes, element.children.filter { it.name == PARAMETER })
+        return rule(element, attributes)?.copy(rate = rate)
+    }
+
+    private fun criticalRule(element: XmlElement): CriticalRule? {
+        val attributes = attributes(element, ARITY, REFLEX)
+        val deadbands = element.children.filter { it.name == PARAMETER }.flatMap { parameter -> parameter.attributes.filter { it.name == DEADBAND } }
+        deadbands.forEach { report(it.position, "a deadband in <$CRITICAL>; a critical percept is never held back") }
+        val reflex = attributes[REFLEX]
+        val command = reflex?.let { attribute -> reporting(attribute.position, "") { attribute.value.also(CriticalRule::requireSendable) } }
+        val rule = rule(element, attributes)
+        return if (rule == null || reflex != null && command == null) null else CriticalRule(rule, command)
+    }
+
+    /** The rule that [element] is, without a rate. */
+    private fun rule(element: XmlElement, attributes: Map<String, XmlAttribute>): Rule? {
         noText(element)
         val children = children(element, PREDICATE, PARAMETER, *ANNOTATION)
         val predicate = predicate(element, children.filter { it.name == PREDICATE })
@@ -45,8 +62,7 @@ internal class XmlFilterReader(text: String, private val source: String, private
             }
         }
         val arity = wholeNumber(attributes[ARITY], 0)?.toInt()
-        val rate = rate(attributes, children.filter { it.name == PARAMETER })
-        return predicate?.let { Rule(it, conditions, arity, rate) }
+        return predicate?.let { Rule(it, conditions, arity) }
     }
 
     private fun rate(rule: Map<String, XmlAttribute>, parameters: List<XmlElement>): Rate? {
@@ -205,6 +221,8 @@ internal class XmlFilterReader(text: String, private val source: String, private
     private companion object {
         const val ROOT = "PerceptionFilter"
         const val FILTER = "filter"
+        const val CRITICAL = "critical"
+        const val REFLEX = "reflex"
         const val PREDICATE = "predicate"
         const val PARAMETER = "parameter"
         const val LIMIT = "limit"

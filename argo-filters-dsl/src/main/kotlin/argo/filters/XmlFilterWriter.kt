@@ -16,6 +16,7 @@ internal class XmlFilterWriter {
         element("PerceptionFilter") {
             if (filter.mode == PerceptionFilter.Mode.KEEP) attribute("keep", "true")
             if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) attribute("onSwitch", "freeze")
+            filter.critical.forEach(::criticalRule)
             filter.rules.forEach(::rule)
         }
         xml.close()
@@ -30,6 +31,13 @@ internal class XmlFilterWriter {
         element("predicate") { text(rule.predicate.toString()) }
         rule.conditions.forEach(::condition)
         some.forEach(::deadband)
+    }
+
+    private fun criticalRule(critical: CriticalRule) = element("critical") {
+        critical.rule.arity?.let { attribute("arity", it.toString()) }
+        critical.reflex?.let { attribute("reflex", it) }
+        element("predicate") { text(critical.rule.predicate.toString()) }
+        critical.rule.conditions.forEach(::condition)
     }
 
     private fun deadband(deadband: Deadband) = element("parameter") {

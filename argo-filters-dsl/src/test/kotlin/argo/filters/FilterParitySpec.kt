@@ -29,7 +29,7 @@ private fun parity(form: Form) = stringSpec {
         checkAll(200, filters, Arb.list(Arb.list(perceptTexts, 0..5), 1..6)) { filter, snapshots ->
             fun run(filter: PerceptionFilter) = FilterSession.ofTexts().let { session ->
                 session.switchTo(filter)
-                snapshots.mapIndexed { number, percepts -> session.perceive(percepts, number * 300L) to session.nextDueMs }
+                snapshots.mapIndexed { number, percepts -> Triple(session.perceive(percepts, number * 300L), session.nextDueMs, session.critical) }
             }
             run(form(filter)) shouldBe run(filter)
         }
@@ -54,9 +54,21 @@ private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
             }
         }
     }
+    fun RuleList.sayCritical() = filter.critical.forEach { critical ->
+        critical("${critical.rule.predicate}") {
+            say(critical.rule)
+            critical.reflex?.let(::reflex)
+        }
+    }
     return when (filter.mode) {
-        PerceptionFilter.Mode.DROP -> perceptionFilter(filter.name, filter.onSwitch) { filter.rules.forEach { rule -> drop("${rule.predicate}") { say(rule) } } }
-        PerceptionFilter.Mode.KEEP -> keepingFilter(filter.name, filter.onSwitch) { filter.rules.forEach { rule -> keep("${rule.predicate}") { say(rule) } } }
+        PerceptionFilter.Mode.DROP -> perceptionFilter(filter.name, filter.onSwitch) {
+            filter.rules.forEach { rule -> drop("${rule.predicate}") { say(rule) } }
+            sayCritical()
+        }
+        PerceptionFilter.Mode.KEEP -> keepingFilter(filter.name, filter.onSwitch) {
+            filter.rules.forEach { rule -> keep("${rule.predicate}") { say(rule) } }
+            sayCritical()
+        }
     }
 }
 

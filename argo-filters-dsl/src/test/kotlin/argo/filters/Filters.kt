@@ -80,9 +80,11 @@ val timelessRules: Arb<Rule> = Arb.bind(predicates, Arb.list(conditions, 0..2), 
 
 val rules: Arb<Rule> = Arb.bind(timelessRules, rates.orNull(0.7)) { rule, rate -> rule.copy(rate = rate) }
 
-val filters: Arb<PerceptionFilter> = Arb.bind(Arb.list(rules, 0..6), Arb.enum<PerceptionFilter.Mode>(), Arb.enum<PerceptionFilter.OnSwitch>()) { rules, mode, onSwitch ->
-    PerceptionFilter("generated", rules, mode, onSwitch)
-}
+val criticalRules: Arb<CriticalRule> = Arb.bind(timelessRules, Arb.element("stop", "speed(120)", "say(\"hi; <&> 'you'\")", "é", "a  b").orNull(0.3), ::CriticalRule)
+
+val filters: Arb<PerceptionFilter> = Arb.bind(
+    Arb.list(rules, 0..6), Arb.enum<PerceptionFilter.Mode>(), Arb.enum<PerceptionFilter.OnSwitch>(), Arb.list(criticalRules, 0..2),
+) { rules, mode, onSwitch, critical -> PerceptionFilter("generated", rules, mode, onSwitch, critical) }
 
 /** The parts of a percept. Its annotations are structures, in their order. */
 data class Percept(val predicate: Predicate, val arguments: List<Value>, val annotations: List<Value>)

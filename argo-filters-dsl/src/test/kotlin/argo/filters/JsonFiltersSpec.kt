@@ -74,7 +74,7 @@ class JsonFiltersSpec : FreeSpec({
             "¦{}" to "has no \"rules\"",
             "{\"rules\": ¦{}}" to "\"rules\" is an object; expected an array",
             "{\"rules\": [¦1]}" to "1 where a rule is expected",
-            "{\"rules\": [],\n ¦\"rule\": []}" to "\"rule\" in a filter; expected rules or keep or onSwitch",
+            "{\"rules\": [],\n ¦\"rule\": []}" to "\"rule\" in a filter; expected rules or critical or keep or onSwitch",
             "{\"rules\": [], ¦\"rules\": []}" to "a second \"rules\"",
             "{\"rules\": [], \"keep\": ¦1}" to "\"keep\" is 1; expected true or false",
             "{\"rules\": [], \"keep\": ¦\"true\"}" to "\"keep\" is 'true'",
