@@ -60,6 +60,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     @Volatile
     private var staleBelieved: Set<Term> = emptySet()
+    private lateinit var reflexes: Reflexes
+    private var criticalNews: List<Literal> = emptyList()
 
     /** The agent's live view, if it has one: `argo_view=8080` among its options. There from [init] on. */
     @Volatile
@@ -71,7 +73,9 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         log = Logger.getLogger("${Arch::class.java.name}.$agName")
         policy = sensingPolicy()
         waker = Waker(this, platform)
-        board = BoardPercepts(BeliefReader { log.warning(it) }, log, sightings, platform.nowMs)
+        val rareWarning = { RareWarning(platform.nowMs) { log.warning(it) } }
+        board = BoardPercepts(BeliefReader { log.warning(it) }, log, PerceptLimit(mostPercepts(), rareWarning()), sightings, platform.nowMs)
+        reflexes = Reflexes(::sendReflex, rareWarning())
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand, platform.nowMs) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle) { log.warning(it) }
@@ -86,7 +90,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private fun sensingPolicy(): SensingPolicy {
         ts.settings.userParameters.keys.filter { it.startsWith("argo_") && it !in OPTIONS }.forEach {
-            log.warning("$it is not an option of argo.Arch, which has $SENSING=${SensingPolicy.words} and $VIEW=a port number")
+            log.warning("$it is not an option of argo.Arch, which has $SENSING=${SensingPolicy.words}, ${PerceptLimit.OPTION}=N and $VIEW=a port number")
         }
         val word = ts.settings.getUserParameter(SENSING) ?: return SensingPolicy.FRESH
         return (SensingPolicy.of(word) ?: SensingPolicy.FRESH.also {
@@ -96,9 +100,17 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         }
     }
 
+    private fun mostPercepts(): Int {
+        val written = ts.settings.getUserParameter(PerceptLimit.OPTION)?.trim() ?: return PerceptLimit.DEFAULT
+        return written.toIntOrNull()?.takeIf { it > 0 } ?: PerceptLimit.DEFAULT.also {
+            log.severe("${PerceptLimit.OPTION}=$written: the most percepts that are believed at once are a whole number from 1; $it is used")
+        }
+    }
+
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
     internal fun perceiveThrough(filter: PerceptionFilter?) {
         board.switchTo(filter)
+        reflexes.forget()
         environment.switchTo(filter)
         observer.filterChanged(filter)
     }
@@ -152,6 +164,16 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         }
     }
 
+    /** Sends a reflex, which no snapshot waits for since the agent has not issued it. */
+    private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) {
+        val observed = observer.commandIssued(port.link.port(), command)
+        if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(command).also(observed))
+        port.commands.submit(command, CommandOptions(urgent = true)) {
+            observed(it)
+            outcome(it)
+        }
+    }
+
     /** Wakes the agent until [seen]: see [Waker]. */
     internal fun wake(seen: () -> Boolean) = waker.wake(seen)
 
@@ -171,6 +193,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private fun senseAnew() {
         board.forgetHeldBack()
         handOver.clear()
+        reflexes.forget()
         staleness.renew()
         applySensing()
     }
@@ -181,15 +204,30 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val environmentNews = environment.update(super.perceive())
         if (policy == SensingPolicy.IN_CYCLE) senseInCycle()
         if (perceiving) board.due()?.also(observer::filtered)?.let(handOver::put)
-        val snapshot = handOver.take()?.takeIf { perceiving && it.port === ports.current }?.let(board::current)
+        val snapshot = handOver.take()?.takeIf { perceiving && it.port === ports.current }?.let(::current)
         if (snapshot != null) {
             sensed = snapshot.percepts
             observer.handedOver(snapshot)
         }
+        criticalNews = snapshot?.critical.orEmpty().map { it.percept }
         val staleNews = believeStale()
         listOfNotNull(environment.dueInMs(), board.dueInMs().takeIf { perceiving }, staleDueInMs().takeIf { it != 0L }).minOrNull()?.let(waker::wakeIn)
         if (!environmentNews && snapshot == null && !states.hasNews() && !staleNews) return null
         return (environment.percepts + sensed + states.beliefs() + staleBelieved.map { ASSyntax.createLiteral(STALE, it) }).toMutableList()
+    }
+
+    /** [taken] as it is with the filter that is active now. */
+    private fun current(taken: Snapshot): Snapshot = board.current(taken).also { if (it !== taken) startReflexes(it) }
+
+    private fun startReflexes(snapshot: Snapshot) {
+        snapshot.port?.let { port -> reflexes.perceived(port, snapshot.critical.map { it.rule }) }
+    }
+
+    /** Jason calls it when it has added the events of what was perceived. */
+    override fun checkMail() {
+        if (criticalNews.isNotEmpty()) bringForward(ts.c.events, criticalNews)
+        criticalNews = emptyList()
+        super.checkMail()
     }
 
     /** In how many ms the board in use will have been silent for too long; null: it is not listened to, or may be silent. */
@@ -242,7 +280,9 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
             if (port !== ports.current || !perceiving) return
             staleness.renew()
-            handOver.put(board.snapshot(port, message, receivedNanos).also(observer::filtered))
+            val snapshot = board.snapshot(port, message, receivedNanos).also(observer::filtered)
+            startReflexes(snapshot)
+            handOver.put(snapshot)
             ports.report(port, PortStatus.ON)
             waker.wake { !handOver.isReady() && staleBelieved.isEmpty() }
         }
@@ -294,7 +334,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         const val DEFAULT_INTERVAL_MS = 50
         private const val SENSING = "argo_sensing"
         private const val VIEW = "argo_view"
-        private val OPTIONS = setOf(SENSING, VIEW)
+        private val OPTIONS = setOf(SENSING, VIEW, PerceptLimit.OPTION)
         private const val NANOS_PER_MS = 1_000_000L
     }
 }

@@ -28,7 +28,7 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
     }
 
     /** What [percept] says; empty if it cannot be read, several literals only where a stray quote or bracket had joined them. */
-    fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parse(percept).also { known[percept] = it }) {
+    fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parse(percept).also { if (percept.length <= LONGEST_KNOWN) known[percept] = it }) {
         is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
             val pieces = piecesOf(percept)
@@ -51,7 +51,7 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
     }
 
     private fun report(percept: String, why: String) {
-        if (reported.size > MOST_REPORTED || !reported.add(percept)) return
+        if (reported.size > MOST_REPORTED || !reported.add(printable(percept))) return
         if (reported.size > MOST_REPORTED) warn("further percepts that cannot be read are not reported")
         else warn("percept ${printable(percept)} is left out: $why")
     }
@@ -65,6 +65,9 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
         const val LEAST_KNOWN = 128
         const val MOST_KNOWN = 4096
         const val MOST_REPORTED = 100
+
+        /** Longer texts are read anew each time: 4096 of the longest messages would take the heap of a small computer. */
+        const val LONGEST_KNOWN = 1024
     }
 }
 

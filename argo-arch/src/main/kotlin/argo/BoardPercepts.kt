@@ -1,5 +1,6 @@
 package argo
 
+import argo.filters.CriticalPercept
 import argo.filters.Explanation
 import argo.filters.FilterSession
 import argo.filters.PerceptionFilter
@@ -16,12 +17,14 @@ import kotlin.concurrent.withLock
  * Safe for use by several threads: the sensing thread does the work, so that the agent's has little left to do.
  *
  * @param log is told at level FINE why a percept is dropped
+ * @param limit on the percepts of one message
  * @param sightings is told what stood in each message
  * @param nowMs a clock in ms that never goes back
  */
 internal class BoardPercepts(
     private val reader: BeliefReader,
     private val log: Logger,
+    private val limit: PerceptLimit,
     private val sightings: Sightings,
     private val nowMs: () -> Long,
 ) {
@@ -67,9 +70,10 @@ internal class BoardPercepts(
     }
 
     private fun read(port: OpenPort?, texts: List<String>, kept: List<String>, receivedNanos: Long): Snapshot {
-        val percepts = kept.flatMap(reader::read)
+        val critical = session.critical.flatMap { found -> reader.read(found.percept).map { CriticalPercept(found.rule, it) } }
+        val percepts = limit.limited(kept.flatMap(reader::read), critical.map { it.percept })
         sightings.seen(if (session.seen == kept) percepts else session.seen.flatMap(reader::read), percepts, receivedNanos)
-        return Snapshot(port, texts, kept, filterVersion, percepts, receivedNanos)
+        return Snapshot(port, texts, kept, filterVersion, percepts, receivedNanos, critical)
     }
 
     private fun explainTo(log: Logger, texts: List<String>) {

@@ -30,29 +30,52 @@ internal interface HandOver {
  *
  * Without (1) events pile up, since Jason handles one a cycle; without (2) commands do, since the line is slower than the
  * agent. Waiting for all commands would starve the sensing of a plan that loops on `argo.act`.
+ *
+ * A snapshot with a critical percept that the one before did not have is handed over at once, and no newer one takes its place that does
+ * not meet its critical rules. So that a board which is critical all the time cannot make events pile up, this ends when [MANY_EVENTS] wait;
+ * then each critical rule may do it once until both conditions hold again.
  */
 internal class FreshHandOver(private val commands: CommandLedger, private val events: PerceptEvents) : HandOver {
     private val newest = AtomicReference<Snapshot?>()
+    private val critical = CriticalSnapshots()
 
     @Volatile
     private var commandsToAwait = 0L
 
     override fun put(snapshot: Snapshot) {
-        newest.updateAndGet { if (it != null && it.receivedNanos - snapshot.receivedNanos > 0) it else snapshot }
+        if (critical.put(snapshot)) newest.updateAndGet { waiting -> waiting?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 } }
+        else newest.updateAndGet { if (it != null && it.receivedNanos - snapshot.receivedNanos > 0) it else snapshot }
     }
 
-    override fun isReady() = newest.get() != null && commands.allDoneUpTo(commandsToAwait) && !events.wait()
+    override fun isReady(): Boolean {
+        val urgent = critical.first()
+        return if (urgent == null) newest.get() != null && isTakenIn() else mayBeEarly(urgent) || isTakenIn()
+    }
+
+    /** Whether the agent has taken in the snapshot before. */
+    private fun isTakenIn() = commands.allDoneUpTo(commandsToAwait) && !events.wait()
+
+    private fun mayBeEarly(snapshot: Snapshot) = events.waiting() < MANY_EVENTS || critical.mayBeEarly(snapshot)
 
     override fun take(): Snapshot? {
         events.takenIn()
         if (!isReady()) return null
-        return newest.getAndSet(null)?.also {
-            commandsToAwait = commands.lastIssued()
-            events.handedOver()
-        }
+        val isTakenIn = isTakenIn()
+        val snapshot = critical.take(isTakenIn) ?: newest.getAndSet(null)?.also(critical::tookOther) ?: return null
+        commandsToAwait = commands.lastIssued()
+        events.handedOver()
+        return snapshot
     }
 
-    override fun clear() = newest.set(null)
+    override fun clear() {
+        critical.clear()
+        newest.set(null)
+    }
+
+    companion object {
+        /** While fewer events than this wait, a critical snapshot is handed over at once. */
+        const val MANY_EVENTS = 1000
+    }
 }
 
 /** Hands over every snapshot in its order; an agent that is [MOST_WAITING] behind loses the oldest, with one warning. */

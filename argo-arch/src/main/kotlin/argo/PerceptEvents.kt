@@ -43,6 +43,9 @@ internal class PerceptEvents(
     /** Whether some of the last snapshot's events are still in the queue, or it is too early to add to a queue that stands. */
     fun wait(): Boolean = if (queueStands()) nowMs() - handedOverMs < STANDING_MS else queue().any { awaits(it) }
 
+    /** How many events wait in the queue, of whatever kind. Any thread. */
+    fun waiting(): Int = queue().size
+
     private fun awaits(event: Event): Boolean = awaited?.contains(event) ?: isPerceptEvent(event)
 
     companion object {

@@ -15,7 +15,7 @@ internal fun perceptsRequest(filter: PerceptionFilter?): String =
     filter?.let(::functorsKept)?.joinToString(",", "$PERCEPTS_REQUEST(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD } ?: PERCEPTS_REQUEST
 
 /** The functors without whose percepts the filter decides as it would with them; null: it may need any. */
-private fun functorsKept(filter: PerceptionFilter): List<String>? = filter.rules
+private fun functorsKept(filter: PerceptionFilter): List<String>? = (filter.rules + filter.critical.map { it.rule })
     .takeIf { rules -> filter.mode == PerceptionFilter.Mode.KEEP && rules.isNotEmpty() && rules.all { it.rate == null && isName(it.predicate) } }
     ?.map { it.predicate.functor }?.distinct()
 

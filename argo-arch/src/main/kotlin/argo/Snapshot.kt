@@ -1,5 +1,6 @@
 package argo
 
+import argo.filters.CriticalPercept
 import jason.asSyntax.Literal
 
 /**
@@ -10,6 +11,7 @@ import jason.asSyntax.Literal
  * @property kept those of them that the filter let through, and what stands for those that it holds back
  * @property filterVersion which of the filters that the agent has chosen so far was active
  * @property percepts what the agent is to believe of it
+ * @property critical what of it the filter's critical rules meet, once for each such rule
  * @property receivedNanos when its last byte came, by the platform's clock
  */
 internal class Snapshot(
@@ -19,4 +21,5 @@ internal class Snapshot(
     val filterVersion: Long,
     val percepts: List<Literal>,
     val receivedNanos: Long,
+    val critical: List<CriticalPercept<Literal>> = emptyList(),
 )

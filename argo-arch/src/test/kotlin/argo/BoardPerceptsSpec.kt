@@ -8,7 +8,7 @@ import java.util.logging.Logger
 
 class BoardPerceptsSpec : FunSpec({
     var nowMs = 0L
-    fun percepts() = BoardPercepts(BeliefReader { error(it) }, Logger.getLogger("test"), Sightings { emptyList() }, { nowMs })
+    fun percepts() = BoardPercepts(BeliefReader { error(it) }, Logger.getLogger("test"), PerceptLimit(1000, RareWarning({ nowMs }) { error(it) }), Sightings { emptyList() }, { nowMs })
     fun BoardPercepts.sees(message: String) = snapshot(null, message, nowMs).percepts.map { "$it" }
     val calm = perceptionFilter("calm") { drop("temp") { everyMs(300) } }
 

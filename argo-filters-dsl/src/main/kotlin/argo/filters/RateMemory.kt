@@ -21,7 +21,8 @@ internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, private val last
 /**
  * What the rates of a filter's rules remember: the percept that each let through last, for each percept up to its numbers.
  *
- * Bounded: of a board that sends percepts of more kinds than [CAPACITY], those that came longest ago are forgotten and let through anew.
+ * Bounded: of a board that sends percepts of more kinds than [CAPACITY], those that came longest ago are forgotten and let through anew, and
+ * percepts longer than [LONGEST] characters are not remembered, so never held back.
  */
 internal class RateMemory<P>(filter: PerceptionFilter?) {
     private data class Key(val rule: CompiledRule, val percept: String)
@@ -52,7 +53,7 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
     /** Remembers that [percept], which [met] the rules, is let through at [nowMs]. */
     fun letThrough(met: List<CompiledRule>, form: PerceptForm, percept: P, nowMs: Long) {
         for (rule in met) {
-            if (rule.rate == null) continue
+            if (rule.rate == null || isLong(form)) continue
             val key = Key(rule, form.key(ANY_NUMBER))
             val last = memory[key]
             if (last?.percept == percept) last.heldSinceMs = null else memory[key] = LetThrough(percept, nowMs, numbers(form))
@@ -60,12 +61,14 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
     }
 
     private fun hold(rule: CompiledRule, form: PerceptForm, percept: P, nowMs: Long): Hold<P>? {
-        val rate = rule.rate ?: return null
+        val rate = rule.rate?.takeUnless { isLong(form) } ?: return null
         val last = memory[Key(rule, form.key(ANY_NUMBER))]?.takeIf { it.percept != percept } ?: return null
         if (hasMoved(rate, last, form)) return null
         val dueMs = if (rate.everyMs != null) last.atMs + rate.everyMs else (last.heldSinceMs ?: nowMs) + Rate.SETTLING_MS
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }
+
+    private fun isLong(form: PerceptForm) = form.toString().length > LONGEST
 
     private fun hasMoved(rate: Rate, last: LetThrough<P>, form: PerceptForm): Boolean = rate.deadbands.any { deadband ->
         val arguments = deadband.argument?.let(::listOf) ?: last.numbers.keys
@@ -83,6 +86,7 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         const val ANY_NUMBER = "#"
 
         private const val CAPACITY = 4_096
+        private const val LONGEST = 1_024
         private const val INITIAL_CAPACITY = 16
         private const val LOAD_FACTOR = 0.75f
     }
