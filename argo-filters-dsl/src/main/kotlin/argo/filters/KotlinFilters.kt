@@ -29,6 +29,7 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
             PerceptionFilter.OnSwitch.FREEZE -> ", OnSwitch.FREEZE"
         }
         line(0, "val ${kotlinName(filter.name)} = $builder(${kotlinString(filter.name)}$onSwitch) {")
+        filter.critical.forEach { critical -> rule("critical", critical.rule.predicate, saidOf(critical.rule) + saidOf(critical.reflex)) }
         filter.rules.forEach { rule(verb, it.predicate, saidOf(it)) }
         line(0, "}")
         return text.toString()
@@ -37,6 +38,8 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
     private fun saidOf(rule: Rule): List<String> =
         listOfNotNull(rule.arity?.let { "arity($it)" }, rule.rate?.everyMs?.let { "everyMs($it)" }) +
             rule.rate?.deadbands.orEmpty().map(::deadband) + rule.conditions.map(::condition)
+
+    private fun saidOf(reflex: String?): List<String> = listOfNotNull(reflex?.let { "reflex(${kotlinString(it)})" })
 
     private fun rule(verb: String, predicate: Predicate, said: List<String>) {
         val head = "$verb(${kotlinString("$predicate")})"

@@ -57,7 +57,8 @@ class KotlinFiltersSpec : FunSpec({
         fun partsOf(type: Class<*>) = type.declaredFields.map { it.name }.filter { it != "Companion" && it.any(Char::isLowerCase) }
         partsOf(Rule::class.java) shouldContainExactlyInAnyOrder listOf("predicate", "conditions", "arity", "rate")
         partsOf(Rate::class.java) shouldContainExactlyInAnyOrder listOf("everyMs", "deadbands")
-        partsOf(PerceptionFilter::class.java) shouldContainExactlyInAnyOrder listOf("name", "mode", "onSwitch", "rules")
+        partsOf(PerceptionFilter::class.java) shouldContainExactlyInAnyOrder listOf("name", "mode", "onSwitch", "rules", "critical")
+        partsOf(CriticalRule::class.java) shouldContainExactlyInAnyOrder listOf("rule", "reflex")
     }
 })
 

@@ -85,7 +85,8 @@ internal class AgentCheck(private val file: Path, text: String) {
     }
 
     private fun act(call: Call) {
-        val command = call.arguments.singleOrNull() ?: return arity(call, "one literal, as in ${call.name}(speed(120))")
+        if (call.arguments.size !in 1..2) return arity(call, "one literal, as in ${call.name}(speed(120)), and a list of options")
+        val command = call.arguments.first()
         val string = command.singleOrNull()?.takeIf { it.kind == Token.Kind.STRING && it.text.startsWith('"') } ?: return
         advices.note(call.line, "the string ${string.text} is sent without its quotes here; some versions of ARGO sent them too", "if the board expects quotes, a structure with a string in it: say(${string.text})")
     }

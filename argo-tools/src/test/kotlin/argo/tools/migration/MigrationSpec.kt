@@ -142,6 +142,7 @@ class MigrationSpec : FunSpec({
         val json = Json.parseToJsonElement(argo("check-agent", "$bad/a.asl", "--json").out).jsonArray.single().jsonObject
         json.getValue("must").jsonPrimitive.content shouldBe "true"
         argo("check-agent", "${folder("a.asl" to "+!s <- .port(COM5).")}").status shouldBe 0
+        argo("check-agent", "${folder("a.asl" to "+!s : argo.age(dist(f,_), Ms) & Ms < 200 <- argo.act(stop, [urgent, timeout(200)]).")}").status shouldBe 0
         argo("check-agent", "$bad/none.asl").err shouldBe "there is no file $bad/none.asl\n"
         argo("check-agent", "$bad/../").status shouldBe 1
     }
