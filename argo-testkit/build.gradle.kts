@@ -4,4 +4,5 @@ dependencies {
     compileOnly(libs.jason) // the user's project brings Jason
     api(project(":argo-arch"))
     testImplementation(libs.jason)
+    testImplementation(libs.mockk)
 }

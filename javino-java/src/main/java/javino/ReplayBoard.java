@@ -4,7 +4,8 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.Lock;
 import java.util.function.Consumer;
 
 /**
@@ -144,10 +145,10 @@ public final class ReplayBoard implements SimulatedBoard {
         private void receive(int timeoutMillis) throws PortException {
             int count = line.read(buffer, 0, buffer.length, timeoutMillis);
             while (count > 0) {
-                decoder.acceptUnbroken(buffer, 0, count, System.nanoTime());
+                decoder.acceptUnbroken(buffer, 0, count, clock.nanos());
                 count = line.read(buffer, 0, buffer.length, 0);
             }
-            decoder.idle(System.nanoTime());
+            decoder.idle(clock.nanos());
         }
 
         private int millisToWait() {
@@ -222,9 +223,20 @@ public final class ReplayBoard implements SimulatedBoard {
             }
         }
 
+        private void pause(long nanos) throws InterruptedException {
+            Lock lock = clock.newLock(false);
+            Condition never = lock.newCondition();
+            lock.lock();
+            try {
+                clock.await(never, nanos);
+            } finally {
+                lock.unlock();
+            }
+        }
+
         private void write(byte[] bytes) throws PortException, InterruptedException {
             line.write(bytes, 0, bytes.length, WRITE_MILLIS);
-            TimeUnit.NANOSECONDS.sleep(bytes.length * line.line().byteNanos()); // a board does not read while it sends
+            pause(bytes.length * line.line().byteNanos()); // a board does not read while it sends
         }
     }
 }

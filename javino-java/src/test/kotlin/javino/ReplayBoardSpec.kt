@@ -96,11 +96,13 @@ private fun plugged(board: ReplayBoard, settings: LinkSettings = LinkSettings.de
     }
 }
 
-/** Stands where it is put. */
+/** Stands where it is put; a pause of the board takes its time on the machine's. */
 private class HandClock : LineClock {
     val millis = AtomicLong()
 
     override fun nanos() = millis.get() * 1_000_000
 
-    override fun await(condition: Condition, nanos: Long) = error("a board does not wait by this clock")
+    override fun await(condition: Condition, nanos: Long) {
+        condition.awaitNanos(nanos)
+    }
 }

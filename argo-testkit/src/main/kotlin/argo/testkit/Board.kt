@@ -9,7 +9,10 @@ import javino.PortBusyException
 import javino.PortException
 import javino.PortGoneException
 import javino.PortPermissionException
+import javino.Recording
+import javino.ReplayBoard
 import javino.Transport
+import java.nio.file.Path
 import kotlin.time.Duration
 
 /**
@@ -29,6 +32,8 @@ class Board internal constructor(private val time: VirtualTime) {
         private set
 
     private var isVersion2 = false
+    private var program = fake.program()
+    private val replayed = ArrayList<String>()
     private val taken = HashSet<Int>()
 
     init {
@@ -45,6 +50,18 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /** It says [percepts] of its own accord, now, as a board does whose port is opened with `mode(listen)`. */
     fun says(vararg percepts: String): Board = apply { fake.send(messageOf(percepts.toList())) }
+
+    /**
+     * From the next opening of its port on it says what a board said in [recording], at the times of the recording, and takes any command. What
+     * else was said of this board does not count then, but for its port.
+     * @throws IllegalArgumentException if the board says nothing in the recording
+     */
+    fun replays(recording: Recording): Board = apply {
+        program = ReplayBoard.of(recording, time).tellingCommandsTo { replayed += it }
+    }
+
+    /** [replays] the recording in [file], as `monitor --record` of ARGO's tools writes it. */
+    fun replays(file: Path): Board = replays(Recording.read(file))
 
     /** It speaks version 2 of the protocol with those who do; to be called before the port is opened. */
     fun version2(): Board = apply {
@@ -89,7 +106,7 @@ class Board internal constructor(private val time: VirtualTime) {
     fun isForbidden(): Board = apply { refusal = { PortPermissionException(it, "this user may not open port $it") } }
 
     /** The commands that have arrived, in their order. */
-    val commands: List<String> get() = fake.received().filterNot(::isRequest)
+    val commands: List<String> get() = fake.received().filterNot(::isRequest) + replayed
 
     /** The requests for percepts that have arrived, in their order: `getPercepts`, or with functors from an agent that speaks version 2. */
     val requests: List<String> get() = fake.received().filter(::isRequest)
@@ -115,7 +132,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
     private fun run(line: MemoryLine) {
         try {
-            fake.program().run(line.board())
+            program.run(line.board())
         } catch (_: PortGoneException) {
             // the agent closed its port, or the cable was pulled
         } catch (_: InterruptedException) {
@@ -124,6 +141,7 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     internal fun end() {
+        recovers()
         line?.unplug()
     }
 
@@ -137,9 +155,11 @@ class Board internal constructor(private val time: VirtualTime) {
         require(isVersion2 || it.length <= Frame.MAX_PAYLOAD) {
             "a board of version 1 says ${Frame.MAX_PAYLOAD} bytes at once, not ${it.length}; let it say less, or call version2() first"
         }
+        require(it.all { c -> c.code <= HIGHEST_BYTE }) { "a message carries one byte per character, and \"$it\" holds others" }
     }
 }
 
+private const val HIGHEST_BYTE = 0xFF
 private const val REQUEST = "getPercepts"
 
 private fun isRequest(message: String) = message == REQUEST || message.startsWith("$REQUEST(")

@@ -19,11 +19,11 @@ import java.nio.file.Path
 
 /** What an agent under test believes and intends. */
 internal class Mind(private val ts: TransitionSystem) {
-    /** Its beliefs without their annotations, in alphabetical order. */
-    val beliefs: List<String> get() = ts.ag.bb.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
+    /** Its beliefs without their annotations and without rules, in alphabetical order. */
+    val beliefs: List<String> get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == JASONS }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
 
-    /** Its intentions, each with the goals that led to it, the latest first, and what it is about to do. */
-    val intentions: List<String> get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described)
+    /** Its intentions, each with the goals that led to it, the latest first, and what it is about to do; in alphabetical order. */
+    val intentions: List<String> get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).sorted()
 
     fun believes(formula: LogicalFormula): Boolean = ts.ag.believes(formula, Unifier())
 
@@ -34,6 +34,9 @@ internal class Mind(private val ts: TransitionSystem) {
         "${means.trigger.type}${means.trigger.literal.copy().apply { clearAnnots() }}$step"
     }
 }
+
+/** The namespace of what Jason adds to every agent. */
+private const val JASONS = "kqml"
 
 /** @throws IllegalArgumentException if [text] is not a condition as in a plan's context */
 internal fun formula(text: String): LogicalFormula = parsed(text, "a belief or a formula such as dist(front,X) & X < 40") {

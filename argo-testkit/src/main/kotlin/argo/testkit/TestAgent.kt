@@ -41,10 +41,10 @@ class TestAgent private constructor(
     /** The commands that have arrived at its boards, of each board in their order. */
     val sent: List<String> get() = bench.all().flatMap { it.commands }
 
-    /** What it believes, without annotations, in alphabetical order. */
+    /** What it believes, without annotations and rules, in alphabetical order. */
     val beliefs: List<String> get() = mind.beliefs
 
-    /** What it intends: `+!patrol at .wait(500)`, where several goals led to it the latest first. */
+    /** What it intends: `!patrol at .wait(500)`, where several goals led to it the latest first. */
     val intentions: List<String> get() = mind.intentions
 
     /** What it has printed, with `.print` and the like. */
@@ -68,7 +68,7 @@ class TestAgent private constructor(
         val end = now + PATIENCE
         time.advanceUntil(nanos(PATIENCE)) { board.answers >= ANSWERS_UNTIL_KNOWN }
         val before = witness.perceptions
-        time.advanceUntil(nanos(end - now)) { witness.perceptions > before }
+        time.advanceUntil(nanos((end - now).coerceAtLeast(Duration.ZERO))) { witness.perceptions > before }
     }
 
     /** Agent [sender] says [content] to it: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
@@ -196,7 +196,12 @@ class TestAgent private constructor(
             val agent = TestAgent(time, bench, infra, witness, journal, ts)
             time.work = agent::step
             agent.wakeEachSecond()
-            time.settle()
+            try {
+                time.settle()
+            } catch (failed: Throwable) {
+                runCatching { agent.close() }.onFailure(failed::addSuppressed)
+                throw failed
+            }
             return agent
         }
     }

@@ -5,26 +5,42 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
-/** A reentrant lock for those who go by [time], of whom one runs at a time. */
+/** A reentrant lock for those who go by [time], of whom one runs at a time; they get it in the order in which they ask. */
 internal class VirtualLock(private val time: VirtualTime) : Lock {
     private var owner: Any? = null
     private var holds = 0
+    private val asking = ArrayDeque<Any>()
 
     private fun me(): Any = time.running ?: time // the driver
 
     private fun isFree() = holds == 0 || owner === me()
 
-    override fun lock() = take(null, false).let { }
+    override fun lock() {
+        take(null, false)
+    }
 
-    override fun lockInterruptibly() = take(null, true).let { }
+    override fun lockInterruptibly() {
+        take(null, true)
+    }
 
     override fun tryLock(): Boolean = isFree().also { if (it) enter(1) }
 
     override fun tryLock(time: Long, unit: TimeUnit): Boolean = take(this.time.nanos() + unit.toNanos(time), true)
 
     private fun take(deadlineNanos: Long?, interruptible: Boolean): Boolean {
-        if (!isFree()) time.block(deadlineNanos, interruptible) { holds == 0 }
-        return tryLock()
+        if (holds > 0 && owner === me() || holds == 0 && asking.isEmpty()) return tryLock()
+        return awaitTurn(deadlineNanos, interruptible).also { if (it) enter(1) }
+    }
+
+    private fun awaitTurn(deadlineNanos: Long?, interruptible: Boolean): Boolean {
+        val turn = Any().also(asking::addLast)
+        val comes = { holds == 0 && asking.first() === turn }
+        try {
+            time.block(deadlineNanos, interruptible, comes)
+            return comes()
+        } finally {
+            asking -= turn
+        }
     }
 
     private fun enter(times: Int) {
@@ -63,9 +79,9 @@ internal class VirtualLock(private val time: VirtualTime) : Lock {
             return deadline - time.nanos()
         }
 
-        override fun await() = wait(null, true).let { }
+        override fun await() = wait(null, true)
 
-        override fun awaitUninterruptibly() = wait(null, false).let { }
+        override fun awaitUninterruptibly() = wait(null, false)
 
         override fun await(time: Long, unit: TimeUnit): Boolean = awaitNanos(unit.toNanos(time)) > 0
 
@@ -80,7 +96,7 @@ internal class VirtualLock(private val time: VirtualTime) : Lock {
                 time.block(deadlineNanos, interruptible) { waiter.signalled }
             } finally {
                 waiting -= waiter
-                if (holds > 0) time.block(null, false) { holds == 0 }
+                awaitTurn(null, false)
                 enter(held)
             }
         }

@@ -52,21 +52,23 @@ internal class VirtualTime : LineClock {
     /** Lets time pass until [reached], at most [nanos], and returns whether it was. What there is to do at the end's instant is done. */
     fun advanceUntil(nanos: Long, reached: () -> Boolean): Boolean = driving {
         val end = nowNanos + nanos
-        settle()
-        while (!reached()) {
-            val next = nextInstant()
-            if (next == null || next > end) {
-                nowNanos = maxOf(nowNanos, end)
-                return@driving false
-            }
-            nowNanos = maxOf(nowNanos, next)
-            settle()
+        while (true) {
+            val rests = settle()
+            if (reached()) return@driving true
+            if (nowNanos > end) return@driving false // who waits within what it does here has taken the time with it
+            if (rests) nowNanos = nextInstant()?.takeIf { it <= end } ?: break
         }
-        true
+        nowNanos = maxOf(nowNanos, end)
+        false
     }
 
-    /** Lets everything run until all that is left waits for a later time. */
-    fun settle() = driving { while (runReady() || work()) { /* the next one */ } }
+    /** Lets everything run until all that is left waits for a later time, or time has gone on meanwhile: false. */
+    fun settle(): Boolean = driving {
+        val instant = nowNanos
+        var ran = true
+        while (ran && nowNanos == instant) ran = runReady() || work()
+        !ran
+    }
 
     /** The names of the threads that have not ended. */
     fun living(): List<String> = strands.filter { !it.over }.map { it.name }
@@ -117,8 +119,9 @@ internal class VirtualTime : LineClock {
         strand.failure?.let { throw IllegalStateException("thread ${strand.name} ended with $it", it) }
     }
 
+    /** When something is due next, now at the earliest; null: never. */
     private fun nextInstant(): Long? =
-        (strands.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos)).minOrNull()
+        (strands.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos)).minOrNull()?.let { maxOf(it, nowNanos) }
 
     /** Does [work] as a part of this time: what it starts and logs belongs to it. */
     fun <T> driving(work: () -> T): T {

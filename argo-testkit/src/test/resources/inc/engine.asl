@@ -1,0 +1,3 @@
++!drive : driving <- true.
++!drive <- +driving; argo.act(front).
++!halt  <- -driving; argo.act(stop).
