@@ -12,6 +12,7 @@ import samples.lamp.BlinkCommand
 import samples.lamp.TwoBoardsCommand
 import samples.delegation.DelegationCommand
 import samples.experiment.ExperimentCommand
+import samples.fleet.FleetCommand
 import samples.typedfilters.TypedFiltersCommand
 import kotlin.system.exitProcess
 
@@ -55,7 +56,7 @@ private fun <N> wholeNumber(text: String, read: (String) -> N?): N =
 @Command(
     name = "samples",
     description = ["Jason agents that drive boards through ARGO."],
-    subcommands = [CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, TypedFiltersCommand::class],
+    subcommands = [CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, TypedFiltersCommand::class, FleetCommand::class],
 )
 private class Samples : Runnable {
     @CommandLine.Spec

@@ -1,0 +1,34 @@
+// A robot of the fleet: says that it is there, and visits in turn the places that it is given to watch.
+
+!start.
+
++!start : board(Board) <-
+    argo.port(Board);
+    argo.limit(100);
+    argo.percepts(open);
+    !!report;
+    !!patrol.
+
++!report <-
+    .send(coordinator, achieve, hear);
+    .wait(300);
+    !report.
+
++!watch(Place)[source(coordinator)] <- +place(Place).
++!leave(Place)[source(coordinator)] <- .abolish(place(Place)).
++!stand_by[source(coordinator)] <- .abolish(place(_)).
+
++!patrol : place(_) <-
+    for (place(Place)) { !visit(Place) };
+    !patrol.
++!patrol <-
+    .wait(100);
+    !patrol.
+
++!visit(Place) <-
+    argo.act(goto(Place));
+    .wait(at(Place), 5000);
+    .send(coordinator, achieve, visited(Place)).
+-!visit(Place)[error(Error)] <-
+    .print("did not reach ", Place, ": ", Error);
+    .wait(500).

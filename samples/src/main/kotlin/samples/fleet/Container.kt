@@ -1,0 +1,55 @@
+package samples.fleet
+
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
+
+/**
+ * A JADE container with Jason's agents, in a process of its own: `jason.infra.jade.RunJadeMAS` in the directory of the project.
+ *
+ * @property name what it is called in the `.mas2j`, behind `at`
+ * @property port where it listens
+ * @param said is told each line that it prints, by a thread of its own
+ */
+internal class Container private constructor(val name: String, val port: Int, private val process: Process, said: (String) -> Unit) : AutoCloseable {
+    private val reader = thread(isDaemon = true, name = "container $name") { process.inputStream.bufferedReader().forEachLine(said) }
+
+    /** Whether its process runs. */
+    val isAlive: Boolean get() = process.isAlive
+
+    /** Ends its process at once, as a power failure does. */
+    fun kill() {
+        process.destroyForcibly().waitFor()
+        reader.join()
+    }
+
+    /** Ends its process, at once if it does not end by itself. */
+    override fun close() {
+        process.destroy()
+        if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) process.destroyForcibly().waitFor()
+        reader.join()
+    }
+
+    companion object {
+        private const val PATIENCE_S = 5L
+
+        /**
+         * Starts a container of [project], a `.mas2j` file. It listens on [HOST] alone.
+         *
+         * @param port where it listens
+         * @param mainPort where the main container listens; the same for that one
+         */
+        fun start(project: Path, name: String, port: Int, mainPort: Int, said: (String) -> Unit): Container {
+            val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+            val role = if (port == mainPort) emptyList() else listOf("-container")
+            val command = listOf(java, "-cp", System.getProperty("java.class.path"), "jason.infra.jade.RunJadeMAS", "${project.fileName}") + role +
+                listOf("-container-name", name, "-host", HOST, "-port", "$mainPort", "-local-host", HOST, "-local-port", "$port", "-nomtp") +
+                listOf("-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true", "--no-net", "true")
+            val process = ProcessBuilder(command).directory(project.parent.toFile()).redirectErrorStream(true).start()
+            return Container(name, port, process, said)
+        }
+
+        /** The address that all containers of the sample have. */
+        const val HOST = "127.0.0.1"
+    }
+}

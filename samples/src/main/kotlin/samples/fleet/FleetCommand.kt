@@ -1,0 +1,54 @@
+package samples.fleet
+
+import picocli.CommandLine.Command
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Option
+import picocli.CommandLine.ParameterException
+import picocli.CommandLine.Spec
+import java.util.concurrent.Callable
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
+
+/** `fleet`: several computers, of which one fails. */
+@Command(
+    name = "fleet",
+    description = [
+        "Two robots and a coordinator, each in a process of its own, on Jason's JADE infrastructure. One robot's process is killed, and",
+        "the other one gets what it had to do. The boards are simulated, and everything listens on 127.0.0.1 only.",
+    ],
+    sortOptions = false,
+)
+internal class FleetCommand : Callable<Int> {
+    @Spec
+    private lateinit var spec: CommandSpec
+
+    @Option(names = ["--seconds"], paramLabel = "n", defaultValue = "8", description = ["how long before and after that (default: \${DEFAULT-VALUE})"])
+    private var seconds = 0
+
+    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    private var help = false
+
+    override fun call(): Int {
+        if (seconds < 1) throw ParameterException(spec.commandLine(), "--seconds is at least 1, not $seconds")
+        val ready = CountDownLatch(SCOUTS)
+        val fleet = Fleet.start {
+            println(it)
+            if (it.endsWith(" is there")) ready.countDown()
+        }
+        Runtime.getRuntime().addShutdownHook(thread(start = false) { fleet.close() })
+        fleet.use {
+            if (!ready.await(START_LIMIT_S, TimeUnit.SECONDS)) return 1.also { System.err.println("the scouts have not come within $START_LIMIT_S s") }
+            TimeUnit.SECONDS.sleep(seconds.toLong())
+            fleet.kill("scout2")
+            println("the process of scout2 has been killed")
+            TimeUnit.SECONDS.sleep(seconds.toLong())
+        }
+        return 0
+    }
+
+    private companion object {
+        const val SCOUTS = 2
+        const val START_LIMIT_S = 60L
+    }
+}

@@ -1,0 +1,43 @@
+package samples.fleet
+
+import javino.LineClock
+import javino.SimulatedBoard
+import javino.Transport
+import samples.board.FieldBoard
+import samples.board.Sketch
+
+/**
+ * The firmware of a robot that drives where it is told: after `goto(P)` it is on its way, `driving(P)`, and [TRAVEL_MS] ms later there,
+ * `at(P)`. It starts `at(home)`.
+ *
+ * @param clock what its journeys take their time by
+ */
+class Rover(private val clock: LineClock) : Sketch {
+    private var place = "home"
+    private var arrivesAt = clock.nanos()
+
+    override fun percepts() = if (clock.nanos() - arrivesAt >= 0) "at($place);" else "driving($place);"
+
+    override fun act(command: String) {
+        val goal = GOTO.matchEntire(command)?.groupValues?.get(1) ?: return
+        if (goal == place) return
+        place = goal
+        arrivesAt = clock.nanos() + TRAVEL_MS * 1_000_000L
+    }
+
+    companion object {
+        /** How long the robot takes from any place to any other. */
+        const val TRAVEL_MS = 400
+
+        private val GOTO = Regex("""goto\((\w+)\)""")
+    }
+}
+
+/** `sim:rover`, the board of each scout in the sample `fleet`; there is one in each process. */
+class RoverBoard : SimulatedBoard {
+    private val board = FieldBoard(Rover(LineClock.system()))
+
+    override fun name() = "rover"
+
+    override fun run(line: Transport) = board.run(line)
+}

@@ -1,0 +1,100 @@
+package samples.fleet
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.shouldBe
+import samples.Program
+import java.io.IOException
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.net.NetworkInterface
+import java.net.Socket
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+
+private const val LIMIT_S = 90L
+private const val CONNECT_LIMIT_MS = 2_000
+
+class FleetSpec : FunSpec({
+    test("when the process of one robot is killed, the others go on and one of them gets its places") {
+        val lines = Lines()
+        Fleet.start(lines::add).use { fleet ->
+            lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
+            for (scout in listOf("scout1", "scout2")) lines.await { "$scout has visited" in it } // again and again, in any order
+            val orphaned = lines.watched("scout2")
+            orphaned shouldHaveSize 2
+
+            fleet.kill("scout2")
+            fleet.isAlive("scout2") shouldBe false
+            lines.await { it.endsWith("scout2 is lost") }
+            lines.await { watched("scout1").size == 4 }
+            lines.watched("scout1") shouldContainExactlyInAnyOrder listOf("north", "east", "south", "west")
+            lines.watched("scout2").shouldBeEmpty()
+            for (place in orphaned) lines.await { it.endsWith("scout1 has visited $place") }
+            fleet.isAlive("main") shouldBe true
+        }
+    }
+
+    test("nothing of it listens beyond this computer, and nothing is left of it") {
+        val lines = Lines()
+        val fleet = Fleet.start(lines::add)
+        fleet.use {
+            lines.await { it.endsWith("scout1 is there") }
+            fleet.ports.filterNot { isOpen(InetAddress.getByName("127.0.0.1"), it) }.shouldBeEmpty()
+            fleet.ports.filter { port -> otherAddresses().any { isOpen(it, port) } }.shouldBeEmpty()
+        }
+        listOf("main", "scout1", "scout2").filter(fleet::isAlive).shouldBeEmpty()
+    }
+
+    test("the command shows it and ends") {
+        Program.samples("fleet", "--seconds", "5").use { program ->
+            listOf("has visited", "scout2 has been killed", "scout2 is lost", "scout1 watches", "scout1 has visited").forEach(program::awaitLine)
+            program.awaitEnd().first shouldBe 0
+        }
+    }
+})
+
+/** The addresses of this computer beside 127.0.0.1. On Linux all of 127 leads to who listens everywhere, and not to who listens on 127.0.0.1. */
+private fun otherAddresses(): List<InetAddress> {
+    val others = NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }.filterNot { it.isLoopbackAddress }
+    return if (System.getProperty("os.name") == "Linux") others + InetAddress.getByName("127.0.0.2") else others
+}
+
+private fun isOpen(address: InetAddress, port: Int): Boolean = try {
+    Socket().use { it.connect(InetSocketAddress(address, port), CONNECT_LIMIT_MS) }
+    true
+} catch (_: IOException) {
+    false
+}
+
+/** What the containers print, and what of the coordinator's words follows from it. */
+private class Lines {
+    private val unread = LinkedBlockingQueue<String>()
+    private val watches = LinkedHashMap<String, String>()
+    private val read = ArrayList<String>()
+
+    fun add(line: String) = unread.put(line)
+
+    /** The places that [scout] watches, as far as has been read. */
+    fun watched(scout: String): List<String> = watches.filterValues { it == scout }.keys.toList()
+
+    /** Reads on until [wanted] is true for a line, and for what has been read up to it. */
+    fun await(wanted: Lines.(String) -> Boolean) {
+        val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_S)
+        while (true) {
+            val line = unread.poll(deadline - System.nanoTime(), TimeUnit.NANOSECONDS)
+                ?: throw AssertionError("nothing like that within $LIMIT_S s in:\n${read.joinToString("\n")}")
+            read += line
+            WATCHES.find(line)?.destructured?.let { (scout, place) -> watches[place] = scout }
+            LOST.find(line)?.groupValues?.get(1)?.let { lost -> watches.values.removeAll { it == lost } }
+            if (wanted(line)) return
+        }
+    }
+
+    private companion object {
+        val WATCHES = Regex("""\[coordinator] (\w+) watches (\w+)""")
+        val LOST = Regex("""\[coordinator] (\w+) is lost""")
+    }
+}

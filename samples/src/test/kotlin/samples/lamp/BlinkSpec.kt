@@ -1,0 +1,17 @@
+package samples.lamp
+
+import argo.testkit.agent
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import kotlin.io.path.Path
+import kotlin.time.Duration.Companion.hours
+
+class BlinkSpec : FunSpec({
+    test("the LED goes on and off twice a second, for an hour, and for good") {
+        agent(Path("blink/blink.asl")) { options("beliefs" to "board(ttyACM0)") }.use { blink ->
+            blink.after(1.hours)
+            check(blink.sent.size in 7_000..7_200) { "${blink.sent.size} commands" } // each takes its time on the line, too
+            blink.sent.withIndex().all { (i, command) -> command == if (i % 2 == 0) "ledOn" else "ledOff" } shouldBe true
+        }
+    }
+})
