@@ -15,7 +15,7 @@ class CommandLineSpec : FunSpec({
             "collision --interval -1" to "--interval is from 0 to 10000 ms, not -1",
             "collision --baud 0" to "--baud is from 300 to 4000000 bits a second, not 0",
             "collision --port sim:robot --seed 3" to "--seed is for the simulated robot",
-            "collision --view=http" to "'--view' (port): http is not a whole number",
+            "collision --view=http" to "'--view': http is not a whole number",
             "collision --view=70000" to "--view is from 0 to 65535 as a port, 0 being any that is free, not 70000",
             "collision --view --view-wait=-1" to "--view-wait is from 0 to 3600 s, not -1",
             "collision --view-wait 5" to "--view-wait is for --view",
