@@ -187,6 +187,6 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
 private fun label(outcome: Outcome, responseMs: Double) = when (outcome) {
     Outcome.STOPPED -> String.format(Locale.ROOT, "%.2f", responseMs / 1000)
     Outcome.COLLIDED -> "wall"
-    Outcome.IDLE -> "never drove"
+    Outcome.IDLE -> "idle"
     Outcome.FAILED -> "failed"
 }

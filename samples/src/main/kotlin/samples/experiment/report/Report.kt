@@ -146,7 +146,7 @@ of the effects over the total one.</p>
 More sensors are further sets of the twelve, each of which moves the agent to as much as the first. A version 1 message holds 255 bytes, about twenty percepts: a board with more
 sends several, each of which is a snapshot of its own to the computer: an agent that sees the front in one of them misses it in the next. The first one is also taken for the end of the answer, so
 commands and requests arrive while the board is still sending, and of those it keeps the last one only; where no command to drive arrives at all the robot never drives. Version 2 has no such bound.</p>
-""" + figure("scaling", "Green: fast. Orange: slow. Red: into the wall, or the robot never drove.") { scalingFigure(all, it) } +
+""" + figure("scaling", "Green: fast. Orange: slow. Red: into the wall, or idle: the robot never drove, or failed: the agent gave up.") { scalingFigure(all, it) } +
             "<h3>Where each condition begins to fail</h3>\n" + table(
             listOf("condition", "filter", "sensors", "stops from", "does not up to", "request and answer take, at the slowest that stops"),
             all.groupBy { Triple(it.trial.condition, it.trial.view, it.trial.sensors) }.toSortedMap(compareBy({ it.first }, { it.second }, { it.third })).values.map(::failureRow),
