@@ -18,7 +18,7 @@ internal fun page(title: String, body: String): String = """<!DOCTYPE html>
 }
 body { margin: 0 auto; padding: 1rem; max-width: 62rem; background: var(--paper); color: var(--ink); font: 1rem/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.7rem; line-height: 1.2; } h2 { margin-top: 2.5rem; border-bottom: 1px solid var(--line); padding-bottom: .2rem; } h3 { margin-top: 1.6rem; }
-p, li { max-width: 46rem; } .soft, figcaption { color: var(--soft); font-size: .9rem; }
+p, li { max-width: 46rem; overflow-wrap: break-word; } .soft, figcaption { color: var(--soft); font-size: .9rem; }
 figure { margin: 1rem 0; } .wide { overflow-x: auto; } .wide img { display: block; width: 100%; min-width: 44rem; height: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; } th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 td.n, th.n { text-align: right; white-space: nowrap; } thead th { background: var(--tint); }
