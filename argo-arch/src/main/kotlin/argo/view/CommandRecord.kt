@@ -34,7 +34,7 @@ internal class CommandRecord(private val nanos: () -> Long) {
         finished.addFirst(entry.copy(doneNanos = nanos(), failure = failure))
     }
 
-    /** All that is known at [now]. Commands go out in their order, so the first one of its port is on the line. */
+    /** All that is known at [now]. The oldest of each port is taken to be on the line, since all but urgent commands go out in their order. */
     fun state(now: Long): CommandsState = lock.withLock {
         val ports = HashSet<String>()
         val waiting = unfinished.values.map { it.state(now, if (ports.add(it.port)) "line" else "waiting") }
