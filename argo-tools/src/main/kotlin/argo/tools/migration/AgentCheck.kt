@@ -85,7 +85,9 @@ internal class AgentCheck(private val file: Path, text: String) {
     }
 
     private fun act(call: Call) {
-        if (call.arguments.size !in 1..2) return arity(call, "one literal, as in ${call.name}(speed(120)), and a list of options")
+        val options = call.arguments.getOrNull(1)
+        val areOptions = options == null || options.firstOrNull()?.let { it.isSymbol('[') || it.isVariable } == true
+        if (call.arguments.size !in 1..2 || !areOptions) return arity(call, "one literal, as in ${call.name}(speed(120)), and a list of options if there are any")
         val command = call.arguments.first()
         val string = command.singleOrNull()?.takeIf { it.kind == Token.Kind.STRING && it.text.startsWith('"') } ?: return
         advices.note(call.line, "the string ${string.text} is sent without its quotes here; some versions of ARGO sent them too", "if the board expects quotes, a structure with a string in it: say(${string.text})")
