@@ -1,5 +1,6 @@
 package samples.fleet
 
+import java.io.IOException
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
@@ -12,7 +13,13 @@ import kotlin.concurrent.thread
  * @param said is told each line that it prints, by a thread of its own
  */
 internal class Container private constructor(val name: String, val port: Int, private val process: Process, said: (String) -> Unit) : AutoCloseable {
-    private val reader = thread(isDaemon = true, name = "container $name") { process.inputStream.bufferedReader().forEachLine(said) }
+    private val reader = thread(isDaemon = true, name = "container $name") {
+        try {
+            process.inputStream.bufferedReader().forEachLine(said)
+        } catch (_: IOException) {
+            // a process that is destroyed takes with it what it has printed and nobody has read
+        }
+    }
 
     /** Whether its process runs. */
     val isAlive: Boolean get() = process.isAlive
