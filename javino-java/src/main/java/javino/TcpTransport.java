@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.ReentrantLock;
 
@@ -99,7 +100,9 @@ final class TcpTransport implements Transport {
     public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
         long deadline = System.nanoTime() + timeoutMillis * NANOS_PER_MILLI;
         ByteBuffer bytes = ByteBuffer.wrap(b, off, len);
-        lock(writing);
+        if (!taken(writing, deadline)) {
+            throw tooLate(bytes, timeoutMillis);
+        }
         try {
             while (true) {
                 move(() -> channel.write(bytes));
@@ -108,13 +111,26 @@ final class TcpTransport implements Transport {
                 }
                 long left = deadline - System.nanoTime();
                 if (left <= 0) {
-                    throw new PortTimeoutException(name, "port " + name + " took " + (len - bytes.remaining()) + " of " + len + " bytes within "
-                            + timeoutMillis + " ms; the far end does not read");
+                    throw tooLate(bytes, timeoutMillis);
                 }
                 await(writable, left);
             }
         } finally {
             writing.unlock();
+        }
+    }
+
+    private PortTimeoutException tooLate(ByteBuffer bytes, int timeoutMillis) {
+        return new PortTimeoutException(name, "port " + name + " took all but " + bytes.remaining() + " bytes of a message within "
+                + timeoutMillis + " ms; the far end does not read");
+    }
+
+    /** Takes the lock, unless another has it until {@code deadlineNanos}. */
+    private boolean taken(ReentrantLock lock, long deadlineNanos) throws PortInterruptedException {
+        try {
+            return lock.tryLock(Math.max(0, deadlineNanos - System.nanoTime()), TimeUnit.NANOSECONDS);
+        } catch (InterruptedException e) {
+            throw PortInterruptedException.remarking(name);
         }
     }
 
