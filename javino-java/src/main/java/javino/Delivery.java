@@ -38,7 +38,7 @@ final class Delivery {
         turn = clock.newLock(true);
         acknowledgementNanos = ACKNOWLEDGEMENT_LENGTH * line.byteNanos();
         // another program that had the port a moment ago is unlikely to have stopped at the same number
-        sequence = (int) Math.floorMod(clock.nanos() / NANOS_PER_MILLI, (long) Frame.SEQUENCES);
+        sequence = LastSequences.of(port, (int) Math.floorMod(clock.nanos() / NANOS_PER_MILLI, (long) Frame.SEQUENCES));
     }
 
     /**
@@ -54,6 +54,7 @@ final class Delivery {
         awaitTurn(timeoutMillis);
         try {
             sequence = (sequence + 1) % Frame.SEQUENCES;
+            LastSequences.used(port, sequence);
             inbox.expectOutcome(sequence);
             Frame frame = action.toVersion2(Frame.ACK_WANTED, sequence);
             Inbox.Outcome outcome = repeat(frame, timeoutMillis, preparation);

@@ -121,11 +121,11 @@ final class FrameWriter {
         }
     }
 
-    /** Says that bytes arrived at {@code now}. */
-    void received(long now) {
+    /** Says that {@code bytes} have been read at {@code now}. */
+    void received(int bytes, long now) {
         lock.lock();
         try {
-            schedule.received(now);
+            schedule.received(bytes, now);
         } finally {
             lock.unlock();
         }

@@ -4,7 +4,6 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
-import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 
 /**
@@ -14,6 +13,12 @@ import java.util.function.Supplier;
  * when it has what it waits for. One thread at a time waits for messages, and one for the outcome of an action.
  */
 final class Inbox {
+    /** Told whenever bytes have arrived. */
+    interface Reception {
+        /** Says that {@code bytes} have been read at {@code now}, in nanoseconds of the line's clock. */
+        void received(int bytes, long now);
+    }
+
     /** What a board says of an action. */
     enum Outcome { DONE, REFUSED }
 
@@ -33,7 +38,7 @@ final class Inbox {
     private final LineClock clock;
     private final FrameDecoder decoder;
     private final Fragments fragments;
-    private final LongConsumer received;
+    private final Reception received;
     private final long interByteTimeoutNanos;
     private boolean beingRead;
     private boolean version2; // and nothing else
@@ -46,17 +51,17 @@ final class Inbox {
     /**
      * An inbox for version 1.
      *
-     * @param received told the time whenever bytes have arrived
+     * @param received told whenever bytes have arrived
      */
-    Inbox(Transport transport, LineClock clock, LongConsumer received) {
+    Inbox(Transport transport, LineClock clock, Reception received) {
         this(transport, clock, received, Protocol.V1, Frame.MAX_PAYLOAD);
     }
 
     /**
-     * @param received told the time whenever bytes have arrived
+     * @param received told whenever bytes have arrived
      * @param messageLimit bytes that a message of several fragments has at most
      */
-    Inbox(Transport transport, LineClock clock, LongConsumer received, Protocol protocol, int messageLimit) {
+    Inbox(Transport transport, LineClock clock, Reception received, Protocol protocol, int messageLimit) {
         this.transport = transport;
         this.clock = clock;
         lock = clock.newLock(false);
@@ -201,7 +206,7 @@ final class Inbox {
         if (count > 0) {
             lastByteNanos = now;
             decoder.acceptUnbroken(buffer, 0, count, now); // a read that finds nothing tells of silence, a late one does not
-            received.accept(now);
+            received.received(count, now);
         } else {
             decoder.idle(now);
             noteSilence(now);

@@ -127,12 +127,12 @@ final class LineSchedule {
         return frameEnd;
     }
 
-    /** Says that bytes arrived. */
-    void received(long now) {
+    /** Says that {@code bytes} were there when the line was looked at: the first of them came earlier, by the time that the others took. */
+    void received(int bytes, long now) {
         if (awaitingAnswer) {
             if (!answerBegun) {
                 answerBegun = true;
-                loop.answeredAfter(now - requestEnd);
+                loop.answeredAfter(now - (bytes - 1) * byteNanos - requestEnd);
             }
             busyUntil = later(busyUntil, now + QUIET_NANOS);
         }

@@ -62,7 +62,7 @@ private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, priva
     }
 
     private fun answerByte(now: Long) {
-        schedule.received(now)
+        schedule.received(1, now)
         if (++answerBytes == answer.length()) {
             answerBytes = 0
             answers++

@@ -58,7 +58,7 @@ class FieldFaultSpec : FunSpec({
                 val whole = HashSet<Int>() // the numbers of the messages that came as they were sent
                 var delivered = 0
                 EventLine(FAST, Talker(EXCHANGES, gap) { if (faults.intact) intact += it }, toComputer = faults).use { line ->
-                    val inbox = Inbox(line.transport, line.clock) { }
+                    val inbox = Inbox(line.transport, line.clock) { _, _ -> }
                     for (message in generateSequence { inbox.next(line.clock.nanos() + 2_000_000_000) }) {
                         delivered++
                         val number = message.text().substringAfter('(').substringBefore(')').toIntOrNull()

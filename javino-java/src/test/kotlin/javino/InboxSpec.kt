@@ -17,7 +17,7 @@ private class InboxProbe(protocol: Protocol = Protocol.V1, messageLimit: Int = F
     val clock = JumpingClock()
     private val line = MemoryLine.unlimited("probe", LineSettings.defaults(), clock)
     val receivedAt = mutableListOf<Long>()
-    val inbox = Inbox(line.computer(), clock, receivedAt::add, protocol, messageLimit)
+    val inbox = Inbox(line.computer(), clock, { _, now -> receivedAt.add(now) }, protocol, messageLimit)
 
     fun arrives(bytes: String) = line.board().write(bytes.toByteArray(Charsets.ISO_8859_1), 0, bytes.length, 0)
 

@@ -105,7 +105,7 @@ class LineScheduleSpec : FunSpec({
     test("a board that looks at the line more seldom than messages are spaced gets them farther apart") {
         val schedule = schedule()
         val asked = schedule.wroteRequest(17, 0, 0)
-        schedule.received(asked + 30 * MILLI)
+        schedule.received(1, asked + 30 * MILLI)
         schedule.answered(asked + 40 * MILLI)
         val sent = schedule.wroteAction(11, asked + 40 * MILLI, asked + 40 * MILLI)
         schedule.nanosUntilRequest(sent) shouldBe 60 * MILLI
@@ -116,7 +116,7 @@ class LineScheduleSpec : FunSpec({
         fun apart(settings: LinkSettings): Long {
             val schedule = schedule(settings)
             val asked = schedule.wroteRequest(17, 0, 0)
-            schedule.received(asked + 400 * MILLI)
+            schedule.received(1, asked + 400 * MILLI)
             schedule.answered(asked + 410 * MILLI)
             val sent = schedule.wroteAction(11, asked + 410 * MILLI, asked + 410 * MILLI)
             return schedule.nanosUntilRequest(sent)
@@ -134,11 +134,29 @@ class LineScheduleSpec : FunSpec({
         loop.nanos() shouldBe 0
     }
 
+    test("one answer among many that was late is not taken for a board that looks seldom") {
+        val loop = LoopTime()
+        repeat(63) { loop.answeredAfter(2 * MILLI) }
+        loop.answeredAfter(45 * MILLI)
+        loop.nanos() shouldBe 4 * MILLI
+        loop.answeredAfter(45 * MILLI)
+        loop.nanos() shouldBe 90 * MILLI
+    }
+
+    test("bytes that are read late, all at once, do not make the board late") {
+        val schedule = schedule()
+        val asked = schedule.wroteRequest(17, 0, 0)
+        schedule.received(30, asked + 40 * MILLI) // 30 bytes take 31.25 ms
+        schedule.answered(asked + 50 * MILLI)
+        val sent = schedule.wroteAction(11, asked + 50 * MILLI, asked + 50 * MILLI)
+        schedule.nanosUntilRequest(sent) shouldBe 2 * (40 * MILLI - 29 * BYTE_9600)
+    }
+
     test("bytes that arrive say that the board is still busy") {
         val schedule = schedule()
         val asked = schedule.wroteRequest(17, 0, 0)
         val sent = schedule.wroteAction(11, asked, asked)
-        schedule.received(asked + 40 * MILLI)
+        schedule.received(1, asked + 40 * MILLI)
         schedule.nanosUntilAction(11, sent) shouldBe asked + 90 * MILLI - sent
     }
 

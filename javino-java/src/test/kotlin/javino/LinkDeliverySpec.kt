@@ -64,6 +64,13 @@ class LinkDeliverySpec : FunSpec({
         }
     }
 
+    test("a board that stays on while its port is opened again does not take the next action for a repetition") {
+        val board = VirtualBoard2()
+        // at the same time, by clocks that begin anew
+        repeat(3) { VirtualBench(LinkSettings.defaults().withBootMillis(0), board, Protocol.V2, "again").use { it.link.send("ledOn", 500) } }
+        board.handled shouldContainExactly List(3) { "2:ledOn" }
+    }
+
     test("an action that takes long is waited for") {
         val board = VirtualBoard2().apply { takes = 1_500.0 }
         bench(board).use { bench ->

@@ -8,14 +8,15 @@ import java.util.concurrent.locks.Condition
  * end of the line. What is tested so takes no time and gives the same result on any machine.
  *
  * @param protocol what the link speaks, whatever the settings say
+ * @param name the port's, of its own unless a port is to be opened again
  */
 internal class VirtualBench(
     settings: LinkSettings = LinkSettings.defaults(),
     private val board: LineEnd,
     protocol: Protocol = Protocol.V1,
+    private val name: String = "virtual${benches.incrementAndGet()}",
 ) : AutoCloseable {
     private val clock = Time()
-    private val name = "virtual${benches.incrementAndGet()}"
     private val line: MemoryLine = MemoryLine.paced(name, settings.line(), clock)
     val link = Link(line.computer(), settings.withProtocol(protocol), PortOwners.claim(name, "the test"), clock)
 
