@@ -23,8 +23,9 @@ import java.util.logging.Logger
  *
  *     agents: robot agentArchClass argo.Arch;
  *
- * and its agents use the internal actions `argo.port`, `argo.limit`, `argo.percepts`, `argo.act` and `argo.change_filter`.
- * When snapshots of the sensors are handed over is set with `[argo_sensing=fresh]` (the default), `every` or `in_cycle`.
+ * and its agents use the internal actions `argo.port`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.change_filter`, `argo.age` and
+ * `argo.explain`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`, which is when snapshots of the sensors are handed
+ * over; `argo_percepts=4096`, how many percepts are believed at once; `argo_view=8080`, the port of a live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
  * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.
@@ -71,41 +72,21 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun init() {
         super.init()
         log = Logger.getLogger("${Arch::class.java.name}.$agName")
-        policy = sensingPolicy()
+        val options = ArchOptions(ts.settings, log)
+        policy = options.policy
         waker = Waker(this, platform)
         val rareWarning = { RareWarning(platform.nowMs) { log.warning(it) } }
-        board = BoardPercepts(BeliefReader { log.warning(it) }, log, PerceptLimit(mostPercepts(), rareWarning()), sightings, platform.nowMs)
+        board = BoardPercepts(BeliefReader { log.warning(it) }, log, PerceptLimit(options.mostPercepts, rareWarning()), sightings, platform.nowMs)
         reflexes = Reflexes(::sendReflex, rareWarning())
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand, platform.nowMs) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle) { log.warning(it) }
-        view = viewOf(ViewedArch())?.also { observer = it.observer }
+        // a view that cannot be had is reported, and the agent does without
+        view = options.view?.let { AgentView.open(it, ViewedArch(), log) }?.also { observer = it.observer }
     }
-
-    /** A view that cannot be had is reported, and the agent does without. */
-    private fun viewOf(agent: ViewedAgent): AgentView? = ts.settings.getUserParameter(VIEW)?.let { AgentView.open(it, agent, log) }
 
     /** An atomic plan holds back all events; with `events=requeue` those that no plan applies to come back for ever. */
     private fun eventsStand() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
-
-    private fun sensingPolicy(): SensingPolicy {
-        ts.settings.userParameters.keys.filter { it.startsWith("argo_") && it !in OPTIONS }.forEach {
-            log.warning("$it is not an option of argo.Arch, which has $SENSING=${SensingPolicy.words}, ${PerceptLimit.OPTION}=N and $VIEW=a port number")
-        }
-        val word = ts.settings.getUserParameter(SENSING) ?: return SensingPolicy.FRESH
-        return (SensingPolicy.of(word) ?: SensingPolicy.FRESH.also {
-            log.severe("$SENSING=$word: a policy is one of ${SensingPolicy.words}; ${it.word} is used")
-        }).also {
-            if (it == SensingPolicy.IN_CYCLE) log.warning("$SENSING=$word: every reasoning cycle waits for the board, so this agent falls behind the world; for comparison only")
-        }
-    }
-
-    private fun mostPercepts(): Int {
-        val written = ts.settings.getUserParameter(PerceptLimit.OPTION)?.trim() ?: return PerceptLimit.DEFAULT
-        return written.toIntOrNull()?.takeIf { it > 0 } ?: PerceptLimit.DEFAULT.also {
-            log.severe("${PerceptLimit.OPTION}=$written: the most percepts that are believed at once are a whole number from 1; $it is used")
-        }
-    }
 
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
     internal fun perceiveThrough(filter: PerceptionFilter?) {
@@ -151,7 +132,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     /**
      * Sends [text] to the board on [port].
-     * @param outcome is called once, with null when its last byte has left the line, else with the reason why it has not
+     * @param outcome is called once, with null when its last byte has left the line or the board has acted, else with the reason why it has not
      */
     internal fun send(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
         val observed = observer.commandIssued(port.link.port(), text)
@@ -332,9 +313,6 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
         /** The sensing interval in ms until `argo.limit` sets another. */
         const val DEFAULT_INTERVAL_MS = 50
-        private const val SENSING = "argo_sensing"
-        private const val VIEW = "argo_view"
-        private val OPTIONS = setOf(SENSING, VIEW, PerceptLimit.OPTION)
         private const val NANOS_PER_MS = 1_000_000L
     }
 }

@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit
  * @property port what was lost with it
  * @property term the port as the agent calls it
  * @property name the same, as the transport takes it
- * @param nowNanos by [System.nanoTime]
+ * @param nowNanos by the platform's clock
  */
 internal class LostPort(val port: OpenPort, val term: Term, val name: String, nowNanos: Long) {
     private val wasSound = port.hasSpoken || nowNanos - port.openedNanos >= SOUND_NANOS

@@ -8,7 +8,7 @@ import java.util.concurrent.ConcurrentHashMap
  * A port that an agent holds open: its link, the commands that wait for it and its sensing.
  *
  * @param names what the agent calls it, and the names that it opens it by
- * @property openedNanos when it was opened, by [System.nanoTime]
+ * @property openedNanos when it was opened, by the platform's clock
  * @property losses how often in a row it had been lost before, each time soon after it was opened
  * @param platform what its threads run on
  */
