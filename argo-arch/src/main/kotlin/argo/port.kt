@@ -11,8 +11,8 @@ import jason.asSyntax.VarTerm
  *
  * P is an atom, a string, or a variable without a value, whose name is the port's: `ttyACM0`, `"/dev/serial/by-id/…"`,
  * `COM8`, `"usb:2341:0043"`, `"tcp://robot:4000"`. `none` closes all ports of the agent. Options is a list of
- * `baud(Rate)`, `timeout(Ms)`, `mode(request)` or `mode(listen)`, `protocol(1)`, `boot(Ms)`, `spacing(Ms)`, `queue(Messages)`, `stale(Ms)`;
- * without it the agent's last options for P hold.
+ * `baud(Rate)`, `timeout(Ms)`, `mode(request)` or `mode(listen)`, `protocol(auto)`, `protocol(1)` or `protocol(2)`, `boot(Ms)`, `spacing(Ms)`,
+ * `queue(Messages)`, `stale(Ms)`; without it the agent's last options for P hold.
  *
  * The intention is suspended until the port is open. Ports opened before stay open; one whose device has gone is opened
  * again as it was when the device is back. The state of P is the belief `port(P,on)`, `port(P,off)` or `port(P,timeout)`;
