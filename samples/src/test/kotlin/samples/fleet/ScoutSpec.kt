@@ -2,6 +2,7 @@ package samples.fleet
 
 import argo.testkit.agent
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
 import kotlin.io.path.Path
 import kotlin.time.Duration.Companion.seconds
 
@@ -17,6 +18,14 @@ class ScoutSpec : FunSpec({
     test("it takes no orders from others") {
         agent(Path("fleet/scout.asl")) { options("beliefs" to "board(rover)") }.use { scout ->
             scout.hears("stranger", "achieve", "watch(north)").shouldNotSend("goto(north)")
+        }
+    }
+
+    test("each trip has its own time, whatever is left of that of an earlier one") {
+        agent(Path("fleet/scout.asl")) { options("beliefs" to "board(rover)") }.use { scout ->
+            scout.hears("coordinator", "achieve", "watch(north)").shouldSend("goto(north)").perceives("driving(north)").after(3.seconds)
+            scout.perceives("at(north)").shouldSay("achieve(coordinator,visited(north))").perceives("driving(north)").after(3.seconds)
+            scout.printed shouldBe emptyList()
         }
     }
 
