@@ -111,6 +111,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal fun perceive(open: Boolean) {
         if (perceiving == open) return
         perceiving = open
+        staleness.renew()
         senseAnew()
     }
 
@@ -161,9 +162,14 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     /** Commands that wait for another port than the one in use do not hold back what that one says. */
     private fun settle() {
         val current = ports.current
-        if (actedThrough.getAndSet(current) !== current) commands.forget()
+        val before = actedThrough.getAndSet(current)
+        if (before !== current) commands.forget()
+        if (!isSame(before, current)) staleness.renew() // what is believed of a port that has come back is as old as it was
         senseAnew()
     }
+
+    /** Whether the agent has one name for both, so that they are one port, which may have been opened again. */
+    private fun isSame(before: OpenPort?, current: OpenPort?) = before != null && current != null && before.terms.any { it in current.terms }
 
     private fun applySensing() {
         val current = ports.current
@@ -175,7 +181,6 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         board.forgetHeldBack()
         handOver.clear()
         reflexes.forget()
-        staleness.renew()
         applySensing()
     }
 

@@ -1,6 +1,7 @@
 package argo.jason
 
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.string.shouldContain
 import javino.FakeBoard
 
@@ -74,6 +75,52 @@ class StaleSpec : FunSpec({
                 board.awaitMessage("see", LIMIT_MS)
                 board.unplug()
                 eventually({ mas.beliefs("bob") }) { "stale(\"sim:robot\")" in mas.beliefs("bob") && "dist(f,3)" in mas.beliefs("bob") }
+            }
+        }
+    }
+
+    test("what was stale when the cable was out stays so until the board has said something") {
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient()
+            board.whenAsked("getPercepts").answer("dist(f,3);")
+            TestMas().use { mas ->
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.port("sim:robot", [protocol(1), timeout(50), boot(0), stale(200)]); argo.limit(5); argo.percepts(open).
+                    +dist(f,3) <- argo.act(see).
+                    -stale(_) : was_off <- +fresh_again.
+                    +port(_,off) <- +was_off.
+                    +port(_,timeout) : was_off <- +silent_since_it_is_back.
+                """)
+                board.awaitMessage("see", LIMIT_MS)
+                board.unplug()
+                eventually({ mas.beliefs("bob") }) { "stale(\"sim:robot\")" in mas.beliefs("bob") }
+                board.whenAsked("getPercepts").staySilent()
+                board.replug()
+                eventually({ mas.beliefs("bob") }) { "silent_since_it_is_back" in mas.beliefs("bob") }
+                mas.beliefs("bob") shouldNotContain "fresh_again"
+                board.whenAsked("getPercepts").answer("dist(f,4);")
+                eventually({ mas.beliefs("bob") }) { "fresh_again" in mas.beliefs("bob") && "dist(f,4)" in mas.beliefs("bob") }
+            }
+        }
+    }
+
+    test("asking for the port again does not put it off") {
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient()
+            board.whenAsked("getPercepts").answer("dist(f,3);")
+            TestMas().use { mas ->
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.port("sim:robot", [protocol(1), timeout(50), boot(0), stale(500)]); argo.limit(5); argo.percepts(open).
+                    +dist(f,3) <- argo.act(see); !!insist.
+                    +!insist : not stale(_) <- argo.port("sim:robot"); .wait(20); !!insist.
+                    +!insist.
+                """)
+                board.awaitMessage("see", LIMIT_MS)
+                board.stall()
+                eventually({ mas.beliefs("bob") }) { "stale(\"sim:robot\")" in mas.beliefs("bob") }
+                board.resume()
             }
         }
     }
