@@ -24,6 +24,8 @@ public record Recording(List<Entry> entries) {
     static final String HEADER = "javino-recording 1";
 
     private static final String HEADER_WORD = "javino-recording ";
+    private static final int MOST_HEADER = 64;
+    private static final int BYTE_ORDER_MARK = 0xFEFF;
 
     /** Which way a message went. */
     public enum Direction {
@@ -99,7 +101,7 @@ public record Recording(List<Entry> entries) {
         List<Entry> entries = new ArrayList<>();
         int number = 1;
         try {
-            requireHeader(lines.readLine(), source);
+            requireHeader(firstLine(lines), source);
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 number++;
                 if (!line.isEmpty() && !line.startsWith("#")) {
@@ -114,8 +116,27 @@ public record Recording(List<Entry> entries) {
         return new Recording(entries);
     }
 
+    /** The first line, without the mark that some editors put before it; no more of it than a header can have, since the file may be anything. */
+    private static String firstLine(BufferedReader text) throws IOException {
+        StringBuilder line = new StringBuilder();
+        int character = text.read();
+        if (character == BYTE_ORDER_MARK) {
+            character = text.read();
+        }
+        for (; character >= 0 && character != '\n' && character != '\r' && line.length() < MOST_HEADER; character = text.read()) {
+            line.append((char) character);
+        }
+        if (character == '\r') {
+            text.mark(1);
+            if (text.read() != '\n') {
+                text.reset();
+            }
+        }
+        return line.toString();
+    }
+
     private static void requireHeader(String line, String source) throws MalformedRecordingException {
-        if (line != null && line.startsWith(HEADER_WORD) && !line.equals(HEADER)) {
+        if (line.startsWith(HEADER_WORD) && !line.equals(HEADER)) {
             throw new MalformedRecordingException(source, 1, "a recording of format " + line.substring(HEADER_WORD.length())
                     + ", of which only 1 can be read here");
         }

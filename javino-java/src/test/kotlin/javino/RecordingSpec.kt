@@ -4,6 +4,7 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempfile
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.bind
 import io.kotest.property.arbitrary.char
@@ -42,6 +43,19 @@ class RecordingSpec : FunSpec({
 
     test("a file may hold comments, empty lines and line ends of any system") {
         read("javino-recording 1\r\n# by hand\r\n\r\n7\tout\tgetPercepts\r\n").entries() shouldBe listOf(Recording.Entry(7, Direction.OUT, "getPercepts"))
+    }
+
+    test("an editor's byte order mark is no part of it") {
+        read("\uFEFFjavino-recording 1\r7\tout\tledOn\r").entries() shouldBe listOf(Recording.Entry(7, Direction.OUT, "ledOn"))
+    }
+
+    test("of what is no recording no more is read than shows it") {
+        val endless = object : java.io.Reader() {
+            override fun read(into: CharArray, from: Int, length: Int) = length.also { into.fill('0', from, from + length) }
+
+            override fun close() = Unit
+        }
+        shouldThrow<MalformedRecordingException> { Recording.read(endless, "zeros") }.message shouldContain "the first line of a recording is"
     }
 
     test("whether the board was asked is seen from what was sent") {
