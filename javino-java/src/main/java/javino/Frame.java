@@ -39,7 +39,7 @@ public final class Frame {
     static final int CRC_LENGTH = 4;
 
     /** Sequence numbers count modulo this. */
-    static final int SEQUENCES = 16;
+    public static final int SEQUENCES = 16;
 
     private static final int PREAMBLE_LENGTH = 4;
     private static final char[] DIGITS = "0123456789ABCDEF".toCharArray();
@@ -104,8 +104,12 @@ public final class Frame {
         return new Frame(2, flags, sequence, payload);
     }
 
-    /** The version 2 frames of one message of any length, in their order; {@code sequence} is the first one's. */
-    static List<Frame> fragments(byte[] message, int sequence) {
+    /**
+     * The version 2 frames of one message of any length, in their order: at least one, all but the last flagged {@link #MORE}.
+     *
+     * @param sequence the first one's number, from 0 to {@link #SEQUENCES} - 1; the others count on
+     */
+    public static List<Frame> fragments(byte[] message, int sequence) {
         List<Frame> frames = new ArrayList<>();
         int from = 0;
         do {

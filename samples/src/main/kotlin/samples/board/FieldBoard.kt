@@ -4,8 +4,6 @@ import javino.Frame
 import javino.FrameDecoder
 import javino.LineClock
 import javino.Transport
-import java.util.concurrent.locks.ReentrantLock
-import kotlin.concurrent.withLock
 
 /**
  * A board as they are in the field: version 1 of the Javino protocol, one message at a time.
@@ -17,9 +15,6 @@ import kotlin.concurrent.withLock
  * @param clock what bytes are timed by; the line's own
  */
 class FieldBoard(private val sketch: Sketch, private val clock: LineClock = LineClock.system()) {
-    private val lock = ReentrantLock()
-    private val never = lock.newCondition()
-
     /**
      * Runs the board until its [line] is gone.
      *
@@ -42,20 +37,7 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
     private fun handle(message: String, line: Transport, unread: Unread) {
         if (message != REQUEST) return sketch.act(message)
         val answer = messages(perceptsOf(sketch.percepts())).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
-        line.write(answer, 0, answer.size, WRITE_LIMIT_MS)
-        val end = clock.nanos() + answer.size * line.line().byteNanos()
-        pause(end - clock.nanos())
-        unread.lookedAwayUntil(end)
-    }
-
-    private fun pause(nanos: Long) = lock.withLock {
-        val end = clock.nanos() + nanos
-        while (end - clock.nanos() > 0) clock.await(never, end - clock.nanos())
-    }
-
-    private companion object {
-        const val REQUEST = "getPercepts"
-        const val WRITE_LIMIT_MS = 30_000
+        unread.lookedAwayUntil(line.say(answer, clock))
     }
 }
 

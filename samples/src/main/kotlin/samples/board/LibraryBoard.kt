@@ -6,8 +6,6 @@ import javino.LineClock
 import javino.Protocol
 import javino.Transport
 import java.util.ArrayDeque
-import java.util.concurrent.locks.ReentrantLock
-import kotlin.concurrent.withLock
 
 /**
  * A board as the library in `javino-arduino/` makes it: it speaks version 2 of the Javino protocol with those who speak it, and
@@ -20,8 +18,6 @@ import kotlin.concurrent.withLock
  * @param clock what bytes are timed by; the line's own
  */
 class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = LineClock.system()) {
-    private val lock = ReentrantLock()
-    private val never = lock.newCondition()
     private var sequence = 0
     private var acted: Frame? = null
 
@@ -47,12 +43,12 @@ class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = Li
     private fun handle(message: Frame, line: Transport) {
         val text = message.text()
         when {
-            text == REQUEST || text.startsWith("$REQUEST(") -> send(answer(text, message.version()), line)
+            text == REQUEST || text.startsWith("$REQUEST(") -> line.say(answer(text, message.version()), clock)
             message.flags() and Frame.ACK_WANTED == 0 -> sketch.act(text)
             else -> {
                 if (message != acted) sketch.act(text)
                 acted = message
-                send(Frame.version2(ByteArray(0), Frame.ACK, message.sequence()).toBytes(), line)
+                line.say(Frame.version2(ByteArray(0), Frame.ACK, message.sequence()).toBytes(), clock)
             }
         }
     }
@@ -62,28 +58,17 @@ class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = Li
             perceptsOf(sketch.percepts()).filter { names == null || it.substringBefore('(') in names }
         }
         if (version == 1) return messages(percepts).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
-        val pieces = percepts.joinToString("").chunked(Frame.MAX_PAYLOAD).ifEmpty { listOf("") }
-        return pieces.mapIndexed { i, piece ->
-            val flags = if (i < pieces.lastIndex) Frame.MORE else 0
-            Frame.version2(piece.toByteArray(Charsets.ISO_8859_1), flags, sequence++ % SEQUENCES).toBytes()
-        }.reduce(ByteArray::plus)
+        val frames = Frame.fragments(percepts.joinToString("").toByteArray(Charsets.ISO_8859_1), sequence)
+        sequence = (frames.last().sequence() + 1) % Frame.SEQUENCES
+        return frames.map(Frame::toBytes).reduce(ByteArray::plus)
     }
 
     /** The functors that are asked for; null: all. */
     private fun wanted(request: String): Set<String>? =
         request.removePrefix(REQUEST).takeIf { it.isNotEmpty() }?.removeSurrounding("(", ")")?.split(',')?.toSet()
 
-    private fun send(answer: ByteArray, line: Transport) {
-        line.write(answer, 0, answer.size, WRITE_LIMIT_MS)
-        val end = clock.nanos() + answer.size * line.line().byteNanos()
-        lock.withLock { while (end - clock.nanos() > 0) clock.await(never, end - clock.nanos()) }
-    }
-
     private companion object {
-        const val REQUEST = "getPercepts"
-        const val SEQUENCES = 16
         const val MOST_READ = 4096
         const val READ_LIMIT_MS = 100
-        const val WRITE_LIMIT_MS = 30_000
     }
 }
