@@ -1,7 +1,14 @@
 package javino;
 
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.Lock;
+
 /** One direction of a {@link MemoryLine}: bytes, each with the time at which it has arrived. Guarded by the line's lock. */
 final class MemoryDirection {
+    /** Signalled when bytes have been put on it. */
+    final Condition arrived;
+    /** Signalled when bytes have been taken from it. */
+    final Condition room;
     private final byte[] bytes;
     private final long[] readyAt;
     private final long byteNanos;
@@ -10,10 +17,12 @@ final class MemoryDirection {
     private long lineFreeAt;
     private boolean used;
 
-    MemoryDirection(int capacity, long byteNanos) {
+    MemoryDirection(int capacity, long byteNanos, Lock lock) {
         bytes = new byte[capacity];
         readyAt = new long[capacity];
         this.byteNanos = byteNanos;
+        arrived = lock.newCondition();
+        room = lock.newCondition();
     }
 
     /** Puts as many of the bytes on the line as there is room for, and returns how many. */

@@ -1,5 +1,6 @@
 package javino;
 
+import java.util.List;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 
@@ -19,7 +20,6 @@ public final class MemoryLine {
     private static final long NANOS_PER_MILLI = 1_000_000L;
 
     private final Lock lock;
-    private final Condition changed;
     private final String name;
     private final LineSettings line;
     private final LineClock clock;
@@ -32,9 +32,8 @@ public final class MemoryLine {
         this.line = line;
         this.clock = clock;
         lock = clock.newLock(false);
-        changed = lock.newCondition();
-        MemoryDirection toBoard = new MemoryDirection(CAPACITY, byteNanos);
-        MemoryDirection toComputer = new MemoryDirection(CAPACITY, byteNanos);
+        MemoryDirection toBoard = new MemoryDirection(CAPACITY, byteNanos, lock);
+        MemoryDirection toComputer = new MemoryDirection(CAPACITY, byteNanos, lock);
         computer = new End(toComputer, toBoard);
         board = new End(toBoard, toComputer);
     }
@@ -89,7 +88,10 @@ public final class MemoryLine {
             for (MemoryDirection direction : emptied) {
                 direction.clear();
             }
-            changed.signalAll();
+            for (MemoryDirection direction : List.of(computer.in, board.in)) {
+                direction.arrived.signalAll();
+                direction.room.signalAll();
+            }
         } finally {
             lock.unlock();
         }
@@ -110,7 +112,7 @@ public final class MemoryLine {
         }
     }
 
-    private void await(long nanos) throws PortException {
+    private void await(Condition changed, long nanos) throws PortException {
         try {
             clock.await(changed, nanos);
         } catch (InterruptedException e) {
@@ -148,7 +150,7 @@ public final class MemoryLine {
                     long now = clock.nanos();
                     int count = in.take(b, off, len, now);
                     if (count > 0) {
-                        changed.signalAll();
+                        in.room.signalAll();
                         return count;
                     }
                     if (in.isEmpty()) {
@@ -157,7 +159,7 @@ public final class MemoryLine {
                     if (deadline - now <= 0) {
                         return 0;
                     }
-                    await(Math.min(deadline - now, in.nanosUntilReady(now)));
+                    await(in.arrived, Math.min(deadline - now, in.nanosUntilReady(now)));
                 }
             } finally {
                 lock.unlock();
@@ -176,7 +178,7 @@ public final class MemoryLine {
                     int count = out.put(b, off + written, len - written, now);
                     written += count;
                     if (count > 0) {
-                        changed.signalAll();
+                        out.arrived.signalAll();
                     }
                     if (written == len) {
                         return;
@@ -185,7 +187,7 @@ public final class MemoryLine {
                         throw new PortTimeoutException(name, "port " + name + " took " + written + " of " + len + " bytes within "
                                 + timeoutMillis + " ms; nobody reads at the far end");
                     }
-                    await(deadline - now);
+                    await(out.room, deadline - now);
                 }
             } finally {
                 lock.unlock();
