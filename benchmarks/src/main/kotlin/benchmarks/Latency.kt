@@ -1,9 +1,18 @@
 package benchmarks
 
+import javino.Frame
+import javino.FrameDecoder
+import javino.LineSettings
 import javino.PseudoTerminals
+import javino.Transport
+import javino.Transports
+import kotlin.concurrent.thread
 
 private const val WARM_UP = 300
 private const val EXCHANGES = 1500
+private const val BAUD = 115_200
+private const val INTERVAL_MS = 20L
+private const val LIMIT_MS = 10_000
 
 /**
  * From the last byte of a frame with twelve percepts, written to a pseudo-terminal, to the first byte of the command that it
@@ -12,14 +21,40 @@ private const val EXCHANGES = 1500
 internal fun measureLatency(): Distribution = PseudoTerminals.open().use { line ->
     val board = PingBoard(line.board(), WARM_UP + EXCHANGES)
     Agents().use { agents ->
-        agents.start("ping", "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud(115200)]); argo.limit(20); argo.percepts(open).\n+ping(N) <- argo.act(pong(N)).\n")
+        agents.start("ping", "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud($BAUD)]); argo.limit($INTERVAL_MS); argo.percepts(open).\n+ping(N) <- argo.act(pong(N)).\n")
         Distribution(board.measure().drop(WARM_UP).toLongArray())
     }
 }
 
-/** Measures it and prints the figures. */
+/**
+ * The same line and the same frames without an agent: a thread that reads the frame through jSerialComm and writes the command at once.
+ * What of [measureLatency] is not ARGO's and Jason's.
+ */
+internal fun measureBareLatency(): Distribution = PseudoTerminals.open().use { line ->
+    val board = PingBoard(line.board(), WARM_UP + EXCHANGES)
+    Transports.open("${line.computer()}", LineSettings(BAUD)).use { computer ->
+        val partner = thread(isDaemon = true, name = "partner") { answerPings(computer) }
+        Distribution(board.measure().drop(WARM_UP).toLongArray()).also { partner.join() }
+    }
+}
+
+private fun answerPings(computer: Transport) {
+    var pings = 0
+    val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(computer.line())) { computer.write(Frame.of("pong(${++pings})")) }
+    val buffer = ByteArray(512)
+    for (exchange in 1..WARM_UP + EXCHANGES) {
+        computer.write(Frame.of("getPercepts"))
+        while (pings < exchange) decoder.accept(buffer, 0, computer.read(buffer, 0, buffer.size, LIMIT_MS), System.nanoTime())
+        Thread.sleep(INTERVAL_MS) // as the agent does between requests
+    }
+}
+
+private fun Transport.write(frame: Frame) = frame.toBytes().let { write(it, 0, it.size, LIMIT_MS) }
+
+/** Measures both and prints the figures. */
 fun latency() {
-    val latencies = measureLatency()
-    println("frame to command over a pseudo-terminal, 12 percepts, ${latencies.size} exchanges after $WARM_UP to warm up, ${machine()}:")
-    println("median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(latencies.ms(0.5), latencies.ms(0.99), latencies.ms(1.0)))
+    println("frame to command over a pseudo-terminal, 12 percepts, $EXCHANGES exchanges after $WARM_UP to warm up, ${machine()}:")
+    mapOf("an agent" to measureLatency(), "the line without an agent" to measureBareLatency()).forEach { (what, latencies) ->
+        println("%-26s median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(what, latencies.ms(0.5), latencies.ms(0.99), latencies.ms(1.0)))
+    }
 }

@@ -35,9 +35,15 @@ private class Realtime {
         println("%-84s %10.3f %-4s %s".format(name, value, unit, target).trimEnd())
     }
 
-    private fun latency() = measureLatency().let {
-        show("frame to command over a pseudo-terminal, median", it.ms(0.5), "ms", "at most 0.5")
-        show("frame to command over a pseudo-terminal, 99th percentile", it.ms(0.99), "ms", "at most 3")
+    private fun latency() {
+        measureLatency().let {
+            show("frame to command over a pseudo-terminal, median", it.ms(0.5), "ms", "at most 0.5")
+            show("frame to command over a pseudo-terminal, 99th percentile", it.ms(0.99), "ms", "at most 3")
+        }
+        measureBareLatency().let {
+            show("the same without an agent: what the line and its driver take, median", it.ms(0.5), "ms")
+            show("the same without an agent, 99th percentile", it.ms(0.99), "ms")
+        }
     }
 
     private fun lineUse() {
