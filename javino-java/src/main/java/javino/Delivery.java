@@ -98,7 +98,10 @@ final class Delivery {
     }
 
     private long send(Frame frame, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
-        return writer.write(FrameWriter.Kind.ACTION, frame, timeoutMillis, preparation);
+        return writer.write(FrameWriter.Kind.ACTION, frame, timeoutMillis, () -> {
+            preparation.run();
+            inbox.sends(frame);
+        });
     }
 
     private long patienceNanos() {

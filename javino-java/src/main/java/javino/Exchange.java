@@ -187,9 +187,16 @@ final class Exchange {
             frame = request.toVersion2(0, sequence);
             sequence = (sequence + 1) % Frame.SEQUENCES;
         }
-        long sent = writer.write(FrameWriter.Kind.REQUEST, frame, timeoutMillis, forAction && listens ? inbox::asked : inbox::clear);
+        long sent = write(frame, timeoutMillis, forAction && listens ? inbox::asked : inbox::clear);
         answers.asked(sent);
         return sent;
+    }
+
+    private long write(Frame frame, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
+        return writer.write(FrameWriter.Kind.REQUEST, frame, timeoutMillis, () -> {
+            preparation.run();
+            inbox.sends(frame);
+        });
     }
 
     /** Brings the exchange whose first message has come to its end, and returns the answer. */

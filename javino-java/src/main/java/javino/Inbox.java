@@ -38,6 +38,7 @@ final class Inbox {
     private final LineClock clock;
     private final FrameDecoder decoder;
     private final Fragments fragments;
+    private final Echoes echoes = new Echoes();
     private final Reception received;
     private final long interByteTimeoutNanos;
     private boolean beingRead;
@@ -144,6 +145,16 @@ final class Inbox {
         }
     }
 
+    /** Says that a frame is about to go out, which is no message if the line brings it back. */
+    void sends(Frame frame) {
+        lock.lock();
+        try {
+            echoes.sends(frame);
+        } finally {
+            lock.unlock();
+        }
+    }
+
     /** When the last byte arrived. */
     long lastByteNanos() {
         return lastByteNanos;
@@ -234,6 +245,9 @@ final class Inbox {
     }
 
     private void keep(Frame frame) {
+        if (echoes.isEcho(frame)) {
+            return;
+        }
         if (frame.version() == 1) {
             keep(new Message(1, frame.text()));
         } else if (frame.has(Frame.ACK | Frame.REFUSAL)) {

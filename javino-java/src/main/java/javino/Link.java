@@ -178,6 +178,7 @@ public final class Link implements AutoCloseable {
                     writer.awaitTime(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> {
                         exchange.awaitGap();
                         requireWanted(goes);
+                        inbox.sends(action);
                     }));
                 }
                 return true;

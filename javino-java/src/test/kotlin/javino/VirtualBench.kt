@@ -51,7 +51,7 @@ internal class VirtualBench(
 }
 
 /** What is at the far end of a line. */
-internal interface LineEnd {
+internal fun interface LineEnd {
     /** Does what there is to do [now], in ms since the link was opened; called again and again. */
     fun look(end: Transport, now: Double)
 }
