@@ -107,6 +107,18 @@ final class Inbox {
         return await(() -> outcome, deadlineNanos);
     }
 
+    /** Reads what the line has ready, and keeps it. */
+    void look() throws PortException {
+        lock.lock();
+        try {
+            if (!beingRead) {
+                readFor(0);
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
     /** Reads what the line has ready, and returns the newest message among that and what was read before, or null. */
     Message newest() throws PortException {
         lock.lock();

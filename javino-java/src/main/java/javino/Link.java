@@ -26,12 +26,15 @@ import java.util.function.BooleanSupplier;
  */
 public final class Link implements AutoCloseable {
     private static final long LONGEST_WAIT_NANOS = 600_000_000L;
+    /** How long the device may be gone before it is noticed while a long message leaves. */
+    private static final long WATCH_NANOS = 250_000_000L;
 
     private final Lock ending;
     private final Lock reading;
     private final Transport transport;
     private final LinkSettings settings;
     private final PortOwners.Claim claim;
+    private final LineClock clock;
     private final FrameWriter writer;
     private final Inbox inbox;
     private final Exchange exchange; // used by who holds reading
@@ -41,6 +44,7 @@ public final class Link implements AutoCloseable {
         this.transport = transport;
         this.settings = settings;
         this.claim = claim;
+        this.clock = clock;
         ending = clock.newLock(false);
         reading = clock.newLock(true); // fair: a sender that must wait for readiness gets its turn too
         writer = new FrameWriter(transport, new LineSchedule(settings, clock.nanos()), clock);
@@ -175,7 +179,7 @@ public final class Link implements AutoCloseable {
                 if (exchange.protocol() == Protocol.V2) {
                     delivery.deliver(action, timeoutMillis, () -> requireWanted(goes));
                 } else {
-                    writer.awaitTime(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> {
+                    awaitSent(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> {
                         exchange.awaitGap();
                         requireWanted(goes);
                         inbox.sends(action);
@@ -186,6 +190,15 @@ public final class Link implements AutoCloseable {
         } catch (GivenUpException e) {
             return false;
         }
+    }
+
+    /** Waits until the last byte has left, which takes seconds on a slow line, and watches it: who would read it may be waiting for its turn. */
+    private void awaitSent(long nanos) throws PortException {
+        while (nanos - clock.nanos() > WATCH_NANOS) {
+            writer.awaitTime(clock.nanos() + WATCH_NANOS);
+            inbox.look();
+        }
+        writer.awaitTime(nanos);
     }
 
     private void requireWanted(BooleanSupplier goes) throws GivenUpException {
@@ -208,6 +221,19 @@ public final class Link implements AutoCloseable {
                 throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
             return message.text();
+        });
+    }
+
+    /**
+     * Finds out whether the device is still there, for who does not read the line all the time. Does not wait, and takes no message from who
+     * does.
+     *
+     * @throws PortGoneException if it is not
+     */
+    public void check() throws PortException {
+        noticing(() -> {
+            inbox.look();
+            return null;
         });
     }
 
