@@ -1,6 +1,5 @@
 package argo
 
-import jason.asSyntax.ListTerm
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
@@ -19,11 +18,8 @@ internal data class CommandOptions(val timeoutMs: Int? = null, val urgent: Boole
          * Reads a list such as `[timeout(200), urgent]`.
          * @throws ArgumentException if it is not a list of known options
          */
-        fun of(term: Term): CommandOptions {
-            val list = term as? ListTerm
-                ?: throw ArgumentException("the second argument is a list of options such as [timeout(200), urgent], not $term")
-            return list.fold(CommandOptions()) { options, option -> options.with(option) }
-        }
+        fun of(term: Term): CommandOptions =
+            optionsIn(term, "[timeout(200), urgent]").fold(CommandOptions()) { options, option -> options.with(option) }
 
         private fun CommandOptions.with(option: Term): CommandOptions {
             val literal = (option as? Literal)?.takeUnless { it.isVar }

@@ -42,11 +42,7 @@ internal data class PortOptions(
          * Reads a list such as `[baud(115200), timeout(500)]`.
          * @throws ArgumentException if it is not a list of known options
          */
-        fun of(term: Term): PortOptions {
-            val list = term as? ListTerm
-                ?: throw ArgumentException("the second argument is a list of options such as [baud(115200)], not $term")
-            return list.fold(PortOptions()) { options, option -> options.with(option) }
-        }
+        fun of(term: Term): PortOptions = optionsIn(term, "[baud(115200)]").fold(PortOptions()) { options, option -> options.with(option) }
     }
 
     /**
@@ -85,6 +81,11 @@ private const val MOST_QUEUE = 1000
 
 /** An argument that an internal action cannot use; [message] says what was found and what is expected. */
 internal class ArgumentException(message: String) : Exception(message)
+
+/** The options in [list], which may be a variable without a value or with an open end, since an agent's program may have any; [example] is one as it should be. */
+internal fun optionsIn(list: Term, example: String): List<Term> =
+    (list as? ListTerm)?.takeIf { it.isList && it.tail == null }?.asList
+        ?: throw ArgumentException("the second argument is a list of options such as $example, not $list")
 
 /** The argument of [option], a whole number in [range]. */
 internal fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }

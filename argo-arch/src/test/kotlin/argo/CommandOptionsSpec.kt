@@ -32,6 +32,8 @@ class CommandOptionsSpec : FunSpec({
             "[3]" to "3 is not an option",
             "[\"urgent\"]" to "is not an option",
             "urgent" to "a list of options",
+            "Options" to "a list of options such as [timeout(200), urgent], not Options",
+            "[urgent|Rest]" to "a list of options",
         ).forEach { (text, words) -> shouldThrow<ArgumentException> { of(text) }.message shouldContain words }
     }
 })

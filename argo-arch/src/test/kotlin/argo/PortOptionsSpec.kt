@@ -49,6 +49,8 @@ class PortOptionsSpec : FunSpec({
             "[baud]" to "baud is not an option",
             "[X]" to "X is not an option",
             "baud(9600)" to "a list of options",
+            "Options" to "a list of options such as [baud(115200)], not Options",
+            "[baud(9600)|Rest]" to "a list of options",
         ).forEach { (text, words) -> shouldThrow<ArgumentException> { of(text) }.message shouldContain words }
     }
 })
