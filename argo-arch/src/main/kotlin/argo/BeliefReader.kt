@@ -3,8 +3,11 @@ package argo
 import argo.filters.PerceptReader
 import argo.filters.PerceptSyntaxException
 import argo.filters.piecesOf
+import jason.asSyntax.ArithExpr
+import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.Literal
+import jason.asSyntax.Term
 
 /**
  * Turns the text of a percept into the literal that the agent is to believe.
@@ -41,6 +44,7 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
         when {
             literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
             !literal.isGround || literal.ns.isVar -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
+            isComputed(literal) -> Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
             literal.functor == Arch.STALE && literal.arity == 1 -> Reading.Unreadable("stale/1 tells that nothing comes from a port, which no board can claim")
             claimsToBeAPort(literal) -> Reading.Unreadable("port/2 with on, off or timeout tells the state of a port, which no board can claim")
             else -> Reading.Belief(ownSource(literal))
@@ -70,6 +74,10 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
         const val LONGEST_KNOWN = 1024
     }
 }
+
+/** Whether [term] holds a function such as `math.random`, which Jason calls. A sum of numbers is a number. */
+private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term !is ArithExpr ||
+    term is Literal && ((0 until term.arity).any { isComputed(term.getTerm(it)) } || term.hasAnnot() && term.annots.any(::isComputed))
 
 private fun claimsToBeAPort(literal: Literal) =
     literal.functor == "port" && literal.arity == 2 && (literal.getTerm(1) as? Literal)?.functor in PortStatus.WORDS // off[x] matches off

@@ -59,6 +59,13 @@ class BeliefReaderSpec : FunSpec({
         warnings shouldHaveSize 2
     }
 
+    test("a percept holds nothing that is computed") {
+        for (text in listOf("p(math.random)", "p(1+math.random)", "p(q(r,[1,math.abs(-2)]))", "p[q(math.random(10))]")) read(text).shouldBeEmpty()
+        warnings.forEach { it shouldContain "function" }
+        warnings shouldHaveSize 4
+        read("p(1+1,-2,[3|[4]])[q(-5)]") shouldHaveSize 1
+    }
+
     test("a board cannot claim the state of a port") {
         read("port(ttyACM0,off)").shouldBeEmpty()
         read("port(ttyACM0,off[x])").shouldBeEmpty()
