@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit
  * A port whose device has gone, by one of the names that its agent has for it, and when to look for it again.
  *
  * The first look finds out whether the device is there at all, and opens nothing: a port that is lost although its device is there, as with a
- * serial server that accepts whoever comes and then hangs up, is opened ever more seldom. For one thread.
+ * serial server that accepts whoever comes and then hangs up, is opened ever more seldom. One thread at a time.
  *
  * @property port what was lost with it
  * @property term the port as the agent calls it

@@ -3,7 +3,6 @@ package argo
 import jason.asSyntax.Term
 import javino.Link
 import javino.PortException
-import javino.PortInterruptedException
 import javino.Transports
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
@@ -13,10 +12,11 @@ import kotlin.concurrent.withLock
  *
  * Links stay open until [closeAll], since opening a port resets most boards. One whose device goes is opened again, as it was, when its device
  * returns; until then it is looked for, and what is done with it fails. What a driver may take its time for, opening and
- * closing, is done by a thread of this class's own. Safe for use by several threads.
+ * closing, is done by threads of this class's own: one for what the agent asks for, in its order, and one for each port that is looked for.
+ * Safe for use by several threads.
  *
  * @param owner the agent's name: what a second agent is told that asks for the same port
- * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced], and each port has a thread that watches it
+ * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced]
  * @param platform opens the ports, and says when to look for lost ones
  * @param settle is called after each change of the port in use
  * @param warn is told why a port cannot be opened though its device has returned, once for each cause
@@ -32,12 +32,12 @@ internal class Ports(
 ) {
     private val lock = ReentrantLock()
     private val open = LinkedHashMap<String, OpenPort>()
-    private val lost = ArrayList<LostPort>()
+    private val lost = LostPorts(owner, platform, ::reopen, warn)
     private val lastOptions = HashMap<String, PortOptions>() // by name; for the thread that opens
-    private var opening: Thread? = null // opens a port now
-    private var isAsked = false // somebody waits for that
     private var stopped = false
 
+    private val choosing = ReentrantLock() // held while the port in use changes
+    private val openings = Openings(platform)
     private val opener = SerialWork(platform, "argo-$owner-opening")
 
     /** The port for sensing and acting, or null. */
@@ -45,7 +45,7 @@ internal class Ports(
     var current: OpenPort? = null
         private set
 
-    /** What the agent called it when it chose it; for the thread that opens, as [lastOptions] is. */
+    /** What the agent called it when it chose it; guarded by [choosing]. */
     private var chosen: Term? = null
 
     /** All open ports. */
@@ -60,19 +60,12 @@ internal class Ports(
      * the agent is being stopped
      */
     fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
-        asAsked { outcome(tryToChoose(term, name, options)) }
+        inTurn { outcome(tryToChoose(term, name, options)) }
 
     private fun tryToChoose(term: Term, name: String, options: PortOptions?): Failure? {
         val trouble = troubleOf {
             val key = Transports.canonicalName(name)
-            val held = lock.withLock { open[key] }
-            val wanted = (options ?: held?.options ?: lastOptions[name] ?: PortOptions()).on(name)
-            val port = held?.takeIf { it.link.isOpen && it.options == wanted } ?: openOtherwise(held, key, name, term, wanted)
-            lastOptions[name] = wanted
-            chosen = term
-            current = port
-            isBack(port, term, name)
-            settle()
+            openings.atOnce(key) { openAndChoose(term, name, key, options) }
         }
         if (trouble is ArgumentException) return Failure("too_many_ports", trouble.message.orEmpty())
         return trouble?.let(::failureOf)?.also { failure ->
@@ -80,14 +73,17 @@ internal class Ports(
         }
     }
 
-    /** What [work] fails with, whatever a transport throws: a plan that waits for its port must go on. */
-    private fun troubleOf(work: () -> Unit): Throwable? = try {
-        work()
-        null
-    } catch (trouble: Exception) {
-        trouble
-    } catch (unloadable: LinkageError) { // the driver's native library
-        unloadable
+    private fun openAndChoose(term: Term, name: String, key: String, options: PortOptions?) {
+        val held = lock.withLock { open[key] }
+        val wanted = (options ?: held?.options ?: lastOptions[name] ?: PortOptions()).on(name)
+        val port = held?.takeIf { it.link.isOpen && it.options == wanted } ?: openOtherwise(held, key, name, term, wanted)
+        lastOptions[name] = wanted
+        choosing.withLock {
+            chosen = term
+            current = port
+            isBack(port, term, name)
+            settle()
+        }
     }
 
     /** Opens a port as [wanted], in place of what is [held] of it; if it cannot be opened so it is held again as it was. */
@@ -105,9 +101,11 @@ internal class Ports(
     private fun holdAgain(port: OpenPort, key: String) {
         val trouble = troubleOf {
             val again = openNew(key, port.link.port(), port.options, port.names)
-            if (current === port) {
-                current = again
-                settle()
+            choosing.withLock {
+                if (current === port) {
+                    current = again
+                    settle()
+                }
             }
         }
         if (trouble != null) lose(port, trouble)
@@ -118,37 +116,18 @@ internal class Ports(
         if (lock.withLock { open.size } >= MOST_PORTS) {
             throw ArgumentException("an agent holds at most $MOST_PORTS ports; argo.port(none) closes them")
         }
-        val link = interruptible(before == null) { platform.open(name, options.linkSettings(paced), owner) }
+        val link = platform.open(name, options.linkSettings(paced), owner)
         val port = OpenPort(names, link, options, platform.clock.nanos(), before?.losses ?: 0, owner, listener, platform)
         val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
         if (tooLate) port.close() else if (paced) port.sensing.set(false, 0)
         return port
     }
 
-    /**
-     * Does [work], for which a network may take its time: the agent's end interrupts it, and what the agent asks for interrupts what it has not
-     * asked for.
-     */
-    private fun interruptible(asked: Boolean, work: () -> Link): Link {
-        lock.withLock {
-            opening = Thread.currentThread()
-            isAsked = asked
-        }
-        try {
-            return work()
-        } finally {
-            lock.withLock { opening = null }
-            Thread.interrupted() // it was meant for this work alone
-        }
-    }
-
     /** [port] can be used, and the agent calls it [term]. Who holds too many has those that were lost first looked for no longer. */
     private fun isBack(port: OpenPort, term: Term, name: String) {
         port.isCalled(term, name)
-        lock.withLock {
-            lost.removeAll { it.term == term && it.port !== port }
-            while (lost.isNotEmpty() && open.size + lost.size > MOST_PORTS) lost.removeAt(0)
-        }
+        lost.found(term, port)
+        lost.keep(MOST_PORTS - all().size)
         report(port, PortStatus.ON)
     }
 
@@ -167,34 +146,27 @@ internal class Ports(
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
         lock.withLock {
             if (stopped || !isNews()) return
-            lost += ports
+            lost.add(ports)
         }
         port.close()
-        ports.forEach { states.set(it.term, PortStatus.OFF, trouble.message) { isAwaited(it) } }
-        ports.forEach { inTurn { lookFor(it) } }
+        ports.forEach { states.set(it.term, PortStatus.OFF, trouble.message) { it in lost } }
+        ports.forEach(lost::lookFor)
     }
 
-    private fun isAwaited(port: LostPort) = lock.withLock { port in lost }
-
-    /** Opens [port] if its device is back, else looks for it again later. */
-    private fun lookFor(port: LostPort) {
-        if (!isAwaited(port)) return
-        var isPresent = false
-        val unknown = troubleOf { isPresent = platform.isPresent(port.name) }
-        val isDue = port.looked(isPresent)
-        val trouble = unknown ?: if (isDue) troubleOf { reopen(port) } else null
-        if (trouble != null && trouble !is PortInterruptedException && port.failed(trouble)) {
-            warn("port ${port.term} is still off: ${failureOf(trouble).cause}")
+    /** Opens [found] as it was; for a thread that looks for it. If it has another name that has been found, it is open already. */
+    private fun reopen(found: LostPort) {
+        val key = Transports.canonicalName(found.name)
+        openings.ifFree(key) {
+            val held = lock.withLock { open[key] }?.takeIf { it.link.isOpen }
+            val port = held ?: openNew(key, found.name, found.port.options, mapOf(found.term to found.name), found)
+            choosing.withLock { if (found in lost) isFound(found, port) else if (held == null) forget(port) }
         }
-        if (isAwaited(port)) platform.later(port.nextLookMs()) { inTurn { lookFor(port) } }
     }
 
-    private fun reopen(lost: LostPort) {
-        val key = Transports.canonicalName(lost.name)
-        val port = lock.withLock { open[key] }?.takeIf { it.link.isOpen } ?: openNew(key, lost.name, lost.port.options, mapOf(lost.term to lost.name), lost)
-        val inUse = current === lost.port && chosen == lost.term
+    private fun isFound(found: LostPort, port: OpenPort) {
+        val inUse = current === found.port && chosen == found.term
         if (inUse) current = port
-        isBack(port, lost.term, lost.name)
+        isBack(port, found.term, found.name)
         if (inUse) settle()
     }
 
@@ -207,27 +179,24 @@ internal class Ports(
      * Closes all ports, on another thread; none is in use afterwards, none is looked for, and nothing is believed of them.
      * @param closed is called by that thread
      */
-    fun closeAll(closed: () -> Unit) = asAsked {
+    fun closeAll(closed: () -> Unit) = inTurn {
         closeNow()
         closed()
-    }
-
-    /** Does what the agent asked for on the thread for it, before what it did not ask for. */
-    private fun asAsked(work: () -> Unit) = lock.withLock {
-        if (!isAsked) opening?.interrupt()
-        inTurn(work)
     }
 
     /** Does [work] on the thread for it, unless the agent is being stopped. */
     private fun inTurn(work: () -> Unit) = lock.withLock { if (!stopped) opener.execute(work) }
 
     private fun closeNow() {
-        current = null
-        chosen = null
-        lock.withLock { lost.clear() }
-        all().forEach(::forget)
-        states.clear()
-        settle()
+        lost.clear()
+        openings.interrupt()
+        choosing.withLock {
+            current = null
+            chosen = null
+            all().forEach(::forget)
+            states.clear()
+            settle()
+        }
     }
 
     /** [closeAll] for good: what is being opened now is closed at once. May be called twice. */
@@ -235,7 +204,7 @@ internal class Ports(
         lock.withLock {
             if (stopped) return
             stopped = true
-            opening?.interrupt()
+            openings.interrupt()
             opener.clear()
             opener.execute(::closeNow)
         }

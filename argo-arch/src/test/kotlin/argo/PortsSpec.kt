@@ -18,6 +18,7 @@ import javino.PortPermissionException
 import javino.PortTimeoutException
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /** The ports of an agent bob. */
@@ -46,7 +47,7 @@ private class PortsBench : AutoCloseable {
 
     /** Lets time pass until [belief] is held. */
     fun passUntil(belief: String) = eventually(::beliefs) {
-        if (belief !in beliefs() && !time.isIdle()) time.step()
+        if (belief !in beliefs()) time.stepIfDue()
         belief in beliefs()
     }
 
@@ -185,6 +186,26 @@ class PortsSpec : FunSpec({
             told.filter { "not you" in it }.single() shouldContain "port \"fussy:robot\" is still off"
             FussyProvider.refusal = { _, _ -> null }
             passUntil("port(\"fussy:robot\",on)")
+        }
+    }
+
+    test("a device that takes its time to be opened does not keep another one from coming back, and is asked for at once when the agent asks") {
+        bench("left", "right") { boards ->
+            choose("fussy:left") shouldBe null
+            choose("sim:right") shouldBe null
+            boards.forEach(FakeBoard::unplug)
+            awaitBelief("port(\"fussy:left\",off)")
+            awaitBelief("port(\"sim:right\",off)")
+            val isOpened = CountDownLatch(1)
+            FussyProvider.refusal = { _, _ -> null.also { isOpened.countDown(); Thread.sleep(60_000) } }
+            boards[0].replug()
+            eventually({ "nobody opens fussy:left" }) { time.stepIfDue(); isOpened.count == 0L }
+            boards[1].replug()
+            passUntil("port(\"sim:right\",on)")
+            beliefs() shouldContain "port(\"fussy:left\",off)"
+            FussyProvider.refusal = { _, _ -> null }
+            choose("fussy:left") shouldBe null
+            beliefs() shouldContain "port(\"fussy:left\",on)"
         }
     }
 

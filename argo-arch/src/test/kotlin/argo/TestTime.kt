@@ -35,5 +35,10 @@ internal class TestTime : Platform by Platform.system {
         due.action()
     }
 
+    /** [step], unless nothing is due. */
+    fun stepIfDue() {
+        if (!isIdle()) step()
+    }
+
     fun isIdle() = dues.isEmpty()
 }
