@@ -119,7 +119,7 @@ internal class Ports(
         val link = platform.open(name, options.linkSettings(paced), owner)
         val port = OpenPort(names, link, options, platform.clock.nanos(), before?.losses ?: 0, owner, listener, platform)
         val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
-        if (tooLate) port.close() else if (paced) port.sensing.set(false, 0)
+        if (tooLate) port.close() else port.sensing.set(false, 0)
         return port
     }
 

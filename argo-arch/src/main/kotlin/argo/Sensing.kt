@@ -52,7 +52,8 @@ internal class Sensing(
      * an eighth of what a request takes, which is about a hundredth of an exchange.
      */
     private val graceNanos = port.options.link.line().byteNanos() * Frame.of(PERCEPTS_REQUEST).toBytes().size / 8
-    private val thread = lazy { platform.start("argo-$owner-sensing-${port.link.port()}", ::run) }
+    private val isPaced = port.link.settings().paced()
+    private val thread = lazy { platform.start("argo-$owner-${if (isPaced) "sensing" else "watching"}-${port.link.port()}", ::run) }
 
     /** Turns sensing on, with [intervalMs] ms between requests (0: as fast as the line allows), or off. */
     fun set(on: Boolean, intervalMs: Int) = lock.withLock {
@@ -94,8 +95,14 @@ internal class Sensing(
         false
     }
 
+    /** Where the agent's own thread takes what the board says, the line is only looked after. */
+    private fun watch(): Boolean = if (isPaced) hear() else using {
+        lock.withLock { clock.await(changed, WATCH_NANOS) }
+        port.link.check()
+    }
+
     /** What a board that is asked says meanwhile is dropped; one that speaks unasked may have been opened since this began. */
-    private fun watch(): Boolean = using {
+    private fun hear(): Boolean = using {
         val message = port.link.heard(WATCH_MS)
         if (message != null) port.hasSpoken = true
         if (message != null && port.options.listens && lock.withLock { on }) listener.received(port, message, clock.nanos())

@@ -83,7 +83,7 @@ class LifecycleSpec : FunSpec({
         }
     }
 
-    test("in_cycle asks inside the reasoning cycle, says so, and has no threads of its own") {
+    test("in_cycle asks inside the reasoning cycle, says so, and no other thread senses or acts") {
         FakeBoard.plugIn("robot").use { board ->
             var n = 0
             board.whenAsked("getPercepts").answer { "count(${++n});" }

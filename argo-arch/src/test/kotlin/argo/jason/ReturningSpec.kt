@@ -118,6 +118,26 @@ class ReturningSpec : FunSpec({
         }
     }
 
+    test("the policy in_cycle notices a pulled cable and its return while nothing is asked of the board") {
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient()
+            TestMas().use { mas ->
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.port("sim:robot"); +open.
+                    +!greet <- argo.act(hello).
+                """, options = mapOf("argo_sensing" to "in_cycle"))
+                mas.awaitBelief("open")
+                board.unplug()
+                mas.awaitBelief("port(\"sim:robot\",off)")
+                board.replug()
+                mas.awaitBelief("port(\"sim:robot\",on)")
+                mas.achieve("bob", "greet")
+                board.awaitMessage("hello", LIMIT_MS)
+            }
+        }
+    }
+
     test("a connection that is cut is made again, and a board that was off is waited for with one line of log for each change") {
         TestMas().use { mas ->
             val number = NetworkBoard().use { board ->
