@@ -299,9 +299,19 @@ public final class Link implements AutoCloseable {
     private <T> T noticing(LineWork<T> work) throws PortException {
         try {
             writer.requireLine();
-            return work.run();
+            return lookingAtLast(work);
         } catch (PortGoneException e) {
             end(e.getMessage());
+            throw e;
+        }
+    }
+
+    /** Does work, and looks at the line if its time is over: who has waited for a turn on the line has not read it. */
+    private <T> T lookingAtLast(LineWork<T> work) throws PortException {
+        try {
+            return work.run();
+        } catch (PortTimeoutException e) {
+            inbox.look();
             throw e;
         }
     }

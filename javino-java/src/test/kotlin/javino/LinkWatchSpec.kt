@@ -17,6 +17,14 @@ class LinkWatchSpec : FunSpec({
         }
     }
 
+    test("a device that goes while a request waits for its turn on the line is noticed when the wait is over") {
+        VirtualBench(settings.withSpacingMillis(5000), LineEnd { end, now -> if (now > 500) end.close() }).use { bench ->
+            bench.link.send("ledOn", 6000)
+            bench.awayFor(600)
+            shouldThrow<PortGoneException> { bench.link.request("getPercepts", 300) }
+        }
+    }
+
     test("a check finds out that the device has gone") {
         VirtualBench(settings, LineEnd { end, now -> if (now > 500) end.close() }).use { bench ->
             bench.link.check()
