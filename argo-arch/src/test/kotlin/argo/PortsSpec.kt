@@ -197,7 +197,7 @@ class PortsSpec : FunSpec({
             awaitBelief("port(\"fussy:left\",off)")
             awaitBelief("port(\"sim:right\",off)")
             val isOpened = CountDownLatch(1)
-            FussyProvider.refusal = { _, _ -> null.also { isOpened.countDown(); Thread.sleep(60_000) } }
+            FussyProvider.refusal = { _, _ -> null.also { isOpened.countDown(); CountDownLatch(1).await() } } // until it is interrupted
             boards[0].replug()
             eventually({ "nobody opens fussy:left" }) { time.stepIfDue(); isOpened.count == 0L }
             boards[1].replug()
