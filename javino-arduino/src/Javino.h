@@ -187,6 +187,9 @@ public:
 protected:
   typedef void (*Begin)(Stream &port, unsigned long baud);
 
+  /* For the compiler alone, which asks for it in `Javino javino = Javino();` and then copies nothing. */
+  JavinoBoard(const JavinoBoard &);
+
   /** A board on this stream, which begin opens; null: it is Serial. The memory is aligned for pointers. */
   JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size);
 
@@ -198,7 +201,6 @@ protected:
   static void open(Stream &, unsigned long) {}
 
 private:
-  JavinoBoard(const JavinoBoard &);
   JavinoBoard &operator=(const JavinoBoard &);
 
   static void write(void *board, uint8_t byte);
@@ -225,6 +227,10 @@ private:
   void term(double value);
   void term(float value) { term(static_cast<double>(value)); }
   void term(const char *value) { javino_percept_term(&board_, value); }
+  void term(char *value) { javino_percept_term(&board_, value); }
+  void term(const __FlashStringHelper *value) { term(String(value)); }
+  /* Any other pointer would be a truth value. */
+  template <typename Other> void term(Other *) = delete;
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
 
   Stream &stream_;

@@ -12,7 +12,7 @@
  *  - javino_encoder writes a frame byte by byte;
  *  - javino_link holds the conversation: versions, sequence numbers, acknowledgements, a lost link.
  *
- * javino_percepts.h, on top of these, writes answers; javino_literal.h reads actions.
+ * javino_board.h, on top of these, writes answers; javino_literal.h reads actions.
  */
 #ifndef JAVINO_CORE_H
 #define JAVINO_CORE_H

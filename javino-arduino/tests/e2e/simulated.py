@@ -139,7 +139,7 @@ def sketches_for_earlier_libraries_run():
     with Board("Messages") as board:
         board.line.ready()
         board.line.write(frame1(b"lampOn"))
-        equal(board.line.ask(), "device(testBoard);lamp(on);")
+        equal(board.line.ask(), "device(testBoard);firmware(\"test board\");lamp(on);")
         equal(board.line.ask("hello"), "heard(hello);")
         board.line.write(frame2(b"getPercepts(lamp)", 0, 3))
         equal(board.line.message().text, "lamp(on);")

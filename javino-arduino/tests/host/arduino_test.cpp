@@ -339,11 +339,13 @@ TEST_CASE("numbers, truth values and text as terms") {
     percepts_of->percept("a", -5, 7L, 4000000000UL, true, static_cast<uint8_t>(200));
     percepts_of->percept("b", 1.5, -0.004, 2.999, -2.5f, "two words", String("x"));
     percepts_of->percept("c", 0.0 / 0.0, 1e30, -1e30, 4294967000.0);
-    percepts_of->percept("d");
+    char buffer[] = "left";
+    percepts_of->percept("d", F("in flash"), buffer);
+    percepts_of->percept("e");
   });
   CHECK(board.run(frame1("getPercepts")) ==
         frame1("a(-5,7,4000000000,true,200);b(1.50,0.00,3.00,-2.50,\"two words\",x);"
-               "c(nan,infinity,negative_infinity,4294967000.00);d;"));
+               "c(nan,infinity,negative_infinity,4294967000.00);d(\"in flash\",left);e;"));
 }
 
 namespace {

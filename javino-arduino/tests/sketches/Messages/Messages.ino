@@ -1,6 +1,6 @@
 // The other style of earlier libraries: messages are taken one by one and compared as text.
 #include <Javino.h>
-Javino javino;
+Javino javino = Javino();
 String strLamp = "off";
 
 void serialEvent(){javino.readSerial();}
@@ -21,6 +21,7 @@ void loop() {
 
 void getPerceptions(){
   javino.addPercept("device(testBoard)");
+  javino.percept("firmware", F("test board"));
   javino.addPercept("lamp("+strLamp+")");
   javino.sendPercepts();
 }
