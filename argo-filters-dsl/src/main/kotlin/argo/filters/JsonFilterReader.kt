@@ -37,8 +37,8 @@ internal class JsonFilterReader(text: String, private val source: String, privat
         val deadbands = LinkedHashMap<Int?, Deadband>()
         members[DEADBAND]?.let { deadband(it, null) }?.let { deadbands[null] = it }
         val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, deadbands) }
-        val arity = wholeNumber(members[ARITY], 0)
-        val everyMs = wholeNumber(members[EVERY_MS], 1)?.toLong()
+        val arity = wholeNumber(members[ARITY], 0)?.toInt()
+        val everyMs = wholeNumber(members[EVERY_MS], 1, Long.MAX_VALUE)
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands.values.toSet())
         return predicate?.let { Rule(it, conditions, arity, rate) }
     }
@@ -51,7 +51,7 @@ internal class JsonFilterReader(text: String, private val source: String, privat
             if (deadband != null) report(deadband.position, "a \"$DEADBAND\" in a critical rule; a critical percept is never held back")
             condition(it, HashMap())
         }
-        val arity = wholeNumber(members[ARITY], 0)
+        val arity = wholeNumber(members[ARITY], 0)?.toInt()
         val reflex = members[REFLEX]?.let { member -> text(member)?.let { reporting(member.value) { it.also(CriticalRule::requireSendable) } } }
         return if (predicate == null || REFLEX in members && reflex == null) null else CriticalRule(Rule(predicate, conditions, arity), reflex)
     }
@@ -81,7 +81,7 @@ internal class JsonFilterReader(text: String, private val source: String, privat
 
     private fun argument(node: JsonNode, members: Map<String, JsonNode.Member>, deadbands: MutableMap<Int?, Deadband>): Condition? {
         refuse(members, LIMITS, "an argument")
-        val index = wholeNumber(members[ARGUMENT], 0)
+        val index = wholeNumber(members[ARGUMENT], 0)?.toInt()
         members[DEADBAND]?.let { deadbandOf(it, index, deadbands) }
         if (DEADBAND in members && OPERATOR !in members && VALUE !in members) return null
         val test = test(node, members)
@@ -142,9 +142,9 @@ internal class JsonFilterReader(text: String, private val source: String, privat
         return null
     }
 
-    private fun wholeNumber(member: JsonNode.Member?, least: Int): Int? {
+    private fun wholeNumber(member: JsonNode.Member?, least: Long, most: Long = Int.MAX_VALUE.toLong()): Long? {
         val value = member?.value ?: return null
-        val number = (value as? JsonNode.Scalar)?.takeUnless { it.isText }?.content?.toIntOrNull()?.takeIf { it >= least }
+        val number = (value as? JsonNode.Scalar)?.takeUnless { it.isText }?.content?.toLongOrNull()?.takeIf { it in least..most }
         if (number == null) report(value.position, "\"${member.name}\" is ${value.words}; expected a whole number from $least")
         return number
     }

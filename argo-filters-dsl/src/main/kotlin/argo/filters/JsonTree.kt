@@ -82,6 +82,8 @@ internal class JsonTreeReader(private val text: SourceText, private val source: 
         at = if (json[start] == '"') stringEnd(start) else bareEnd(start)
         val written = json.substring(start, at)
         if (written[0] != '"' && !BARE.matches(written)) refuse(start, "'$written' needs quotes")
+        val control = written.indexOfFirst { it < ' ' }
+        if (control >= 0) refuse(start + control, "text holds the control character U+%04X, which JSON writes as an escape".format(written[control].code))
         val primitive = Json.parseToJsonElement(written) as JsonPrimitive
         return JsonNode.Scalar(text.position(start), primitive.content, primitive.isString)
     }

@@ -37,11 +37,18 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
          * @throws IllegalArgumentException if [text] is no predicate; the message says what is wrong with it
          */
         fun of(text: String): Predicate {
-            val separator = text.indexOf("::")
+            val separator = separator(text)
             val namespace = if (separator < 0) DEFAULT_NAMESPACE else namespaceOf(text.substring(0, separator).trim())
             val rest = (if (separator < 0) text else text.substring(separator + 2)).trim()
             val negated = rest.startsWith('~')
             return Predicate(if (negated) rest.substring(1).trimStart() else rest, negated, namespace)
+        }
+
+        /** Where the `::` behind a namespace stands, negative if there is none; one in quotes is part of a name. */
+        private fun separator(text: String): Int {
+            val first = text.indexOf("::")
+            val quote = text.indexOf('\'')
+            return if (quote in 0..first) text.indexOf("::", text.indexOf('\'', quote + 1)) else first
         }
 
         /** The predicate of these parts, or null if Jason could not write it. */

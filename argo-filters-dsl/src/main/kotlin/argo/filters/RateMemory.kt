@@ -64,9 +64,12 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         val rate = rule.rate?.takeUnless { isLong(form) } ?: return null
         val last = memory[Key(rule, form.key(ANY_NUMBER))]?.takeIf { it.percept != percept } ?: return null
         if (hasMoved(rate, last, form)) return null
-        val dueMs = if (rate.everyMs != null) last.atMs + rate.everyMs else (last.heldSinceMs ?: nowMs) + Rate.SETTLING_MS
+        val dueMs = if (rate.everyMs != null) after(last.atMs, rate.everyMs) else after(last.heldSinceMs ?: nowMs, Rate.SETTLING_MS)
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }
+
+    /** [ms] after [startMs], or as far in the future as the clock goes. */
+    private fun after(startMs: Long, ms: Long) = if (startMs > Long.MAX_VALUE - ms) Long.MAX_VALUE else startMs + ms
 
     private fun isLong(form: PerceptForm) = form.toString().length > LONGEST
 

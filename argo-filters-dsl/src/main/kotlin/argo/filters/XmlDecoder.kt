@@ -14,6 +14,8 @@ internal class XmlDecoder(private val source: String) {
 
     private fun charset(bytes: ByteArray): Charset = when {
         bytes.startsWith(0xEF, 0xBB, 0xBF) -> Charsets.UTF_8
+        bytes.startsWith(0, 0, 0xFE, 0xFF) -> Charsets.UTF_32BE
+        bytes.startsWith(0xFF, 0xFE, 0, 0) -> Charsets.UTF_32LE
         bytes.startsWith(0xFE, 0xFF) || bytes.startsWith(0, '<'.code) -> Charsets.UTF_16BE
         bytes.startsWith(0xFF, 0xFE) || bytes.startsWith('<'.code, 0) -> Charsets.UTF_16LE
         else -> declared(bytes)

@@ -61,12 +61,12 @@ internal class XmlFilterReader(text: String, private val source: String, private
                 else -> annotation(it)
             }
         }
-        val arity = wholeNumber(attributes[ARITY], 0)?.toInt()
+        val arity = wholeNumber(attributes[ARITY], 0..Int.MAX_VALUE.toLong())?.toInt()
         return predicate?.let { Rule(it, conditions, arity) }
     }
 
     private fun rate(rule: Map<String, XmlAttribute>, parameters: List<XmlElement>): Rate? {
-        val everyMs = wholeNumber(rule[EVERY_MS], 1)
+        val everyMs = wholeNumber(rule[EVERY_MS], 1..Long.MAX_VALUE)
         val deadbands = LinkedHashMap<Int?, Deadband>()
         rule[DEADBAND]?.let { deadband(it, null) }?.let { deadbands[null] = it }
         for (parameter in parameters) {
@@ -85,11 +85,11 @@ internal class XmlFilterReader(text: String, private val source: String, private
         return null
     }
 
-    private fun wholeNumber(attribute: XmlAttribute?, least: Int): Long? {
+    private fun wholeNumber(attribute: XmlAttribute?, range: LongRange): Long? {
         if (attribute == null) return null
-        val number = indexOf(attribute.value)?.takeIf { it >= least }
-        if (number == null) report(attribute.position, "${attribute.name}=\"${attribute.value}\"; expected a whole number from $least")
-        return number?.toLong()
+        val number = wholeNumber(attribute.value)?.takeIf { it in range }
+        if (number == null) report(attribute.position, "${attribute.name}=\"${attribute.value}\"; expected a whole number from ${range.first}")
+        return number
     }
 
     private fun predicate(rule: XmlElement, found: List<XmlElement>): Predicate? {
@@ -134,8 +134,10 @@ internal class XmlFilterReader(text: String, private val source: String, private
         return index
     }
 
-    private fun indexOf(written: String): Int? =
-        written.trim().takeIf { it.isNotEmpty() && it.all { digit -> digit in '0'..'9' } }?.toIntOrNull()
+    private fun indexOf(written: String): Int? = wholeNumber(written)?.takeIf { it <= Int.MAX_VALUE }?.toInt()
+
+    private fun wholeNumber(written: String): Long? =
+        written.trim().takeIf { it.isNotEmpty() && it.all { digit -> digit in '0'..'9' } }?.toLongOrNull()
 
     private fun annotation(element: XmlElement): Condition? {
         val attributes = attributes(element, NAME, OPERATOR)

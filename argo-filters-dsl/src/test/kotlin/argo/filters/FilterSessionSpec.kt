@@ -51,6 +51,13 @@ class FilterSessionSpec : FreeSpec({
             session.due(200) shouldBe null
         }
 
+        "an interval without an end holds back for good" {
+            val session = session("<filter everyMs='${Long.MAX_VALUE}'><predicate>dist</predicate></filter>")
+            session.perceive(listOf("dist(f,1)"), 50)
+            session.perceive(listOf("dist(f,2)"), 100) shouldContainExactly listOf("dist(f,1)")
+            session.nextDueMs shouldBe Long.MAX_VALUE
+        }
+
         "each percept counts by itself, up to its numbers" {
             val session = session(EVERY_100)
             session.perceive(listOf("dist(f,1)"), 0)

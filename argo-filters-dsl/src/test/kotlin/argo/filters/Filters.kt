@@ -11,6 +11,7 @@ import io.kotest.property.arbitrary.filter
 import io.kotest.property.arbitrary.flatMap
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.long
 import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.arbitrary.orNull
@@ -24,8 +25,8 @@ fun rule(predicate: String, conditions: String = ""): PerceptMatcher =
     xml("<filter><predicate>$predicate</predicate>$conditions</filter>").matcher()
 
 /** Small vocabularies, so that filters and percepts meet often. */
-val functors = Arb.element("dist", "light", "open", "'Left wheel'", "x_1", "begin", "'two\nlines'", "'a\tb\r'", "'<&>'")
-val predicates: Arb<Predicate> = Arb.bind(functors, Arb.element(false, false, true), Arb.element("default", "default", "house")) { functor, negated, namespace ->
+val functors = Arb.element("dist", "light", "open", "'Left wheel'", "x_1", "begin", "'two\nlines'", "'a\tb\r'", "'<&>'", "'x::y'")
+val predicates: Arb<Predicate> = Arb.bind(functors, Arb.element(false, false, true), Arb.element("default", "default", "house", "'a::b'")) { functor, negated, namespace ->
     Predicate(functor, negated, namespace)
 }
 
@@ -68,9 +69,11 @@ val conditions: Arb<Condition> = Arb.choice(
     Arb.bind(predicates, Arb.list(tests, 0..2)) { name, tests -> Condition.Annotation(name, tests) },
 )
 
-val rates: Arb<Rate> = Arb.bind(Arb.int(1..2_000).orNull(), Arb.list(Arb.int(0..2).orNull(), 0..2), Arb.element(0.5, 1.0, 1e6)) { everyMs, arguments, width ->
+private val intervals: Arb<Long> = Arb.choice(Arb.long(1L..2_000), Arb.long(1L..2_000), Arb.element(Int.MAX_VALUE + 1L, Long.MAX_VALUE))
+
+val rates: Arb<Rate> = Arb.bind(intervals.orNull(), Arb.list(Arb.int(0..2).orNull(), 0..2), Arb.element(0.5, 1.0, 1e6)) { everyMs, arguments, width ->
     val deadbands = arguments.toSet().map { Deadband(it, width) }.toSet()
-    Rate(if (deadbands.isEmpty()) (everyMs ?: 1).toLong() else everyMs?.toLong(), deadbands)
+    Rate(if (deadbands.isEmpty()) everyMs ?: 1 else everyMs, deadbands)
 }
 
 /** Rules without rates, which decide over each percept by itself. */

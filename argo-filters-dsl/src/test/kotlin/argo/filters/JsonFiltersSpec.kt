@@ -87,6 +87,8 @@ class JsonFiltersSpec : FreeSpec({
             rule("\"arity\": ¦-1") to "\"arity\" is -1; expected a whole number from 0",
             rule("\"arity\": ¦\"1\"") to "\"arity\" is '1'",
             rule("\"everyMs\": ¦0") to "expected a whole number from 1",
+            rule("\"everyMs\": ¦9223372036854775808") to "expected a whole number from 1",
+            rule("\"arity\": ¦2147483648") to "expected a whole number from 0",
             rule("\"deadband\": ¦0") to "expected a number above 0",
             condition("¦").replace("{¦}", "¦{}") to "both or neither",
             condition("\"argument\": 0, \"annotation\": \"q\"").replace("{\"argument\"", "¦{\"argument\"") to "both or neither",
@@ -126,7 +128,7 @@ class JsonFiltersSpec : FreeSpec({
     }
 
     "text that is not JSON is refused with its position" {
-        for ((document, position) in listOf("" to (1 to 1), "{\"rules\": [}" to (1 to 12), "{\n  \"rules\" []}" to (2 to 11), "{\"rules\": [dist]}" to (1 to 12), "{\"rules\": []} x" to (1 to 16), "{\"rules\": [],}" to (1 to 13))) {
+        for ((document, position) in listOf("" to (1 to 1), "{\"rules\": [}" to (1 to 12), "{\n  \"rules\" []}" to (2 to 11), "{\"rules\": [dist]}" to (1 to 12), "{\"rules\": []} x" to (1 to 16), "{\"rules\": [],}" to (1 to 13), "{\"rules\": [{\"predicate\":\n \"d\n\"}]}" to (2 to 4))) {
             withClue(document) {
                 val problem = problems(document).single()
                 problem.message shouldContain "not JSON"

@@ -41,7 +41,7 @@ class ValueSpec : StringSpec({
     }
 
     "a predicate is written as it is read" {
-        for (written in listOf("dist", "~open", "house::dist", "house::~open", "'Left wheel'")) "${Predicate.of(written)}" shouldBe written
+        for (written in listOf("dist", "~open", "house::dist", "house::~open", "'Left wheel'", "'x::y'", "~'x::y'", "'a::b'::'x::y'", "house::'x::y'")) "${Predicate.of(written)}" shouldBe written
         "${Predicate.of(" default:: dist ")}" shouldBe "dist"
         for (written in listOf("", "Dist", "dist(1)", "~", "~~a", "a b", "1", "::", "a::", "A::b", "not", "~true", "a::true", "true::a")) {
             shouldThrow<IllegalArgumentException> { Predicate.of(written) }

@@ -21,7 +21,7 @@ class XmlEncodingSpec : FreeSpec({
     }
 
     "a byte-order mark is no part of the text" - {
-        for (charset in listOf("UTF-8", "UTF-16LE", "UTF-16BE")) {
+        for (charset in listOf("UTF-8", "UTF-16LE", "UTF-16BE", "UTF-32LE", "UTF-32BE")) {
             charset { read(("\uFEFF" + document("<?xml version='1.0'?>")).toByteArray(Charset.forName(charset))) shouldBe expected }
         }
         "nor in text that is already decoded" { XmlFilters.read("\uFEFF" + document(""), "f.xml") shouldBe expected }

@@ -57,6 +57,8 @@ class XmlRefusalSpec : FreeSpec({
             Refusal("<filter><predicate>d</predicate><annotation name='q'>¦5<limit operator='LT'>1</limit></annotation></filter>", "the text '5' in <annotation>"),
             Refusal("<filter ¦arity='-1'><predicate>d</predicate></filter>", "arity=\"-1\"; expected a whole number from 0"),
             Refusal("<filter ¦everyMs='0'><predicate>d</predicate></filter>", "everyMs=\"0\"; expected a whole number from 1"),
+            Refusal("<filter ¦everyMs='9223372036854775808'><predicate>d</predicate></filter>", "expected a whole number from 1"),
+            Refusal("<filter ¦arity='2147483648'><predicate>d</predicate></filter>", "expected a whole number from 0"),
             Refusal("<filter ¦everyMs='1.5'><predicate>d</predicate></filter>", "everyMs=\"1.5\""),
             Refusal("<filter ¦deadband='0'><predicate>d</predicate></filter>", "the deadband '0'; expected a number above 0"),
             Refusal("<filter><predicate>d</predicate><parameter id='1' ¦deadband='wide'/></filter>", "the deadband 'wide'"),
