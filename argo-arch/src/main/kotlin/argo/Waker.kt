@@ -25,9 +25,10 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
 
     /** Wakes the agent in [delayMs] ms to perceive, unless it will be woken earlier anyway. */
     fun wakeIn(delayMs: Long) {
-        val at = platform.nowMs() + delayMs
+        val wait = minOf(delayMs, LONGEST_MS) // who is woken too early looks again
+        val at = platform.nowMs() + wait
         if (nextWake.getAndUpdate { minOf(it, at) } <= at) return
-        platform.later(delayMs) {
+        platform.later(wait) {
             nextWake.compareAndSet(at, Long.MAX_VALUE)
             wake(FIRST_REPEAT_MS) { perceivedMs >= at }
         }
@@ -44,5 +45,6 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     private companion object {
         const val FIRST_REPEAT_MS = 1L
         const val LAST_REPEAT_MS = 1024L
+        const val LONGEST_MS = 86_400_000L
     }
 }
