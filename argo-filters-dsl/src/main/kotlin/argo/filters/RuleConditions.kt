@@ -1,6 +1,12 @@
 package argo.filters
 
-/** The conditions of one rule under construction, all of which a percept must meet. */
+/**
+ * The conditions of one rule under construction, all of which a percept must meet.
+ *
+ * ```kotlin
+ * drop("dist") { argument(0) ne "front"; argument(1) gt 200; everyMs(500) }
+ * ```
+ */
 @FilterDsl
 open class RuleConditions internal constructor() {
     private val conditions = ArrayList<Condition>()
@@ -18,7 +24,7 @@ open class RuleConditions internal constructor() {
     /** The annotations called [name], of which one must meet what is said of it: `annotation("q") lt 0.5`. */
     fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(begun::add)
 
-    /** The percept must have an annotation called [name]. */
+    /** The percept must have an annotation called [name]: `hasAnnotation("urgent")`. */
     fun hasAnnotation(name: String) {
         conditions += Condition.Annotation(Predicate.of(name))
     }
@@ -28,17 +34,27 @@ open class RuleConditions internal constructor() {
         conditions += Condition.Annotation(Predicate.of(name), AnnotationTests().apply(tests).tests)
     }
 
-    /** The percept must have [count] arguments. */
+    /**
+     * The percept must have [count] arguments: `arity(2)`.
+     *
+     * @throws IllegalArgumentException if another number has been said already
+     */
     fun arity(count: Int) {
+        require(arity == null || arity == count) { "a rule has one arity, and $arity is it; expected another rule for $count arguments" }
         arity = count
     }
 
-    /** Percepts are held back that come less than [ms] milliseconds after the one that was let through; see [Rate]. */
+    /**
+     * Percepts are held back that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate].
+     *
+     * @throws IllegalArgumentException if another interval has been said already
+     */
     fun everyMs(ms: Long) {
+        require(everyMs == null || everyMs == ms) { "a rule has one interval, and $everyMs ms is it; expected another rule for $ms ms" }
         everyMs = ms
     }
 
-    /** Percepts are held back of which no number has moved by [width]; see [Rate]. */
+    /** Percepts are held back of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
     fun deadband(width: Number) {
         deadband(null, width)
     }
@@ -64,12 +80,19 @@ open class RuleConditions internal constructor() {
     }
 }
 
-/** The conditions of a critical rule under construction, and its reflex. It can have neither [everyMs] nor a [deadband]. */
+/**
+ * The conditions of a critical rule under construction, and its reflex. It can have neither [everyMs] nor a [deadband].
+ *
+ * ```kotlin
+ * critical("dist") { argument(1) lt 15; reflex("stop") }
+ * ```
+ */
 class CriticalConditions internal constructor() : RuleConditions() {
     private var reflex: String? = null
 
     /**
-     * The command [command] is sent when a percept comes that meets the rule, before the agent reasons; see [CriticalRule.reflex].
+     * The command [command] is sent when a percept comes that meets the rule, before the agent reasons: `reflex("speed(0)")`; see
+     * [CriticalRule.reflex].
      *
      * @throws IllegalArgumentException if [command] cannot be sent, or the rule has a reflex already
      */
@@ -85,7 +108,7 @@ class CriticalConditions internal constructor() : RuleConditions() {
 /**
  * A term whose type is not declared: an argument or an annotation's value.
  *
- * Text is read as Jason reads it: `"front"` is an atom, `"\"front\""` a string.
+ * Text is read as Jason reads it: `argument(0) eq "front"` is about an atom, `argument(0) eq "\"front\""` about a string.
  */
 @FilterDsl
 sealed class AnyTerm {
@@ -99,40 +122,40 @@ sealed class AnyTerm {
 
     internal abstract fun add(test: Test)
 
-    /** It equals [value], a Jason term. */
+    /** It equals [value], a Jason term: `argument(0) eq "front"`. */
     infix fun eq(value: String): Unit = must(Test.Compare(Operator.EQ, Value.of(value)))
 
-    /** It equals [value]. */
+    /** It equals [value]: `argument(1) eq 36`. */
     infix fun eq(value: Number): Unit = must(Test.Compare(Operator.EQ, value.asValue()))
 
-    /** It equals [value]. */
+    /** It equals [value]: `argument(0) eq Value.Text("low battery")`. */
     infix fun eq(value: Value): Unit = must(Test.Compare(Operator.EQ, value))
 
-    /** It differs from [value], a Jason term. */
+    /** It differs from [value], a Jason term: `argument(0) ne "front"`. */
     infix fun ne(value: String): Unit = must(Test.Compare(Operator.NE, Value.of(value)))
 
-    /** It differs from [value]. */
+    /** It differs from [value]: `argument(1) ne 0`. */
     infix fun ne(value: Number): Unit = must(Test.Compare(Operator.NE, value.asValue()))
 
-    /** It differs from [value]. */
+    /** It differs from [value]: `argument(0) ne Value.Text("ok")`. */
     infix fun ne(value: Value): Unit = must(Test.Compare(Operator.NE, value))
 
-    /** It is a number greater than [value]. */
+    /** It is a number greater than [value]: `argument(1) gt 200`. */
     infix fun gt(value: Number): Unit = must(Test.Compare(Operator.GT, value.asValue()))
 
-    /** It is a number, and at least [value]. */
+    /** It is a number, and at least [value]: `argument(1) ge 200`. */
     infix fun ge(value: Number): Unit = must(Test.Compare(Operator.GE, value.asValue()))
 
-    /** It is a number less than [value]. */
+    /** It is a number less than [value]: `annotation("q") lt 0.5`. */
     infix fun lt(value: Number): Unit = must(Test.Compare(Operator.LT, value.asValue()))
 
-    /** It is a number, and at most [value]. */
+    /** It is a number, and at most [value]: `argument(1) le 15`. */
     infix fun le(value: Number): Unit = must(Test.Compare(Operator.LE, value.asValue()))
 
-    /** Its whole text matches the regular expression; see [Test.Matches]. */
+    /** Its whole text matches the regular expression [pattern]: `argument(0) matches "front|left"`; see [Test.Matches]. */
     infix fun matches(pattern: String): Unit = must(Test.Matches(pattern))
 
-    /** It equals one of [values]: Jason terms as text, numbers or [Value]s. */
+    /** It equals one of [values], Jason terms as text, numbers or [Value]s: `argument(0) isIn listOf("front", "left")`. */
     infix fun isIn(values: Collection<Any>): Unit = must(Test.OneOf(values.map(::valueOf).toSet()))
 
     private fun valueOf(value: Any): Value = when (value) {
@@ -143,11 +166,11 @@ sealed class AnyTerm {
     }
 }
 
-/** An argument of a rule under construction. */
+/** An argument of a rule under construction: what `argument(0)` gives. */
 class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
     override fun add(test: Test) = rule.argument(index, test)
 
-    /** Percepts are held back of which this argument has not moved by [width]; see [Rate]. */
+    /** Percepts are held back of which this argument has not moved by [width]: `argument(1) deadband 5`; see [Rate]. */
     infix fun deadband(width: Number) {
         isSaid = true
         rule.deadband(index, width)
@@ -156,14 +179,14 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
     override fun toString(): String = "argument($index)"
 }
 
-/** An annotation of a rule under construction. */
+/** An annotation of a rule under construction: what `annotation("q")` gives. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
     override fun add(test: Test) = rule.annotation(name, test)
 
     override fun toString(): String = "annotation(\"$name\")"
 }
 
-/** All that is said of one annotation. */
+/** All that is said of one annotation: `annotation("q") { gt(0.5); lt(0.9) }`. */
 class AnnotationTests internal constructor() : AnyTerm() {
     internal val tests = ArrayList<Test>()
 

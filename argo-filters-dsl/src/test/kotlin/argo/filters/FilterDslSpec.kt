@@ -91,6 +91,8 @@ class FilterDslSpec : StringSpec({
                 everyMs(10)
                 hasAnnotation("u")
                 annotation("q") ge 1
+                annotation("r") { gt(0); lt(1) }
+                deadband(3)
                 side eq "a"; side ne "b"; side isIn listOf("c", "d"); side matches "e"
                 cm eq 1; cm ne 2; cm gt 3; cm ge 4; cm lt 5; cm le 6; cm isIn listOf(7, 8.0); cm deadband 9
             }
@@ -105,6 +107,8 @@ class FilterDslSpec : StringSpec({
                 everyMs(10)
                 hasAnnotation("u")
                 annotation("q") ge 1
+                annotation("r") { gt(0); lt(1) }
+                deadband(3)
                 argument(0) eq "a"; argument(0) ne "b"; argument(0) isIn listOf("d", "c"); argument(0) matches "e"
                 argument(1) eq 1; argument(1) ne 2; argument(1) gt 3; argument(1) ge 4; argument(1) lt 5; argument(1) le 6; argument(1) isIn listOf(7, 8); argument(1) deadband 9
             }
@@ -148,6 +152,9 @@ class FilterDslSpec : StringSpec({
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(0) isIn emptyList() } } }.message shouldContain "at least one"
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(0) isIn listOf(true) } } }.message shouldContain "is no value"
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { arity(-1) } } }
+        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { arity(1); arity(2) } } }.message shouldContain "one arity"
+        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop(Distance) { everyMs(10); everyMs(20) } } }.message shouldContain "one interval"
+        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { deadband(1); deadband(2) } } }.message shouldContain "two deadbands"
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { everyMs(0) } } }
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop(Distance) { side eq "pos(1)" } } }.message shouldContain "not an atom"
         shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop(Distance) { cm deadband 0 } } }

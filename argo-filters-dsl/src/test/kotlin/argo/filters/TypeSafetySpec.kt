@@ -9,7 +9,7 @@ import org.jetbrains.kotlin.cli.common.ExitCode
 
 /** Statements of filters that make sense: they must compile, or the test of the others would prove nothing. */
 private val SENSE = listOf(
-    "typed conditions" to """perceptionFilter("x") { drop(Distance) { side ne "front"; cm gt 200; label matches "a.*" } }""",
+    "typed conditions" to """perceptionFilter("x") { drop(Distance) { side ne "front"; cm gt 200; label matches "a.*"; annotation("q") { gt(0); lt(1) }; deadband(5) } }""",
     "untyped conditions" to """perceptionFilter("x") { drop("light") { argument(0) gt 3; argument(1) eq "a" } }""",
     "a critical rule, typed and not" to """perceptionFilter("x") { critical(Distance) { cm lt 15; reflex("stop") }; critical("bump") { argument(0) eq 1; reflex("stop") } }""",
     "a filter that keeps" to """keepingFilter("x") { keep(Distance) { cm ge 200.5 }; keep("light") }""",
@@ -34,6 +34,7 @@ private val NO_SENSE = listOf(
     "drop in a filter that keeps" to """keepingFilter("x") { drop("a") }""",
     "an annotation's test outside an annotation" to """perceptionFilter("x") { drop("a") { gt(1) } }""",
     "a condition of the rule in an annotation's tests" to """perceptionFilter("x") { drop("a") { annotation("q") { everyMs(1) } } }""",
+    "a condition of the rule in an annotation's tests, typed" to """perceptionFilter("x") { drop(Distance) { annotation("q") { everyMs(1) } } }""",
     "a reflex of a rule that drops" to """perceptionFilter("x") { drop("a") { reflex("stop") } }""",
     "a reflex of a typed rule that drops" to """perceptionFilter("x") { drop(Distance) { reflex("stop") } }""",
     "a side that is less in a critical rule" to """perceptionFilter("x") { critical(Distance) { side lt 3 } }""",
