@@ -12,8 +12,8 @@ bool javino_outside(javino_nesting *nesting, char c)
     if (n->quote) {
         if (n->escaped)
             n->escaped = false;
-        else if (c == '\\')
-            n->escaped = true;
+        else if (c == '\\' && n->quote == '"')
+            n->escaped = true; /* Quoted atoms have no escapes. */
         else if (c == n->quote)
             n->quote = 0;
         return false;

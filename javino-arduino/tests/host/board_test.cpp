@@ -560,6 +560,7 @@ TEST_CASE("a literal is taken apart outside quotes and brackets") {
   CHECK(functor("go()[a]") == 2);
   CHECK(functor("go[a]") == 2);
   CHECK(functor("f(\",\",',')") == 1);
+  CHECK(functor("drive('C:\\')") == 5);
   CHECK(functor("f((((((((((((((((((((1))))))))))))))))))))") == 1);
   for (const char *bad : {"", "speed(120", "speed 120)", "speed(1)(2)", "speed(1)x", "speed)", "say(\"hi)", "(1)", "go[a](1)", "a\"b\"", "speed(1]]", "speed(1]", "speed(1}", "f([1)]", "f(,1)", "f(1,)", "f(1,,2)", "f( , 1)", "f([,1])"}) {
     INFO(bad);

@@ -41,12 +41,12 @@ private fun balancedEnd(text: String, start: Int): Int? {
 
 private val OPENING = mapOf(')' to '(', ']' to '[', '}' to '{')
 
-/** The index of the quote that closes the one at [opening], or null if there is none. */
+/** The index of the quote that closes the one at [opening], or null if there is none. Strings have escapes, quoted atoms have none. */
 private fun endOfQuoted(text: String, opening: Int): Int? {
     var i = opening + 1
     while (i < text.length) {
         when (text[i]) {
-            '\\' -> i++
+            '\\' -> if (text[opening] == '"') i++
             text[opening] -> return i
         }
         i++

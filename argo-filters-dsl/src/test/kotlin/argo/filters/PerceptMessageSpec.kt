@@ -23,6 +23,7 @@ class PerceptMessageSpec : FunSpec({
     test("a semicolon inside a string, a quoted atom or brackets does not separate") {
         perceptsOf("""say("hi; you");b;""") shouldBe listOf("""say("hi; you")""", "b")
         perceptsOf("""say("a\";b");c""") shouldBe listOf("""say("a\";b")""", "c")
+        perceptsOf("""drive('C:\');b(')');c;""") shouldBe listOf("""drive('C:\')""", "b(')')", "c")
         perceptsOf("l([a;b]);p(x)[q(1;2)];z") shouldBe listOf("l([a;b])", "p(x)[q(1;2)]", "z")
     }
 
@@ -34,7 +35,7 @@ class PerceptMessageSpec : FunSpec({
     }
 
     test("percepts of any well-formed kind come out as they went in") {
-        val percept = Arb.element("a", "b(1)", "~c(x)", "d(\"x;y\")", "e([1,2;3],f(g))", "h(1)[q(0.5);r]")
+        val percept = Arb.element("a", "b(1)", "~c(x)", "d(\"x;y\")", "e([1,2;3],f(g))", "h(1)[q(0.5);r]", "i('\\')", "j(';(')")
         checkAll(Arb.list(percept, 0..12)) { percepts ->
             perceptsOf(percepts.joinToString("") { "$it;" }) shouldBe percepts
         }
