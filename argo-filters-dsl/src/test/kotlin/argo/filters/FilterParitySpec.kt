@@ -4,6 +4,7 @@ import io.kotest.core.spec.style.StringSpec
 import io.kotest.core.spec.style.stringSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
@@ -89,6 +90,18 @@ class FilterParitySpec : StringSpec({
     include("JSON: ", parity { JsonFilters.read(JsonFilters.write(it), "f.json") })
     include("Kotlin: ", parity(::inKotlin))
     include("all three in turn: ", parity { inKotlin(JsonFilters.read(JsonFilters.write(XmlFilters.read(XmlFilters.write(it), "f.xml")), "f.json")) })
+
+    "filters that differ in anything but their names are not equal" {
+        val rules = listOf(Rule("dist"))
+        val filter = PerceptionFilter("a", rules)
+        PerceptionFilter("b", rules) shouldBe filter
+        for (other in listOf(
+            PerceptionFilter("a"),
+            PerceptionFilter("a", rules, PerceptionFilter.Mode.KEEP),
+            PerceptionFilter("a", rules, onSwitch = PerceptionFilter.OnSwitch.FREEZE),
+            PerceptionFilter("a", rules, critical = listOf(CriticalRule(Rule("dist")))),
+        )) other shouldNotBe filter
+    }
 
     "the paper's filter is one filter in all forms" {
         val kotlin = perceptionFilter("frontDistance") {

@@ -75,8 +75,8 @@ internal class CollisionCommand : Callable<Int> {
             run.run()
         }
         if (isOver.getAndSet(true)) return INTERRUPTED.also { log.delete() }
-        println(verdict.sentence)
         if (verdict.exitStatus == 0) log.delete() else println("log: ${log.path}")
+        println(verdict.sentence)
         return verdict.exitStatus
     }
 

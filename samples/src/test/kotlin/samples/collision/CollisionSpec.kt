@@ -35,8 +35,8 @@ class CollisionSpec : FunSpec({
 
     test("an agent that waits for the line inside its reasoning cycle runs into the wall without a filter") {
         val (status, printed) = Program.run("collision", "--filter", "none", "--limit", "120", "--sensing", "in_cycle")
-        printed shouldContain "ran into the wall: the agent had not stopped the robot"
-        val log = Path.of(printed.substringAfter("log: "))
+        printed.lines().last() shouldContain "ran into the wall: the agent had not stopped the robot"
+        val log = logNamedIn(printed)
         Files.readString(log) shouldContain "in_cycle"
         Files.delete(log)
         status shouldBe 1
@@ -51,14 +51,14 @@ class CollisionSpec : FunSpec({
     test("a port that cannot be opened ends the run with ARGO's reason") {
         val (status, printed) = Program.run("collision", "--port", "sim:elsewhere")
         printed shouldContain "there is no simulated board sim:elsewhere"
-        Files.delete(Path.of(printed.substringAfter("log: ")))
+        Files.delete(logNamedIn(printed))
         status shouldBe 1
     }
 
     test("a port is taken as it is written, whatever characters it holds") {
         val (status, printed) = Program.run("collision", "--port", """\\.\COM"10""")
         printed shouldContain """there is no port \\.\COM"10"""
-        Files.delete(Path.of(printed.substringAfter("log: ")))
+        Files.delete(logNamedIn(printed))
         status shouldBe 1
     }
 
@@ -87,7 +87,7 @@ class CollisionSpec : FunSpec({
                 robot.unplug()
                 val (status, printed) = program.awaitEnd()
                 printed shouldContain Regex("port .* is gone|the board has gone")
-                Files.delete(Path.of(printed.substringAfter("log: ")))
+                Files.delete(logNamedIn(printed))
                 status shouldBe 1
             }
         }
@@ -100,3 +100,5 @@ class CollisionSpec : FunSpec({
         }
     }
 })
+
+private fun logNamedIn(printed: String): Path = Path.of(printed.lines().first { it.startsWith("log: ") }.removePrefix("log: "))
