@@ -30,7 +30,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
      * which filters there are
      * @throws FilterException if its text is refused
      * @throws java.io.IOException if its file cannot be read
-     * @throws java.util.ServiceConfigurationError if a provider cannot be made
+     * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */
     fun find(name: String): PerceptionFilter {
         requireInside(name)
@@ -40,7 +40,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     /**
      * The names of all filters there are, sorted; places that cannot be listed add none, and a file in the list may still be refused.
      *
-     * @throws java.util.ServiceConfigurationError if a provider cannot be made
+     * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */
     fun names(): List<String> = places.flatMap(FilterPlace::names).distinct().sorted()
 

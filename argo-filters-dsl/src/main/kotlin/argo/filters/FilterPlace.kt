@@ -8,6 +8,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.SimpleFileVisitor
 import java.nio.file.attribute.BasicFileAttributes
+import java.util.ServiceConfigurationError
 import java.util.ServiceLoader
 import kotlin.io.path.inputStream
 import kotlin.io.path.invariantSeparatorsPathString
@@ -28,11 +29,10 @@ internal interface FilterPlace {
 /** The filters that services offer. */
 internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
     /** Loaded anew each time, since a loader is not safe for several agents at once. */
-    private val providers: ServiceLoader<FilterProvider>
-        get() = ServiceLoader.load(FilterProvider::class.java, classLoader)
+    private fun providers(): List<FilterProvider> = usable { ServiceLoader.load(FilterProvider::class.java, classLoader).toList() }
 
     override fun find(name: String): PerceptionFilter? {
-        val found = providers.flatMap { provider -> provider.filters.filter { it.name == name }.map { provider to it } }
+        val found = providers().flatMap { provider -> filtersOf(provider).filter { it.name == name }.map { provider to it } }
         if (found.map { it.second }.distinct().size > 1) {
             val owners = found.joinToString(" and ") { it.first.javaClass.name }
             throw FilterNotFoundException("The filter '$name' is offered by $owners, and not the same by both; give one of them another name.")
@@ -40,7 +40,26 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
         return found.firstOrNull()?.second
     }
 
-    override fun names(): List<String> = providers.flatMap { provider -> provider.filters.map(PerceptionFilter::name) }
+    override fun names(): List<String> = providers().flatMap(::filtersOf).map(PerceptionFilter::name)
+
+    private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
+
+    /** What [load] gives; what it fails with says why, down to the filter that is refused. */
+    private fun <T> usable(words: String? = null, load: () -> T): T = try {
+        load()
+    } catch (broken: ServiceConfigurationError) {
+        throw unusable(words, broken)
+    } catch (broken: LinkageError) { // of a class whose values are made when it is first used
+        throw unusable(words, broken)
+    } catch (broken: RuntimeException) {
+        throw unusable(words, broken)
+    }
+
+    private fun unusable(words: String?, broken: Throwable): ServiceConfigurationError {
+        val causes = generateSequence(broken) { it.cause }.toList()
+        val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()
+        return ServiceConfigurationError(known.ifEmpty { listOf("$broken") }.joinToString(": "), broken)
+    }
 
     override fun toString(): String = "the filters of ${FilterProvider::class.java.name} services"
 }

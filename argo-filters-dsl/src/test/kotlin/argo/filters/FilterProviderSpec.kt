@@ -7,6 +7,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.net.URLClassLoader
 import java.nio.file.Path
+import java.util.ServiceConfigurationError
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
@@ -16,6 +17,22 @@ class NightFilters : FilterProvider {
 
 class DayFilters : FilterProvider {
     override val filters = listOf(PerceptionFilter("bright", Rule("dark")), PerceptionFilter("shared", Rule("b")))
+}
+
+private object TopLevel {
+    val filter = perceptionFilter("lazy") { drop("Dist") }
+}
+
+class EarlyMistake : FilterProvider {
+    override val filters = listOf(perceptionFilter("early") { drop("Dist") })
+}
+
+class LateMistake : FilterProvider {
+    override val filters get() = listOf(perceptionFilter("late") { drop("Dist") })
+}
+
+class MistakeElsewhere : FilterProvider {
+    override val filters get() = listOf(TopLevel.filter)
 }
 
 class FilterProviderSpec : StringSpec({
@@ -46,6 +63,14 @@ class FilterProviderSpec : StringSpec({
     "two providers may not offer different filters of one name" {
         shouldThrow<FilterNotFoundException> { finder(NightFilters::class.java, DayFilters::class.java).find("shared") }.message shouldContain
             "offered by argo.filters.NightFilters and argo.filters.DayFilters"
+    }
+
+    "a filter that is refused in Kotlin is told with its provider and the reason, also the second time" {
+        for (provider in listOf(EarlyMistake::class.java, LateMistake::class.java, MistakeElsewhere::class.java)) repeat(2) {
+            val message = shouldThrow<ServiceConfigurationError> { finder(provider).find("dark") }.message
+            message shouldContain provider.name
+            message shouldContain "'Dist' is no functor"
+        }
     }
 
     "a filter in JSON is found as one in XML, which comes first" {

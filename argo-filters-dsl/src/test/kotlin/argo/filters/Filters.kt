@@ -26,7 +26,7 @@ fun rule(predicate: String, conditions: String = ""): PerceptMatcher =
 
 /** Small vocabularies, so that filters and percepts meet often. */
 val functors = Arb.element("dist", "light", "open", "'Left wheel'", "x_1", "begin", "'two\nlines'", "'a\tb\r'", "'<&>'", "'x::y'")
-val predicates: Arb<Predicate> = Arb.bind(functors, Arb.element(false, false, true), Arb.element("default", "default", "house", "'a::b'")) { functor, negated, namespace ->
+val predicates: Arb<Predicate> = Arb.bind(functors, Arb.element(false, false, true), Arb.element("default", "default", "default", "default", "house", "'a::b'")) { functor, negated, namespace ->
     Predicate(functor, negated, namespace)
 }
 
