@@ -21,7 +21,7 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
     private val record = AgentRecord(beliefs, nanos)
     private val browsers = Browsers(MOST_BROWSERS, nanos)
     private val states = Newest<ViewServer.Sent>()
-    private val server = ViewServer(agent.name, port, ViewCommands(agent), browsers, states)
+    private val server = ViewServer(agent.name, port, ViewCommands(agent), browsers, states, nanos)
     private val composer = StateComposer(agent, record, beliefs, log, nanos)
     private val closing = CountDownLatch(1)
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply {
@@ -71,6 +71,7 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
 
     /** Returns when something was [shown] last to those who watch; null: nobody does. */
     private fun publishIfNew(shown: Long?): Long? {
+        server.giveUpSlow(SLOW_NANOS)
         beliefs.isWatched = browsers.areWatching()
         if (!beliefs.isWatched) return null
         browsers.giveUpStalled(STALLED_NANOS)
@@ -93,6 +94,9 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
         private const val INTERVAL_MS = 100L
         private const val REPEAT_NANOS = 1_000_000_000L
         private const val STALLED_NANOS = 15_000_000_000L
+
+        /** Longer than any answer takes, and a program that does not end its request may hold it up. */
+        private const val SLOW_NANOS = 10_000_000_000L
         private const val FAREWELL_NANOS = 1_000_000_000L
         private const val FAREWELL_STEP_MS = 10L
         private const val MOST_BROWSERS = 12

@@ -6,10 +6,6 @@ import java.io.IOException
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.URI
-import java.util.concurrent.SynchronousQueue
-import java.util.concurrent.ThreadPoolExecutor
-import java.util.concurrent.TimeUnit
-import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Serves one agent's view to browsers on this computer.
@@ -21,6 +17,7 @@ import java.util.concurrent.atomic.AtomicInteger
  * @param commands answers what the page's buttons ask for
  * @param browsers those that watch
  * @param states what they are shown, as JSON; nothing follows one that [isLast]
+ * @param nanos a clock in ns that never goes back
  * @throws IOException if the port cannot be had
  */
 internal class ViewServer(
@@ -29,15 +26,13 @@ internal class ViewServer(
     private val commands: ViewCommands,
     private val browsers: Browsers,
     private val states: Newest<Sent>,
+    nanos: () -> Long = System::nanoTime,
 ) {
     private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), port), 0)
-    private val threads = AtomicInteger()
-    private val executor = ThreadPoolExecutor(0, MOST_THREADS, 5, TimeUnit.SECONDS, SynchronousQueue()) { work ->
-        Thread(work, "argo-$agent-view-${threads.incrementAndGet()}").apply { isDaemon = true }
-    }
+    private val threads = RequestThreads(agent, nanos)
 
     init {
-        server.executor = executor
+        server.executor = threads
         server.createContext("/") { exchange -> exchange.use(::handle) }
     }
 
@@ -50,8 +45,11 @@ internal class ViewServer(
     /** Ends all connections and threads. */
     fun stop() {
         server.stop(0)
-        executor.shutdownNow()
+        threads.stop()
     }
+
+    /** Gives up requests that have not come to their end for [limitNanos] ns, other than those of browsers that watch. */
+    fun giveUpSlow(limitNanos: Long) = threads.giveUpSlow(limitNanos)
 
     private fun handle(exchange: HttpExchange) {
         val path = exchange.requestURI.path.orEmpty()
@@ -68,6 +66,7 @@ internal class ViewServer(
 
     private fun stream(exchange: HttpExchange) {
         val isAdmitted = browsers.admit { browser ->
+            threads.letTakeLong()
             exchange.begin(200, "text/event-stream", 0)
             val out = exchange.responseBody
             browser.write { out.write("retry: $RETRY_MS\n\n".toByteArray()) }
@@ -116,7 +115,6 @@ internal class ViewServer(
 
     companion object {
         private const val EVENTS = "/events"
-        private const val MOST_THREADS = 24
 
         /** How long a browser whose connection is lost waits before it tries again. */
         private const val RETRY_MS = 1000

@@ -48,7 +48,7 @@ class StalledBrowserSpec : FunSpec({
     }
 })
 
-private object Nobody : ViewedAgent {
+internal object Nobody : ViewedAgent {
     override val name = "bob"
     override val policy = "fresh"
     override val intervalMs = 50
