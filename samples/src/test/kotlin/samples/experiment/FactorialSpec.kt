@@ -104,6 +104,23 @@ class FactorialSpec : FunSpec({
         analysis.share(Source.C) shouldBe 0.0
     }
 
+    test("what rounding makes of equal responses is no variation") {
+        listOf(0.1, 5.3, 12.0, 1e6 / 3).forEach { same ->
+            val analysis = Factorial(List(3) { List(3) { List(3) { List(3) { same } } } })
+            analysis.total shouldBe 0.0
+            Source.entries.map(analysis::share) + analysis.errorShare shouldBe List(8) { 0.0 }
+            Source.entries.flatMap { analysis.effects(it, 0.95) }.none { it.isSignificant } shouldBe true
+        }
+    }
+
+    test("nor does it make effects significant where the replications are all the same") {
+        val analysis = Factorial(List(3) { List(3) { k -> List(3) { List(3) { 0.1 + 0.7 * k } } } }) // B alone has an effect
+        analysis.share(Source.B) shouldBe (1.0 plusOrMinus 1e-12)
+        analysis.error shouldBe 0.0
+        (Source.entries - Source.B).flatMap { analysis.effects(it, 0.95) }.none { it.isSignificant } shouldBe true
+        analysis.effects(Source.B, 0.95).map { it.isSignificant } shouldBe listOf(true, false, true)
+    }
+
     test("a cell with fewer replications than others is refused") {
         val lopsided = listOf(listOf(listOf(listOf(1.0, 2.0), listOf(1.0))))
         shouldThrow<IllegalArgumentException> { Factorial(lopsided) }.message shouldBe

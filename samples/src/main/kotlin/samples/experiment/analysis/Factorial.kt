@@ -1,6 +1,7 @@
 package samples.experiment.analysis
 
 import org.apache.commons.math3.distribution.TDistribution
+import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
@@ -57,14 +58,19 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     /** Responses in all. */
     val count = cells.size * replications
 
+    /** Less than this is nothing but the rounding of sums of so large numbers. */
+    private val rounding = ROUNDING * cells.maxOf { cell -> at(cell).maxOf(::abs) }
+
+    private fun squares(sum: Double): Double = if (sum > count * rounding * rounding) sum else 0.0
+
     /** The mean of all responses. */
     val mean: Double = cells.sumOf { at(it).sum() } / count
 
     /** The variation of the responses around [mean]: the total sum of squares. */
-    val total: Double = cells.sumOf { cell -> at(cell).sumOf { (it - mean) * (it - mean) } }
+    val total: Double = squares(cells.sumOf { cell -> at(cell).sumOf { (it - mean) * (it - mean) } })
 
     /** The sum of squares within the cells. */
-    val error: Double = cells.sumOf { cell -> at(cell).average().let { mean -> at(cell).sumOf { (it - mean) * (it - mean) } } }
+    val error: Double = squares(cells.sumOf { cell -> at(cell).average().let { mean -> at(cell).sumOf { (it - mean) * (it - mean) } } })
 
     /** Degrees of freedom of [error]. */
     val errorFreedom = cells.size * (replications - 1)
@@ -74,7 +80,7 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
             val lower = filterKeys { it.factors.all(source.factors::contains) }
             put(source, cells.groupBy { cell -> cell.of(source) }.mapValues { (_, group) ->
                 val marginal = group.sumOf { at(it).average() } / group.size
-                marginal - mean - lower.entries.sumOf { (below, values) -> values.getValue(group.first().of(below)) }
+                (marginal - mean - lower.entries.sumOf { (below, values) -> values.getValue(group.first().of(below)) }).takeIf { abs(it) > rounding } ?: 0.0
             })
         }
     }
@@ -102,5 +108,10 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
         val freedom = source.factors.fold(1) { n, f -> n * (sizes[f] - 1) }
         val deviation = sqrt(error / errorFreedom * freedom / count)
         return TDistribution(errorFreedom.toDouble()).inverseCumulativeProbability((1 + confidence) / 2) * deviation
+    }
+
+    private companion object {
+        /** Of the largest response; a double holds sixteen digits. */
+        const val ROUNDING = 1e-12
     }
 }
