@@ -1,8 +1,9 @@
 package samples.experiment
 
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
-import java.util.concurrent.TimeUnit
+import java.util.concurrent.Future
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
@@ -27,7 +28,11 @@ internal class Campaign(
     /** Runs that had to be made anew because the machine was late. */
     val repetitions: Int get() = repeated.get()
 
-    /** Makes what is missing of [trials]; returns all that are over. Ends early when it is given up. */
+    /**
+     * Makes what is missing of [trials]; returns all that are over. Ends early when it is given up.
+     *
+     * @throws java.io.IOException if a record cannot be written; then the experiment is given up
+     */
     fun run(trials: List<Trial>): List<Finished> {
         val wanted = trials.toSet()
         val over = ConcurrentLinkedQueue(archive.finished().filter { it.trial in wanted && it.result.outcome != Outcome.FAILED })
@@ -35,12 +40,28 @@ internal class Campaign(
         val pool = Executors.newFixedThreadPool(jobs)
         val workers = List(jobs) { pool.submit { work(missing, over, trials.size) } }
         pool.shutdown()
-        workers.forEach { it.get() }
-        pool.awaitTermination(1, TimeUnit.MINUTES)
+        workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // when all have come to their end
         return over.toList()
     }
 
+    private fun failure(worker: Future<*>): Throwable? = try {
+        worker.get()
+        null
+    } catch (failed: ExecutionException) {
+        failed.cause
+    }
+
     private fun work(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
+        var isDone = false
+        try {
+            makeAll(missing, over, all)
+            isDone = true
+        } finally {
+            if (!isDone) given.giveUp() // or the others would go on for an hour before somebody is told
+        }
+    }
+
+    private fun makeAll(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
         while (!given.isUp) {
             report(Status(over.size, all, over.count { it.result.outcome == Outcome.COLLIDED }, missing.sumOf(::expectedMs) / jobs))
             val trial = missing.poll() ?: return
@@ -59,7 +80,7 @@ internal class Campaign(
 
     private fun recorded(trial: Trial): Entry.Result? = RecordWriter(archive.file(trial)).use { record ->
         record.write(Entry.Begin(trial, settings))
-        laboratory.run(trial, record, given)?.also(record::write)
+        laboratory.run(trial, record, given)?.also(record::write).also { record.requireWhole() }
     }
 
     companion object {

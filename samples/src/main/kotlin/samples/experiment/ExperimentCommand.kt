@@ -9,6 +9,7 @@ import samples.experiment.report.writeReport
 import samples.project.Logs
 import samples.project.Progress
 import sun.misc.Signal
+import java.io.IOException
 import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -50,7 +51,7 @@ internal class ExperimentCommand : Callable<Int> {
     @Option(names = ["--seed"], paramLabel = "S", description = ["where the order of the runs and the noise of the sensors start from (default: another one each time)"])
     private var seed: Long? = null
 
-    @Option(names = ["--slowdown"], paramLabel = "X", description = ["how many times slower than this computer agents reason, at least 1 (default: measured, as slow as a Raspberry Pi 3 of 2016)"])
+    @Option(names = ["--slowdown"], paramLabel = "X", description = ["how many times slower than this computer simulated robots' agents reason, at least 1 (default: measured, as slow as a Raspberry Pi 3 of 2016)"])
     private var slowdown: Double? = null
 
     @Option(names = ["--out"], paramLabel = "DIR", defaultValue = "experiment-results", description = ["where records and report go (default: \${DEFAULT-VALUE})"])
@@ -64,16 +65,28 @@ internal class ExperimentCommand : Callable<Int> {
 
     override fun call(): Int {
         val conditions = conditions()
-        val archive = Archive(out)
+        return Archive(out).use { make(it, conditions) }
+    }
+
+    private fun make(archive: Archive, conditions: List<Condition>): Int {
         val settings = try {
             settings(archive).also(archive::open)
         } catch (refused: ContinuationException) {
             refuse(refused.message.orEmpty())
-        } catch (unwritable: java.io.IOException) {
+        } catch (unwritable: IOException) {
             refuse("--out $out cannot be written to: $unwritable")
         }
         val workers = if (port == null) jobs ?: (2 * Runtime.getRuntime().availableProcessors()) else 1
-        println("seed ${settings.seed}; agents reason ${settings.slowdown} times slower than here (${settings.computer})")
+        println("seed ${settings.seed}; agents reason ${if (port == null) "${settings.slowdown} times slower than here" else "as fast as they can"} (${settings.computer})")
+        return try {
+            make(archive, settings, conditions, workers)
+        } catch (unwritable: IOException) {
+            spec.commandLine().err.println("experiment: ${unwritable.message}. What is recorded is kept: make room, and the same command with --out $out continues")
+            1
+        }
+    }
+
+    private fun make(archive: Archive, settings: Settings, conditions: List<Condition>, workers: Int): Int {
         val finished = Experiment(archive, settings, workers).run(trials(settings, conditions)) ?: return INTERRUPTED
         val failed = finished.filter { it.result.outcome == Outcome.FAILED }
         val page = writeReport(archive.directory, settings, archive.finished(), machine(workers))
@@ -92,6 +105,7 @@ internal class ExperimentCommand : Callable<Int> {
         slowdown?.let { if (!(it in 1.0..MOST_SLOWDOWN)) refuse("--slowdown is from 1 to ${MOST_SLOWDOWN.toInt()}, not $it") }
         if (port?.isBlank() == true) refuse("--port names no port")
         if (port != null && (jobs ?: 1) > 1) refuse("--jobs is for simulated robots, and --port asks for a real one")
+        if (port != null && slowdown != null) refuse("--slowdown is for simulated robots, and --port asks for a real one")
         if (port != null && scaling) refuse("--scaling is for simulated robots, and --port asks for a real one")
         if (condition == "all") return Condition.entries
         return listOf(Condition.entries.find { it.letter == condition } ?: refuse("--condition is a, b, c or all, not $condition"))
@@ -102,13 +116,13 @@ internal class ExperimentCommand : Callable<Int> {
         val present = archive.settings()
         val plan = if (smoke) Plan.SMOKE else if (quick) Plan.QUICK else Plan.FULL
         if (present != null) return present.copy(plan = plan, seed = seed ?: present.seed, slowdown = slowdown ?: present.slowdown, port = port)
-        val chosen = slowdown
+        val chosen = if (port == null) slowdown else NOT_SLOWED
         val events = if (chosen == null) Calibration.eventsPerSecond() else 0.0
         return Settings(
             plan = plan,
             seed = seed ?: Random.nextInt(1, MOST_SEED).toLong(),
             slowdown = chosen ?: Calibration.slowdown(events),
-            computer = if (chosen == null) Calibration.words(events) else "as asked for with --slowdown",
+            computer = if (port != null) "those of a real robot are not slowed" else if (chosen == null) Calibration.words(events) else "as asked for with --slowdown",
             port = port,
         )
     }
@@ -122,6 +136,7 @@ internal class ExperimentCommand : Callable<Int> {
         const val INTERRUPTED = 130
         const val MOST_JOBS = 256
         const val MOST_SLOWDOWN = 1000.0
+        const val NOT_SLOWED = 1.0
         const val MOST_SEED = 1_000_000
     }
 }
@@ -135,18 +150,20 @@ internal class Experiment(private val archive: Archive, private val settings: Se
         val progress = Progress.onStandardOutput()
         listOf("INT", "TERM").forEach { Signal.handle(Signal(it)) { given.giveUp() } }
         val begin = System.nanoTime()
-        val finished = PrintStream(Files.newOutputStream(archive.directory.resolve("log.txt"), StandardOpenOption.CREATE, StandardOpenOption.APPEND), true, Charsets.UTF_8).use { log ->
+        val finished = try { made(trials, progress, begin) } finally { progress.end() }
+        if (!given.isUp) return finished
+        println("interrupted after ${finished.size} of ${trials.size} runs; the same command with --out ${archive.directory} continues")
+        return null
+    }
+
+    private fun made(trials: List<Trial>, progress: Progress, begin: Long): List<Finished> =
+        PrintStream(Files.newOutputStream(archive.directory.resolve("log.txt"), StandardOpenOption.CREATE, StandardOpenOption.APPEND), true, Charsets.UTF_8).use { log ->
             Logs.to(log)
             Punctuality().use { punctuality ->
                 val campaign = Campaign(archive, settings, laboratory(punctuality), jobs, given) { progress.show(facts(it), System.nanoTime() - begin) }
                 campaign.run(trials)
             }
         }
-        progress.end()
-        if (!given.isUp) return finished
-        println("interrupted after ${finished.size} of ${trials.size} runs; the same command with --out ${archive.directory} continues")
-        return null
-    }
 
     private fun laboratory(punctuality: Punctuality): Laboratory =
         settings.port?.let { RealLaboratory(AgentHost(), it, Attendant(System.`in`.bufferedReader(), given) { what -> println("\n$what") }) } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)

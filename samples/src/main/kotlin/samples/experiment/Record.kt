@@ -4,7 +4,7 @@ import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
-import java.io.BufferedWriter
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.locks.ReentrantLock
@@ -75,19 +75,35 @@ internal enum class Outcome {
 
 internal val JSON = Json { encodeDefaults = true }
 
-/** Writes the record of one run to [file], line by line; safe on any thread. What was there is overwritten. */
+/**
+ * Writes the record of one run to [file], line by line; safe on any thread. What was there is overwritten.
+ *
+ * Those who write are an agent and its board in the middle of a run, so a disk that is full does not throw there: the record ends, and
+ * [requireWhole] tells.
+ */
 internal class RecordWriter(private val file: Path) : AutoCloseable {
     private val lock = ReentrantLock()
-    private val out: BufferedWriter = Files.newBufferedWriter(file)
+    private val out = Files.newOutputStream(file) // not buffered: what a full disk has refused must not come later
     private var isClosed = false
+    private var trouble: IOException? = null
 
-    /** Adds [entry] as one whole line; after [close] nothing is added any more. */
+    /** Adds [entry] as one whole line; after [close], and after a line that could not be written, nothing is added any more. */
     fun write(entry: Entry) = lock.withLock {
-        if (!isClosed) {
-            out.write(JSON.encodeToString(Entry.serializer(), entry) + "\n")
-            out.flush()
+        if (!isClosed && trouble == null) {
+            try {
+                out.write((JSON.encodeToString(Entry.serializer(), entry) + "\n").toByteArray())
+            } catch (full: IOException) {
+                trouble = full
+            }
         }
     }
+
+    /**
+     * Does nothing if all lines have been written.
+     *
+     * @throws IOException with why one has not
+     */
+    fun requireWhole() = lock.withLock { trouble?.let { throw IOException("$file cannot be written: ${it.message}", it) } }
 
     override fun close() = lock.withLock {
         isClosed = true

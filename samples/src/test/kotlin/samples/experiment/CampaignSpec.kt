@@ -9,8 +9,12 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeInstanceOf
+import java.io.IOException
+import java.nio.file.Path
 import java.util.concurrent.ConcurrentLinkedQueue
 import kotlin.io.path.appendText
+import kotlin.io.path.createSymbolicLinkPointingTo
+import kotlin.io.path.deleteExisting
 import kotlin.io.path.exists
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
@@ -20,6 +24,8 @@ internal val SETTINGS = Settings(Plan.QUICK, seed = 3, slowdown = 5.0, computer 
 
 internal fun stopped(distance: Double = 39.0, responseMs: Double = 100.0, lateMs: Double = 0.0) =
     Entry.Result(Outcome.STOPPED, distance, responseMs, commands = 2, frames = 4, lateMs = lateMs)
+
+private val FULL = Path.of("/dev/full")
 
 class CampaignSpec : FunSpec({
     val trials = Plan.QUICK.trials(Condition.DEFAULTS).take(6)
@@ -61,13 +67,16 @@ class CampaignSpec : FunSpec({
         after shouldHaveSize trials.size
     }
 
-    test("a record that was cut off in the middle of a line is dropped and its run made anew") {
+    test("a record that was cut off in the middle of a line does not count, and its run is made anew") {
         val archive = archive()
         campaign(archive) { _, _, _ -> stopped() }.run(trials)
         val cut = archive.file(trials[2])
         cut.writeText(cut.readText().dropLast(7))
         archive.finished().map { it.trial } shouldContainExactlyInAnyOrder trials - trials[2]
-        cut.exists() shouldBe false
+        val again = ConcurrentLinkedQueue<Trial>()
+        campaign(archive) { trial, _, _ -> again.add(trial).let { stopped() } }.run(trials)
+        again.toList() shouldBe listOf(trials[2])
+        archive.finished() shouldHaveSize trials.size
     }
 
     test("so is one that lacks its last line, and one that belongs to another run") {
@@ -96,6 +105,42 @@ class CampaignSpec : FunSpec({
         over.getValue(trials[0]) shouldBe 500.0
         (over - trials[0]).values.toSet() shouldBe setOf(1.0)
         campaign.repetitions shouldBe 2 + 5
+    }
+
+    test("a full disk ends the experiment, and what was recorded before is kept").config(enabled = FULL.exists()) {
+        val archive = archive()
+        val laboratory = Laboratory { trial, record, _ ->
+            record.write(Entry.Command(5, "front", 200.0))
+            if (trial == trials[2]) archive.file(trials[3]).createSymbolicLinkPointingTo(FULL) // the disk of the next run
+            stopped()
+        }
+        val refused = shouldThrow<IOException> { Campaign(archive, SETTINGS, laboratory, 1, GivenUp()) {}.run(trials) }
+        archive.file(trials[3]).deleteExisting()
+        refused.message shouldContain "${trials[3].id}.jsonl cannot be written: "
+        archive.finished().map { it.trial } shouldContainExactlyInAnyOrder trials.take(3)
+    }
+
+    test("an experiment that ends for a reason nobody has thought of does not go on in its other robots") {
+        val given = GivenUp()
+        val made = ConcurrentLinkedQueue<Trial>()
+        shouldThrow<IllegalStateException> {
+            campaign(archive(), given) { trial, _, _ ->
+                made += trial
+                if (trial == trials[1]) error("a fault")
+                given.await(10_000)
+                null
+            }.run(trials)
+        }
+        made.size shouldBe 2
+    }
+
+    test("two experiments in one directory at once are refused, one after the other are not") {
+        val first = archive()
+        val second = Archive(first.directory)
+        shouldThrow<ContinuationException> { second.open(SETTINGS) }.message shouldContain "an experiment is being made in ${first.directory} right now"
+        first.close()
+        second.open(SETTINGS)
+        second.close()
     }
 
     test("other settings are refused with what differs") {
