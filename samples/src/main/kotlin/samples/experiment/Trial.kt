@@ -47,6 +47,14 @@ internal enum class View(val word: String) {
     @SerialName("frontDistance")
     FRONT_DISTANCE("frontDistance");
 
+    /** The functors of what is kept, which a board of version 2 is asked for; null: all are. */
+    val functors: List<String>?
+        get() = when (this) {
+            NONE -> null
+            FRONT_SIDE -> listOf("dist", "light", "temp")
+            FRONT_DISTANCE -> listOf("dist")
+        }
+
     /** The agent's filter under [condition]: with version 2 one that says what is kept, which the board can be asked for. */
     fun filter(condition: Condition): String = when {
         this == NONE -> "none"

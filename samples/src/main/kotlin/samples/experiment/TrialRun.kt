@@ -1,8 +1,6 @@
 package samples.experiment
 
-import javino.Frame
 import javino.LineClock
-import javino.LineSettings
 import javino.SimulatedBoard
 import javino.SimulatedBoards
 import samples.board.FieldBoard
@@ -91,17 +89,6 @@ internal class SimulatedLaboratory(
         const val LONGEST_S = 60L
         const val NANOS_PER_S = 1_000_000_000L
     }
-}
-
-/** How long the board may take to answer: a second, or three times what the answer takes on the line. */
-internal fun answerLimitMs(trial: Trial): Int = maxOf(1000L, 3 * frameNanos(trial) / 1_000_000).toInt()
-
-/** What a request and the whole answer take on the line alone, in ns. */
-internal fun frameNanos(trial: Trial): Long {
-    val percepts = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM).length
-    val frames = (percepts + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
-    val around = if (trial.condition == Condition.VERSION_2) 12 else Frame.HEADER_LENGTH
-    return ("getPercepts".length + around + percepts + frames * around) * LineSettings(trial.baud).byteNanos()
 }
 
 /** [distance] in cm from the wall at the end of a run, and [responseMs] from crossing the limit to that end. */

@@ -5,6 +5,7 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
+import javino.LineSettings
 import io.kotest.matchers.shouldNotBe
 
 class PlanSpec : FunSpec({
@@ -45,8 +46,29 @@ class PlanSpec : FunSpec({
     }
 
     test("a request and twelve percepts take 168 ms at 9600 baud, and an answer may take a second") {
-        (frameNanos(trials.first()) / 1_000_000).toInt() shouldBe 168
+        (exchangeNanos(trials.first()) / 1_000_000).toInt() shouldBe 168
         answerLimitMs(trials.first()) shouldBe 1000
         answerLimitMs(trials.first().copy(sensors = 768)) shouldBeGreaterThan 20_000
+    }
+
+    test("a board of version 2 that is asked for distances alone takes a part of the line's time") {
+        val all = Trial(Condition.VERSION_2, View.NONE, 80, 20, 1)
+        val part = all.copy(view = View.FRONT_DISTANCE)
+        // getPercepts(dist) and dist(f,200);dist(b,200);dist(r,80);dist(l,80); with twelve bytes around each
+        exchangeNanos(part) shouldBe (17 + 12 + 46 + 12) * LineSettings(9_600).byteNanos()
+        answerLimitMs(part.copy(sensors = 768)) shouldBe answerLimitMs(all.copy(sensors = 768)) // until the filter is known it is asked for all
+    }
+
+    test("the physical time to stop is two exchanges, the sensor's noise and the command") {
+        val trial = trials.first() // 12 sensors at 9600 baud
+        leastStopNanos(trial) shouldBe 100_000_000 + 2 * exchangeNanos(trial) + 10 * LineSettings(9_600).byteNanos()
+        Condition.entries.flatMap { Plan.FULL.trials(it) }.all(::leavesTime) shouldBe true
+    }
+
+    test("on a fast line it is the interval that bounds it, and with many sensors the line leaves none") {
+        val fast = trials.first().copy(interval = 50, baud = 1_000_000)
+        leastStopNanos(fast) shouldBe 100_000_000 + 50_000_000 + exchangeNanos(fast) + 10 * LineSettings(1_000_000).byteNanos()
+        leavesTime(trials.first().copy(sensors = 768)) shouldBe false
+        leavesTime(trials.first().copy(sensors = 768, baud = 115_200)) shouldBe true
     }
 })

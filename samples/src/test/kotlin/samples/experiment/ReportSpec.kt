@@ -12,6 +12,9 @@ import samples.experiment.analysis.Response
 import samples.experiment.analysis.Source
 import samples.experiment.analysis.analysis
 import samples.experiment.report.Finding
+import samples.experiment.report.Scaling
+import samples.experiment.report.fate
+import samples.experiment.report.median
 import samples.experiment.report.publishedClaims
 import samples.experiment.report.promise
 import samples.experiment.report.writeReport
@@ -103,5 +106,46 @@ class ReportSpec : FunSpec({
         analysis(runs.drop(1), Plan.FULL, Condition.DEFAULTS, Response.TIME) shouldBe null
         val byInterval = runs.map { it.copy(result = stopped(responseMs = it.trial.interval * 10.0)) }
         analysis(byInterval, Plan.FULL, Condition.DEFAULTS, Response.TIME)?.share(Source.B).shouldNotBeNull() shouldBe (1.0 plusOrMinus 1e-9)
+    }
+
+    test("a real robot is not described as a simulated one") {
+        val page = writeReport(tempdir().toPath(), settings.copy(port = "tty<0>"), made(Condition.DEFAULTS), "a machine").readText()
+        page shouldContain "a real one, on the port <code>tty&lt;0&gt;</code>"
+        page shouldNotContain "All 12 readings change"
+        page shouldNotContain "is slowed"
+        page shouldNotContain "woken late"
+    }
+
+    test("runs of which a whole filter has failed make a report without what cannot be said") {
+        val runs = made(Condition.PUBLISHED, Condition.DEFAULTS)
+        View.entries.forEach { lost ->
+            val left = runs.map { if (it.trial.view == lost) it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "lost")) else it }
+            val page = writeReport(tempdir().toPath(), settings, left, "a machine").readText()
+            page shouldContain "54 runs have failed"
+            page shouldNotContain "NaN"
+        }
+    }
+
+    test("where the line alone takes longer than the limit leaves, a collision is said to be the line's") {
+        val wall = Entry.Result(Outcome.COLLIDED, 0.0, 8000.0, 9, 9, 0.0)
+        val slow = Trial(Condition.DEFAULTS, View.NONE, 80, 20, 1, sensors = 768)
+        fate(Finished(slow, wall)) shouldBe "too slow"
+        fate(Finished(slow.copy(baud = 115_200), wall)) shouldBe "wall"
+        fate(Finished(slow, wall.copy(outcome = Outcome.IDLE))) shouldBe "idle"
+        fate(Finished(slow, stopped(responseMs = 1234.0))) shouldBe "1.23"
+    }
+
+    test("the table of scaling says from which line on every robot stops") {
+        val bauds = listOf(9_600, 38_400, 115_200, 250_000)
+        val runs = bauds.map { Trial(Condition.DEFAULTS, View.NONE, 80, 20, 1, it, 48) }.map { trial ->
+            Finished(trial, if (trial.baud == 38_400) stopped().copy(outcome = Outcome.COLLIDED) else stopped(responseMs = 500.0))
+        }
+        Scaling(runs).table() shouldContain "<td class=\"n\">0.50</td><td class=\"n\">wall</td><td class=\"n\">0.50</td><td class=\"n\">0.50</td><td class=\"n\">115200 baud</td>"
+        Scaling(runs.take(2)).table() shouldContain "<td class=\"n\">none</td><td class=\"n\">–</td>"
+    }
+
+    test("the median of an even number of runs is between the two in the middle") {
+        median(listOf(4.0, 1.0, 2.0, 8.0)) shouldBe 3.0
+        median(listOf(4.0, 1.0, 2.0)) shouldBe 2.0
     }
 })

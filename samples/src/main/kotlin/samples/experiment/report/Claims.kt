@@ -8,7 +8,10 @@ import samples.experiment.View
 import samples.experiment.analysis.Factorial
 import samples.experiment.analysis.Published
 import samples.experiment.analysis.Source
-import samples.experiment.frameNanos
+import samples.experiment.exchangeNanos
+import samples.experiment.leastStopNanos
+import samples.experiment.leavesTime
+import samples.experiment.limitNanos
 import java.util.Locale
 
 /** Whether something that was published, or is promised, is found in these runs. */
@@ -25,7 +28,10 @@ internal class Claim(val claim: String, val finding: Finding, val seen: String, 
 
 private fun List<Finished>.of(view: View, vararg limits: Int) = filter { it.trial.view == view && (limits.isEmpty() || it.trial.limit in limits) }
 private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
-private fun List<Finished>.meanResponse() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }.average()
+private fun List<Finished>.seconds() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }
+
+/** `, 0.35 s after the limit on average`; nothing if none has stopped. */
+private fun List<Finished>.afterLimit() = seconds().let { if (it.isEmpty()) "" else ", ${two(it.average())} s after the limit on average" }
 
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
@@ -36,8 +42,8 @@ internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factori
     return listOfNotNull(unfiltered(published), frontDistance(published), frontSide(published), shortest(published, plan), allocation(analysis))
 }
 
-private fun unfiltered(runs: List<Finished>): Claim {
-    val none = runs.of(View.NONE)
+private fun unfiltered(runs: List<Finished>): Claim? {
+    val none = runs.of(View.NONE).ifEmpty { return null }
     return Claim(
         "Without a filter the robot hits the wall in all cases.",
         finding(none.size - none.stopped(), none.size),
@@ -52,7 +58,7 @@ private fun frontDistance(runs: List<Finished>): Claim? {
     return Claim(
         "With the front distance filter it stops in every run at limits of 80 and 120 cm.",
         finding(front.stopped(), front.size),
-        "${front.stopped()} of ${front.size} runs stopped, ${two(front.meanResponse())} s after the limit on average.",
+        "${front.stopped()} of ${front.size} runs stopped${front.afterLimit()}.",
         "One event a frame is what an agent can handle that takes one a cycle.",
     )
 }
@@ -60,7 +66,7 @@ private fun frontDistance(runs: List<Finished>): Claim? {
 private fun frontSide(runs: List<Finished>): Claim? {
     val side = runs.of(View.FRONT_SIDE, 120).ifEmpty { return null }
     val nearer = side.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.distance }
-    val front = runs.of(View.FRONT_DISTANCE, 120).map { it.result.distance }
+    val front = runs.of(View.FRONT_DISTANCE, 120).map { it.result.distance }.ifEmpty { return null }
     val where = if (nearer.isEmpty()) "" else ", ${one(nearer.average())} cm from the wall on average (front distance: ${one(front.average())} cm)"
     return Claim(
         "With the front side filter it stops sometimes at 120 cm, always nearer to the wall.",
@@ -80,9 +86,9 @@ private fun shortest(runs: List<Finished>, plan: Plan): Claim? {
     return Claim(
         "At a limit of 40 cm and an interval of 50 ms neither filter avoids the wall.",
         finding(hit, cell.size),
-        "$hit of ${cell.size} such runs ended at the wall; with front distance ${front.stopped()} of ${front.size} stopped, ${two(front.meanResponse())} s after the limit.",
+        "$hit of ${cell.size} such runs ended at the wall; with front distance ${front.stopped()} of ${front.size} stopped${front.afterLimit()}.",
         "40 cm leave 4 s at 10 cm/s. The model's sensors take no time to be read, its board runs nothing else, and its robot stops at once; a real one spends time on each of " +
-            "these, and the paper does not say how much. A request and its answer take ${frameNanos(cell.first().trial) / 1_000_000} ms at 9600 baud, more than any of the intervals, so the interval cannot matter on this line.",
+            "these, and the paper does not say how much. A request and its answer take ${exchangeNanos(cell.first().trial) / 1_000_000} ms at 9600 baud, more than any of the intervals, so the interval cannot matter on this line.",
     )
 }
 
@@ -100,16 +106,23 @@ private fun allocation(analysis: Factorial?): Claim? {
 
 /** What is promised for [condition], one of this project's own, and what the [runs] say to it; null if there are none. */
 internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
-    val own = runs.filter { it.trial.condition == condition }.ifEmpty { return null }
+    val own = runs.filter { it.trial.condition == condition && leavesTime(it.trial) }.ifEmpty { return null }
     val none = own.of(View.NONE)
+    val slowest = own.maxBy { leastStopNanos(it.trial) }.trial
+    val worst = none.seconds().maxOrNull()?.let { " and ${two(it)} s at most" }.orEmpty()
     return Claim(
-        "(${condition.letter}) ${condition.title}: every run stops, without a filter too.",
+        "(${condition.letter}) ${condition.title}: every run stops whose limit leaves the physical time to stop, without a filter too.",
         finding(own.stopped(), own.size),
-        "${own.stopped()} of ${own.size} runs stopped; without a filter ${none.stopped()} of ${none.size}, ${two(none.meanResponse())} s after the limit on average and " +
-            "${two(none.maxOf { it.result.responseMs / 1000 })} s at most.",
-        "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: what it acts on is never older than a few exchanges.",
+        "${own.stopped()} of ${own.size} runs stopped; without a filter ${none.stopped()} of ${none.size}${none.afterLimit()}$worst.",
+        "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: what it acts on is never older than a few " +
+            "exchanges. The physical time is what the line and the sensors can take whatever program drives the robot: the noise of the reading, an exchange that began just before the " +
+            "limit, the next one and the command, ${two(leastStopNanos(slowest) / 1e9)} s at most here. The shortest limit leaves ${two(own.minOf { limitNanos(it.trial) } / 1e9)} s, " +
+            "so ${if (own.size == runs.count { it.trial.condition == condition }) "all runs have it" else "${own.size} runs have it"}.",
     )
 }
+
+/** The median of [values], of which there is one at least. */
+internal fun median(values: List<Double>): Double = values.sorted().let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }
 
 internal fun one(value: Double): String = String.format(Locale.ROOT, "%.1f", value)
 internal fun two(value: Double): String = String.format(Locale.ROOT, "%.2f", value)

@@ -1,7 +1,7 @@
 package samples.experiment.report
 
-/** [text] as it is written in HTML. */
-internal fun escaped(text: String): String = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
+/** [text] as it is written in HTML; a percent sign stays with its number. */
+internal fun escaped(text: String): String = text.replace(" %", "\u00a0%").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
 
 /** A page that needs nothing but itself: light or dark as the reader has it, and as narrow as a phone. */
 internal fun page(title: String, body: String): String = """<!DOCTYPE html>
@@ -21,7 +21,7 @@ h1 { font-size: 1.7rem; line-height: 1.2; } h2 { margin-top: 2.5rem; border-bott
 p, li { max-width: 46rem; overflow-wrap: break-word; } .soft, figcaption { color: var(--soft); font-size: .9rem; }
 figure { margin: 1rem 0; } .wide { overflow-x: auto; } .wide img { display: block; width: 100%; min-width: 44rem; height: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; } th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
-td.n, th.n { text-align: right; white-space: nowrap; } thead th { background: var(--tint); }
+td.n, th.n { text-align: right; } td.n { white-space: nowrap; } thead th { background: var(--tint); } tbody th { font-weight: inherit; }
 .found { color: var(--yes); font-weight: 600; } .in-part { color: var(--partly); font-weight: 600; } .not-found { color: var(--no); font-weight: 600; }
 section.claim { border-left: 3px solid var(--line); padding: .1rem 0 .1rem 1rem; margin: 1rem 0; } section.claim p { margin: .3rem 0; }
 details { margin: .8rem 0; } summary { cursor: pointer; } code { background: var(--tint); padding: .1rem .3rem; overflow-wrap: anywhere; }
@@ -35,8 +35,10 @@ $body
 
 /** A table with [heads]; cells of all columns but the first [words] are numbers. */
 internal fun table(heads: List<String>, rows: List<List<String>>, words: Int = 1): String {
-    fun cell(tag: String, index: Int, text: String) = "<$tag${if (index >= words) " class=\"n\"" else ""}>${escaped(text)}</$tag>"
-    val head = heads.mapIndexed { i, text -> cell("th", i, text) }.joinToString("")
-    val lines = rows.joinToString("\n") { row -> "<tr>" + row.mapIndexed { i, text -> cell("td", i, text) }.joinToString("") + "</tr>" }
-    return "<div class=\"wide\"><table>\n<thead><tr>$head</tr></thead>\n<tbody>\n$lines\n</tbody>\n</table></div>\n"
+    fun cell(tag: String, scope: String, index: Int, text: String) = "<$tag$scope${if (index >= words) " class=\"n\"" else ""}>${escaped(text)}</$tag>"
+    val head = heads.mapIndexed { i, text -> cell("th", " scope=\"col\"", i, text) }.joinToString("")
+    val lines = rows.joinToString("\n") { row ->
+        "<tr>" + row.mapIndexed { i, text -> if (i == 0) cell("th", " scope=\"row\"", i, text) else cell("td", "", i, text) }.joinToString("") + "</tr>"
+    }
+    return "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"table\"><table>\n<thead><tr>$head</tr></thead>\n<tbody>\n$lines\n</tbody>\n</table></div>\n"
 }

@@ -43,7 +43,6 @@ import samples.experiment.analysis.Source
 import samples.experiment.analysis.words
 import java.io.ByteArrayOutputStream
 import java.io.StringReader
-import java.util.Locale
 
 /**
  * The colours of a figure.
@@ -87,7 +86,8 @@ private fun Plot.dressed(shades: Shades, width: Int, height: Int): Plot = this +
 
 private fun title(condition: Condition) = "(${condition.letter}) ${condition.title}"
 
-private fun words(view: View) = when (view) {
+/** [view] in words. */
+internal fun words(view: View) = when (view) {
     View.NONE -> "no filter"
     View.FRONT_SIDE -> "front side"
     View.FRONT_DISTANCE -> "front distance"
@@ -170,7 +170,7 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
         "baud" to runs.map { "${it.trial.baud}" },
         "sensors" to runs.map { "${it.trial.sensors}" },
         "seconds" to runs.map { if (it.result.outcome == Outcome.STOPPED) maxOf(0.01, it.result.responseMs / 1000) else null },
-        "label" to runs.map { label(it.result.outcome, it.result.responseMs) },
+        "label" to runs.map(::fate),
         "view" to runs.map { words(it.trial.view) },
         "condition" to runs.map { title(it.trial.condition) },
     )
@@ -179,14 +179,7 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
             geomText(size = 6, color = "#1f2328") { label = "label" } + facetGrid(x = "condition", y = "view", yOrder = -1) + coordCartesian() +
             scaleXDiscrete(limits = runs.map { it.trial.baud }.distinct().sorted().map { "$it" }) +
             scaleYDiscrete(limits = runs.map { it.trial.sensors }.distinct().sorted().map { "$it" }) +
-            scaleFillGradient(low = "#d3f0dc", high = "#f5b971", naValue = "#e58f88", trans = "log10", name = "response time in s") +
+            scaleFillGradient(low = "#d3f0dc", high = "#f5b971", naValue = "#e58f88", trans = "log10", breaks = listOf(0.01, 0.1, 1.0, 10.0), labels = listOf("0.01", "0.1", "1", "10"), name = "response time in s") +
             labs(x = "baud", y = "sensors")
         ).dressed(shades, 1180, 520)
-}
-
-private fun label(outcome: Outcome, responseMs: Double) = when (outcome) {
-    Outcome.STOPPED -> String.format(Locale.ROOT, "%.2f", responseMs / 1000)
-    Outcome.COLLIDED -> "wall"
-    Outcome.IDLE -> "idle"
-    Outcome.FAILED -> "failed"
 }

@@ -1,0 +1,54 @@
+package samples.experiment.report
+
+import samples.experiment.Finished
+import samples.experiment.Outcome
+import samples.experiment.exchangeNanos
+import samples.experiment.leavesTime
+
+/** What [runs], which are beyond the paper, say in words and in a table; their figure goes between the two. */
+internal class Scaling(private val runs: List<Finished>) {
+    private val bauds = runs.map { it.trial.baud }.distinct().sorted()
+
+    /** What was tried, and what bounds each condition. */
+    fun introduction(): String {
+        val trial = runs.first().trial
+        return """<p>A limit of ${trial.limit} cm, an interval of ${trial.interval} ms, one run for each field (n = ${runs.size}): seconds from the limit to the stop, or what came of it.
+More sensors are further sets of the twelve, each of which moves the agent to as much as the first.</p>
+<p>A version 1 message holds 255 bytes, about twenty percepts, and a board with more sends several. Each is a snapshot of its own to the computer: an agent that sees the front in the first
+does not in the next. The first is also taken for the whole answer, so commands and the next request arrive while the board still sends. A board that holds one message then loses the one
+before the last, and when a request follows each command within that time, as at an interval of ${trial.interval} ms, that is the command each time: the robot never drives, or is never stopped.
+Version 2 has no such bound: its answers come whole, and its commands are acknowledged.</p>
+"""
+    }
+
+    /** The outcomes as text, and where each condition begins to fail. */
+    fun table(): String = table(
+        listOf("condition", "filter", "sensors") + bauds.map { "$it baud" } + listOf("stops on all lines from", "exchange there, ms"),
+        runs.groupBy { Triple(it.trial.condition, it.trial.view, it.trial.sensors) }
+            .toSortedMap(compareBy({ it.first }, { it.second }, { it.third })).values.map(::row),
+        words = 2,
+    ) + "<p class=\"soft\">Seconds from the limit to the stop. $EXPLAINED An exchange is a request and its whole answer, on the line alone.</p>\n"
+
+    private fun row(cell: List<Finished>): List<String> {
+        val trial = cell.first().trial
+        val byBaud = cell.associateBy { it.trial.baud }
+        val stopsFrom = bauds.takeLastWhile { baud -> byBaud[baud]?.let { it.result.outcome == Outcome.STOPPED } ?: true }.firstOrNull { it in byBaud }
+        return listOf("(${trial.condition.letter})", words(trial.view), "${trial.sensors}") +
+            bauds.map { baud -> byBaud[baud]?.let(::fate) ?: "–" } +
+            listOf(stopsFrom?.let { "$it baud" } ?: "none", stopsFrom?.let { "${exchangeNanos(trial.copy(baud = it)) / 1_000_000}" } ?: "–")
+    }
+
+    companion object {
+        /** What the words of [fate] mean. */
+        val EXPLAINED = "wall: it ran into the wall. too slow: so it did, and the line alone takes longer than the limit leaves, whatever the program does. idle: no command to drive " +
+            "took effect. failed: the agent gave up or ended in nothing else."
+    }
+}
+
+/** What became of [run], in a word or in seconds. */
+internal fun fate(run: Finished): String = when (run.result.outcome) {
+    Outcome.STOPPED -> two(run.result.responseMs / 1000)
+    Outcome.COLLIDED -> if (leavesTime(run.trial)) "wall" else "too slow"
+    Outcome.IDLE -> "idle"
+    Outcome.FAILED -> "failed"
+}
