@@ -21,7 +21,7 @@ h1 { font-size: 1.7rem; line-height: 1.2; } h2 { margin-top: 2.5rem; border-bott
 p, li { max-width: 46rem; overflow-wrap: break-word; } .soft, figcaption { color: var(--soft); font-size: .9rem; }
 figure { margin: 1rem 0; } .wide { overflow-x: auto; } .wide img { display: block; width: 100%; min-width: 44rem; height: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; } th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
-td.n, th.n { text-align: right; } td.n { white-space: nowrap; } thead th { background: var(--tint); } tbody th { font-weight: inherit; }
+td.n, th.n { text-align: right; } td { white-space: nowrap; } thead th { background: var(--tint); } tbody th { font-weight: inherit; }
 .found { color: var(--yes); font-weight: 600; } .in-part { color: var(--partly); font-weight: 600; } .not-found { color: var(--no); font-weight: 600; }
 section.claim { border-left: 3px solid var(--line); padding: .1rem 0 .1rem 1rem; margin: 1rem 0; } section.claim p { margin: .3rem 0; }
 details { margin: .8rem 0; } summary { cursor: pointer; } code { background: var(--tint); padding: .1rem .3rem; overflow-wrap: anywhere; }

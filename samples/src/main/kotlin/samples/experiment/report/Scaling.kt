@@ -16,7 +16,7 @@ internal class Scaling(private val runs: List<Finished>) {
 More sensors are further sets of the twelve, each of which moves the agent to as much as the first.</p>
 <p>A version 1 message holds 255 bytes, about twenty percepts, and a board with more sends several. Each is a snapshot of its own to the computer: an agent that sees the front in the first
 does not in the next. The first is also taken for the whole answer, so commands and the next request arrive while the board still sends. A board that holds one message then loses the one
-before the last, and when a request follows each command within that time, as at an interval of ${trial.interval} ms, that is the command each time: the robot never drives, or is never stopped.
+before the last. Where a request follows a command within that time, which an interval of ${trial.interval} ms makes likely, that is the command: the robot never drives, or is not stopped.
 Version 2 has no such bound: its answers come whole, and its commands are acknowledged.</p>
 """
     }
