@@ -71,7 +71,7 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
 
     /** Returns when something was [shown] last to those who watch; null: nobody does. */
     private fun publishIfNew(shown: Long?): Long? {
-        server.giveUpSlow(SLOW_NANOS)
+        server.giveUpUnfinished(UNFINISHED_NANOS)
         beliefs.isWatched = browsers.areWatching()
         if (!beliefs.isWatched) return null
         browsers.giveUpStalled(STALLED_NANOS)
@@ -95,8 +95,8 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
         private const val REPEAT_NANOS = 1_000_000_000L
         private const val STALLED_NANOS = 15_000_000_000L
 
-        /** Longer than any answer takes, and a program that does not end its request may hold it up. */
-        private const val SLOW_NANOS = 10_000_000_000L
+        /** How long a request may take to come whole, over a slow tunnel too. */
+        private const val UNFINISHED_NANOS = 10_000_000_000L
         private const val FAREWELL_NANOS = 1_000_000_000L
         private const val FAREWELL_STEP_MS = 10L
         private const val MOST_BROWSERS = 12

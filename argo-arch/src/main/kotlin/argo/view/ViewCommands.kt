@@ -7,7 +7,6 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import java.io.IOException
-import java.io.InputStream
 import java.net.URLDecoder
 import java.util.ServiceConfigurationError
 import java.util.concurrent.CountDownLatch
@@ -24,7 +23,7 @@ internal class ViewCommands(private val agent: ViewedAgent) {
      * @param query what stands behind `?`, still encoded
      * @param type the body's content type: JSON, which no form of another page can send
      */
-    fun answer(method: String, path: String, query: String?, type: String?, body: InputStream): Answer = when (path) {
+    fun answer(method: String, path: String, query: String?, type: String?, body: ByteArray): Answer = when (path) {
         "/filters" -> if (method == "GET") filters() else Answer.wrongMethod("GET")
         "/explain" -> if (method == "GET") explain(query) else Answer.wrongMethod("GET")
         "/filter" -> if (method == "POST") asked<FilterWish>(type, body) { changeFilter(it.name) } else Answer.wrongMethod("POST")
@@ -32,12 +31,11 @@ internal class ViewCommands(private val agent: ViewedAgent) {
         else -> Answer.said(404, "there is nothing at ${shown(path)}")
     }
 
-    private inline fun <reified T> asked(type: String?, body: InputStream, act: (T) -> Answer): Answer {
+    private inline fun <reified T> asked(type: String?, body: ByteArray, act: (T) -> Answer): Answer {
         if (type?.substringBefore(';')?.trim() != "application/json") return Answer.said(415, "the request must be JSON, of type application/json")
-        val text = body.readNBytes(MOST_BYTES + 1)
-        if (text.size > MOST_BYTES) return Answer.said(413, "the request is longer than $MOST_BYTES bytes")
+        if (body.size > MOST_BYTES) return Answer.said(413, "the request is longer than $MOST_BYTES bytes")
         val wish = try {
-            Json.decodeFromString<T>(text.decodeToString())
+            Json.decodeFromString<T>(body.decodeToString())
         } catch (wrong: SerializationException) {
             return Answer.said(400, "the request cannot be read: ${wrong.message.orEmpty().lineSequence().first()}")
         }
@@ -100,9 +98,10 @@ internal class ViewCommands(private val agent: ViewedAgent) {
     @Serializable
     private class PerceptsWish(val open: Boolean)
 
-    private companion object {
-        const val PERCEPT = "percept="
+    companion object {
+        /** The longest body of a request that is read. */
         const val MOST_BYTES = 10_000
-        const val PATIENCE_S = 3L
+        private const val PERCEPT = "percept="
+        private const val PATIENCE_S = 3L
     }
 }

@@ -48,10 +48,12 @@ internal class ViewServer(
         threads.stop()
     }
 
-    /** Gives up requests that have not come to their end for [limitNanos] ns, other than those of browsers that watch. */
-    fun giveUpSlow(limitNanos: Long) = threads.giveUpSlow(limitNanos)
+    /** Gives up requests that have not come whole for [limitNanos] ns, or a tenth of it while others wait for their turn. */
+    fun giveUpUnfinished(limitNanos: Long) = threads.giveUpUnfinished(limitNanos)
 
     private fun handle(exchange: HttpExchange) {
+        val body = exchange.requestBody.readNBytes(ViewCommands.MOST_BYTES + 1)
+        threads.received()
         val path = exchange.requestURI.path.orEmpty()
         val headers = exchange.requestHeaders
         val refusal = RequestGate.refusal(headers.getFirst("Host"), headers.getFirst("Origin"), headers.getFirst("Sec-Fetch-Site"), path == "/")
@@ -60,13 +62,12 @@ internal class ViewServer(
             refusal != null -> exchange.answer(Answer.said(403, refusal))
             path == EVENTS -> if (exchange.requestMethod == "GET") stream(exchange) else exchange.answer(Answer.wrongMethod("GET"))
             file != null -> exchange.answer(if (exchange.requestMethod == "GET") file.answer() else Answer.wrongMethod("GET"))
-            else -> exchange.answer(commands.answer(exchange.requestMethod, path, exchange.requestURI.rawQuery, headers.getFirst("Content-Type"), exchange.requestBody))
+            else -> exchange.answer(commands.answer(exchange.requestMethod, path, exchange.requestURI.rawQuery, headers.getFirst("Content-Type"), body))
         }
     }
 
     private fun stream(exchange: HttpExchange) {
         val isAdmitted = browsers.admit { browser ->
-            threads.letTakeLong()
             exchange.begin(200, "text/event-stream", 0)
             val out = exchange.responseBody
             browser.write { out.write("retry: $RETRY_MS\n\n".toByteArray()) }
