@@ -25,6 +25,7 @@ class Board internal constructor(private val time: VirtualTime) {
     private val fake = FakeBoard.unplugged("board", time)
     private var refusal: ((String) -> PortException)? = null
     private var line: MemoryLine? = null
+    private val threads = ArrayList<Thread>()
     private var shown: List<String> = emptyList()
 
     /** How many requests for percepts it has answered since [shows] was called last. */
@@ -51,6 +52,9 @@ class Board internal constructor(private val time: VirtualTime) {
     /** It says [percepts] of its own accord, now, as a board does whose port is opened with `mode(listen)`. */
     fun says(vararg percepts: String): Board = apply { fake.send(messageOf(percepts.toList())) }
 
+    /** It puts [bytes] on the line as they are, now: noise, half a message. A character is a byte. */
+    fun disturbs(bytes: String): Board = apply { fake.noise(*bytesOf(bytes)) }
+
     /**
      * From the next opening of its port on it says what a board said in [recording], at the times of the recording, and takes any command. What
      * else was said of this board does not count then, but for its port.
@@ -75,6 +79,9 @@ class Board internal constructor(private val time: VirtualTime) {
     /** It refuses every command that [kind] is true for. */
     fun refuses(kind: (String) -> Boolean): Board = apply { fake.whenAsked(kind).refuse() }
 
+    /** It takes [command] again, at once. */
+    fun accepts(command: String): Board = apply { fake.whenAsked(command) }
+
     /** It takes [duration] for [command], and does nothing else meanwhile. */
     fun takes(duration: Duration, command: String): Board = apply { fake.whenAsked(command).after(millis(duration)) }
 
@@ -87,10 +94,14 @@ class Board internal constructor(private val time: VirtualTime) {
     /** It goes on where it [hung][hangs]. */
     fun recovers(): Board = apply { fake.resume() }
 
-    /** Its cable is pulled; the port is not there until [plugIn] is called. The agent believes `port(P,off)`. */
+    /**
+     * Its cable is pulled; the port is not there until [plugIn] is called. The agent believes `port(P,off)`. A board that hangs does not any more when
+     * it has power again.
+     */
     fun unplug(): Board = apply {
         isMissing()
         line?.unplug()
+        recovers()
     }
 
     /** The port is there and can be opened. */
@@ -126,7 +137,8 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun open(port: String, settings: LineSettings): Transport {
         refusal?.let { throw it(port) }
         val line = MemoryLine.paced(port, settings, time).also { this.line = it }
-        time.start("board $port") { run(line) }
+        threads.removeAll { !it.isAlive }
+        threads += time.start("board $port") { run(line) }
         return line.computer()
     }
 
@@ -143,6 +155,7 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun end() {
         recovers()
         line?.unplug()
+        threads.forEach(Thread::interrupt) // whatever else it still does
     }
 
     private fun percepts(request: String): String {
@@ -155,7 +168,12 @@ class Board internal constructor(private val time: VirtualTime) {
         require(isVersion2 || it.length <= Frame.MAX_PAYLOAD) {
             "a board of version 1 says ${Frame.MAX_PAYLOAD} bytes at once, not ${it.length}; let it say less, or call version2() first"
         }
-        require(it.all { c -> c.code <= HIGHEST_BYTE }) { "a message carries one byte per character, and \"$it\" holds others" }
+        bytesOf(it)
+    }
+
+    private fun bytesOf(text: String): ByteArray {
+        require(text.all { it.code <= HIGHEST_BYTE }) { "a message carries one byte per character, and \"$text\" holds others" }
+        return text.toByteArray(Charsets.ISO_8859_1)
     }
 }
 

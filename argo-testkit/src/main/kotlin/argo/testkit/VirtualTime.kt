@@ -49,10 +49,14 @@ internal class VirtualTime : LineClock {
     /** Lets [nanos] pass. */
     fun advance(nanos: Long) = advanceUntil(nanos) { false }
 
-    /** Lets time pass until [reached], at most [nanos], and returns whether it was. What there is to do at the end's instant is done. */
+    /**
+     * Lets time pass until [reached], at most [nanos], and returns whether it was. What there is to do at the end's instant is done.
+     * @throws InterruptedException if the driver is interrupted: its test is to end
+     */
     fun advanceUntil(nanos: Long, reached: () -> Boolean): Boolean = driving {
         val end = nowNanos + nanos
         while (true) {
+            if (Thread.interrupted()) throw InterruptedException("the test was interrupted")
             val rests = settle()
             if (reached()) return@driving true
             if (nowNanos > end) return@driving false // who waits within what it does here has taken the time with it
@@ -112,11 +116,28 @@ internal class VirtualTime : LineClock {
 
     private fun resume(strand: Strand) {
         strand.go.release()
-        if (!returned.tryAcquire(STUCK_S, TimeUnit.SECONDS)) {
+        if (!returns()) {
             val where = strand.stackTrace.joinToString("\n") { "\tat $it" }
             error("thread ${strand.name} waits for something that is not part of the test's time:\n$where")
         }
         strand.failure?.let { throw IllegalStateException("thread ${strand.name} ended with $it", it) }
+    }
+
+    /** Whether who runs waits or ends in good time. It is waited for even if the driver is interrupted: nobody runs beside the driver. */
+    private fun returns(): Boolean {
+        val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(STUCK_S)
+        var wasInterrupted = false
+        try {
+            while (true) {
+                try {
+                    return returned.tryAcquire(end - System.nanoTime(), TimeUnit.NANOSECONDS)
+                } catch (_: InterruptedException) {
+                    wasInterrupted = true
+                }
+            }
+        } finally {
+            if (wasInterrupted) Thread.currentThread().interrupt()
+        }
     }
 
     /** When something is due next, now at the earliest; null: never. */
@@ -136,7 +157,10 @@ internal class VirtualTime : LineClock {
 
     private class Timer(val atNanos: Long, val number: Long, val action: () -> Unit)
 
-    /** A thread that runs only when it is let go, and lets the driver go on when it waits or ends. Its interruption is part of the time too. */
+    /**
+     * A thread that runs only when it is let go, and lets the driver go on when it waits or ends. Who interrupts it while it waits for the
+     * driver must not disturb that: it learns of it when it runs again, by its thread's own flag.
+     */
     private inner class Strand(name: String, private val body: () -> Unit) : Thread(name) {
         val time get() = this@VirtualTime
         val go = Semaphore(0)
@@ -145,7 +169,7 @@ internal class VirtualTime : LineClock {
         private var interruptible = false
 
         @Volatile
-        private var interrupted = false
+        private var toBeInterrupted = false
 
         @Volatile
         var over = false
@@ -153,10 +177,10 @@ internal class VirtualTime : LineClock {
         @Volatile
         var failure: Throwable? = null
 
-        fun canRun() = ready() || deadlineNanos.let { it != null && it <= nowNanos } || interruptible && interrupted
+        fun canRun() = ready() || deadlineNanos.let { it != null && it <= nowNanos } || interruptible && toBeInterrupted
 
         override fun run() {
-            go.acquireUninterruptibly()
+            awaitTurn()
             try {
                 body()
             } catch (cause: Throwable) { // the driver throws it
@@ -168,23 +192,28 @@ internal class VirtualTime : LineClock {
         }
 
         fun block(deadlineNanos: Long?, interruptible: Boolean, ready: () -> Boolean) {
+            if (interruptible && interrupted()) throw InterruptedException()
             this.deadlineNanos = deadlineNanos
             this.interruptible = interruptible
             this.ready = ready
             returned.release()
-            go.acquireUninterruptibly()
+            awaitTurn()
             this.deadlineNanos = null
-            if (interruptible && interrupted) {
-                interrupted = false
-                throw InterruptedException()
-            }
+            if (interruptible && interrupted()) throw InterruptedException()
+        }
+
+        private fun awaitTurn() {
+            go.acquireUninterruptibly()
+            if (!toBeInterrupted) return
+            toBeInterrupted = false
+            super.interrupt()
         }
 
         override fun interrupt() {
-            interrupted = true
+            if (currentThread() === this) super.interrupt() else toBeInterrupted = true
         }
 
-        override fun isInterrupted() = interrupted
+        override fun isInterrupted() = super.isInterrupted() || toBeInterrupted
     }
 
     companion object {
