@@ -2,30 +2,49 @@ package argo.testkit
 
 import jason.asSemantics.TransitionSystem
 import java.util.logging.Handler
+import java.util.logging.Level
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 import java.util.logging.SimpleFormatter
 
-/** What is logged while [time] is driven, and with it what an agent prints. */
+/** What is logged while [time] is driven, and with it what its agents print. */
 internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseable {
+    /**
+     * One thing that was logged.
+     *
+     * @property logger its name, which ends in that of the agent that it is about
+     * @property isPrinted whether a plan has said so, with `.print` or `.log`
+     */
+    class Entry(val atNanos: Long, val level: Level, val logger: String, val text: String, val isPrinted: Boolean) {
+        fun isOf(agent: String) = logger.endsWith(".$agent")
+
+        override fun toString() = "$level $text"
+    }
+
     private val root = Logger.getLogger("")
     private val texts = SimpleFormatter()
-
-    /** Level, the last part of the logger's name, and message; in the order of logging. */
-    val lines = ArrayList<String>()
-
-    /** What the agent printed. */
-    val printed = ArrayList<String>()
+    private val all = ArrayList<Entry>()
 
     init {
         root.addHandler(this)
     }
 
+    /** All that was logged, in its order. */
+    val entries: List<Entry> get() = all
+
+    /** What [agent] printed. */
+    fun printedBy(agent: String): List<String> = all.filter { it.isPrinted && it.isOf(agent) }.map { it.text }
+
     override fun publish(record: LogRecord) {
         if (VirtualTime.active() !== time) return
         val text = texts.formatMessage(record) + (record.thrown?.let { " ($it)" } ?: "")
-        lines += "${record.level} $text"
-        if (record.loggerName?.startsWith(TransitionSystem::class.java.name) == true) printed += text
+        all += Entry(time.nanos(), record.level, record.loggerName.orEmpty(), text, isPrinted(record))
+    }
+
+    /** An agent prints by the logger by which Jason complains about it. */
+    private fun isPrinted(record: LogRecord): Boolean {
+        val jason = TransitionSystem::class.java
+        return record.loggerName.orEmpty().startsWith("${jason.name}.") && record.sourceClassName?.startsWith("${jason.packageName}.") != true
     }
 
     override fun flush() = Unit

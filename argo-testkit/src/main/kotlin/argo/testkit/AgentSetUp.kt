@@ -3,9 +3,12 @@ package argo.testkit
 import argo.Arch
 import argo.Platform
 import jason.asSemantics.Agent
+import jason.environment.Environment
+import jason.mas2j.ClassParameters
 
-/** What an agent under test is like, and what it finds when it starts: the receiver of [agent]'s last argument. */
-class AgentSetUp internal constructor(internal val bench: Bench, name: String) {
+/** What an agent under test is like, and what it finds when it starts: the receiver of [argo.testkit.agent]'s last argument. */
+@TestSetUp
+class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     /** What it is called. */
     var name: String = name
 
@@ -15,6 +18,14 @@ class AgentSetUp internal constructor(internal val bench: Bench, name: String) {
     /** Makes its architecture, for an architecture of the project's own: a subclass of [Arch] that passes the platform on. */
     var arch: (Platform) -> Arch = ::Arch
 
+    /**
+     * The Jason environment that it is in, for actions that are not internal and for percepts that are not a board's; null: none. Its actions take no time.
+     * Several agents of a test may be in one. What it does on threads of its own goes by the machine's time.
+     */
+    var environment: Environment? = null
+
+    internal val bench = Bench(time)
+    internal var beliefBase: ClassParameters? = null
     internal val options = LinkedHashMap<String, String>()
     internal val sourcePaths = ArrayList<String>()
 

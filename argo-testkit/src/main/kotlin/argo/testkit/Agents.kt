@@ -1,11 +1,6 @@
 package argo.testkit
 
-import java.nio.file.Files
 import java.nio.file.Path
-import kotlin.io.path.createTempDirectory
-import kotlin.io.path.isRegularFile
-import kotlin.io.path.nameWithoutExtension
-import kotlin.io.path.writeText
 
 /**
  * Starts the agent in the file [source] with a board of the test's own on each of its ports, in a time of the test's own:
@@ -21,29 +16,26 @@ import kotlin.io.path.writeText
  * @param setUp says what the agent is like and what it finds when it starts
  * @throws IllegalArgumentException if there is no such file, or Jason cannot read it
  */
-fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent {
-    val places = DIRECTORIES.map { Path.of(it, source) }
-    val file = places.firstOrNull { it.isRegularFile() }
-        ?: throw IllegalArgumentException("there is no agent $source; looked for ${places.joinToString { "${it.toAbsolutePath().normalize()}" }}")
-    return agent(file, setUp)
-}
+fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agent(source, setUp) }.first
 
 /** Starts the agent in [file]: see [agent]. */
-fun agent(file: Path, setUp: AgentSetUp.() -> Unit = {}): TestAgent {
-    require(file.isRegularFile()) { "there is no agent ${file.toAbsolutePath().normalize()}" }
-    return TestAgent.start(file.toAbsolutePath().normalize(), file.nameWithoutExtension, setUp)
-}
+fun agent(file: Path, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agent(file, setUp) }.first
 
 /** Starts an agent with [program], as [agent] does; it is called `agent` unless [setUp] says otherwise. */
-fun agentOf(program: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent {
-    val directory = createTempDirectory("argo-testkit")
-    val file = directory.resolve("agent.asl").apply { writeText(program) }
-    try {
-        return TestAgent.start(file, "agent", setUp)
-    } finally {
-        Files.delete(file)
-        Files.delete(directory)
-    }
-}
+fun agentOf(program: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agentOf("agent", program, setUp) }.first
 
-private val DIRECTORIES = listOf("", "src/agt", "src/main/asl", "src/test/resources")
+/**
+ * Starts agents that speak with each other, in one time:
+ *
+ *     val fleet = mas {
+ *         agent("coordinator.asl")
+ *         agent("scout.asl") { name = "scout1" }
+ *     }
+ *     fleet["coordinator"].hears("user", "achieve", "patrol")
+ *     fleet["scout1"].shouldSend("goto(north)")
+ *
+ * All are there before the first one runs. Close it at the end of the test, by `use` or Kotest's `autoClose`.
+ *
+ * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or two agents have the same name
+ */
+fun mas(setUp: MasSetUp.() -> Unit): TestMas = TestMas().let { mas -> mas.begin { MasSetUp(mas).setUp() } }

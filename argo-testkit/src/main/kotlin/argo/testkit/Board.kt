@@ -122,6 +122,9 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The requests for percepts that have arrived, in their order: `getPercepts`, or with functors from an agent that speaks version 2. */
     val requests: List<String> get() = fake.received().filter(::isRequest)
 
+    /** Its [commands], and whether an expectation has taken each. */
+    internal val accounted: List<Pair<String, Boolean>> get() = commands.mapIndexed { i, command -> command to (i in taken) }
+
     /** The commands that no expectation has taken. */
     internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
 

@@ -4,9 +4,16 @@ import jason.architecture.AgArch
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
 import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+import jason.environment.Environment
 
-/** What the infrastructure is for an agent under test: its name, its mail, and what wakes it. It is alone and has no environment. */
-internal class InfraArch(private val name: String) : AgArch() {
+/**
+ * What the infrastructure is for an agent under test: its name, its mail, its environment, and what wakes it.
+ *
+ * @param mas the agents that it speaks with
+ * @param environment null: it has none
+ */
+internal class InfraArch(private val name: String, private val mas: TestMas, private val environment: Environment?) : AgArch() {
     private val mail = ArrayDeque<Message>()
     private var awake = true
     private var running = true
@@ -16,7 +23,7 @@ internal class InfraArch(private val name: String) : AgArch() {
 
     /** Runs one reasoning cycle, unless the agent sleeps. */
     fun step(): Boolean {
-        if (!awake && ts.canSleep()) return false
+        if (!running || !awake && ts.canSleep()) return false
         awake = false
         firstAgArch.incCycleNumber()
         firstAgArch.reasoningCycleStarting()
@@ -31,8 +38,9 @@ internal class InfraArch(private val name: String) : AgArch() {
         wake()
     }
 
-    /** Stops the agent as an infrastructure does. */
+    /** Stops the agent as an infrastructure does, once. */
     fun end() {
+        if (!running) return
         running = false
         ts.ag.stopAg()
         firstAgArch.stop()
@@ -59,21 +67,32 @@ internal class InfraArch(private val name: String) : AgArch() {
     }
 
     override fun sendMsg(message: Message) {
-        if (message.sender == null) message.sender = name
-        said += message
-        if (message.receiver == name) receive(message)
+        say(message)
+        mas.deliver(message)
     }
 
-    override fun broadcast(message: Message) = sendMsg(message.clone().apply { receiver = EVERYBODY })
+    override fun broadcast(message: Message) {
+        say(message.clone().apply { receiver = EVERYBODY })
+        mas.broadcast(message.apply { sender = name })
+    }
+
+    private fun say(message: Message) {
+        if (message.sender == null) message.sender = name
+        said += message.clone()
+    }
+
+    override fun perceive(): MutableCollection<Literal>? = environment?.getPercepts(name)
 
     override fun act(action: ActionExec) {
-        action.result = false
-        action.setFailureReason(ASSyntax.createAtom("noenv"), "an agent under test has no environment; argo.act speaks to its board")
+        action.result = environment?.executeAction(name, action.actionTerm) ?: false
+        if (environment == null) action.setFailureReason(ASSyntax.createAtom("noenv"), NO_ENVIRONMENT)
         actionExecuted(action)
     }
 
     companion object {
         /** The receiver of what is broadcast. */
         const val EVERYBODY = "everybody"
+        private const val NO_ENVIRONMENT =
+            "this agent under test has no environment, so it can only do internal actions: argo.act speaks to its board, and \"environment = …\" gives it one"
     }
 }

@@ -1,6 +1,5 @@
 package argo.testkit
 
-import argo.Platform
 import jason.asSemantics.Agent
 import jason.asSemantics.Intention
 import jason.asSemantics.TransitionSystem
@@ -23,7 +22,7 @@ internal class Mind(private val ts: TransitionSystem) {
     val beliefs: List<String> get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == JASONS }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
 
     /** Its intentions, each with the goals that led to it, the latest first, and what it is about to do; in alphabetical order. */
-    val intentions: List<String> get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).sorted()
+    val intentions: List<String> get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).filter(String::isNotEmpty).sorted()
 
     fun believes(formula: LogicalFormula): Boolean = ts.ag.believes(formula, Unifier())
 
@@ -58,24 +57,21 @@ internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try
 
 /**
  * Creates the agent in [file] behind [infra], as an infrastructure does. Jason's source path is one for the program.
+ *
+ * @param file null: it has no program
+ * @param called what messages call the program
  * @throws IllegalArgumentException if Jason cannot read it
  */
 @Synchronized
-internal fun create(file: Path, setUp: AgentSetUp, platform: Platform, infra: InfraArch, witness: PerceptionWitness): TransitionSystem {
+internal fun create(file: Path?, called: String, setUp: AgentSetUp, infra: InfraArch, witness: PerceptionWitness): TransitionSystem {
     Config.get()[Config.START_WEB_MI] = "false"
-    val paths = SourcePath().apply { (listOf("${file.parent}") + setUp.sourcePaths).forEach(::addPath) }
+    val paths = SourcePath().apply { (listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths).forEach(::addPath) }
     (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)
     val settings = Settings().apply { setOptions(HashMap<String, Any>(setUp.options)) }
-    try {
-        Agent.create(infra, setUp.agentClass.name, null, "$file", settings)
-    } catch (unreadable: ParseException) {
-        throw IllegalArgumentException("Jason cannot read $file: ${unreadable.message}", unreadable)
-    } catch (unreadable: TokenMgrError) {
-        throw IllegalArgumentException("Jason cannot read $file: ${unreadable.message}", unreadable)
-    }
+    reading(file, called) { Agent.create(infra, setUp.agentClass.name, setUp.beliefBase, file?.toString(), settings) }
     val ts = infra.ts
     infra.insertAgArch(infra)
-    setUp.arch(platform).let {
+    setUp.arch(setUp.bench).let {
         it.ts = ts
         infra.insertAgArch(it)
         it.init()

@@ -4,7 +4,9 @@ import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.ASSyntax
 import java.nio.file.Path
+import java.util.logging.Level
 import kotlin.time.Duration
+import kotlin.time.Duration.Companion.days
 import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.Duration.Companion.seconds
 
@@ -17,17 +19,37 @@ import kotlin.time.Duration.Companion.seconds
  *
  * It belongs to one thread at a time.
  */
-class TestAgent private constructor(
-    private val time: VirtualTime,
-    private val bench: Bench,
-    private val infra: InfraArch,
-    private val witness: PerceptionWitness,
-    private val journal: AgentLog,
-    ts: TransitionSystem,
+class TestAgent internal constructor(
+    /** The agents that run in its test, itself among them: those that were started with it, and those that they have created. */
+    val mas: TestMas,
+    file: Path?,
+    called: String,
+    internal val setUp: AgentSetUp,
 ) : AutoCloseable {
+    private val time get() = mas.time
+    private val bench = setUp.bench
+    private val witness = PerceptionWitness()
+    internal val infra = InfraArch(setUp.name, mas, setUp.environment)
+    internal val ts: TransitionSystem
+
+    init {
+        setUp.environment?.environmentInfraTier = EnvironmentTier(mas)
+        ts = create(file, called, setUp, infra, witness)
+        wakeEachSecond()
+    }
+
     private val mind = Mind(ts)
     private var cycles = 0
     private var cyclesAt = -1L
+
+    /** Where the programs of agents that it creates are looked for first. */
+    internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
+
+    /** What it is called. */
+    val name: String get() = setUp.name
+
+    /** Whether it has neither been stopped, as by `.stopMAS` or `.kill_agent`, nor closed. */
+    val isRunning: Boolean get() = infra.isRunning
 
     /** The board on its first port. */
     val board: Board get() = bench.first()
@@ -48,27 +70,29 @@ class TestAgent private constructor(
     val intentions: List<String> get() = mind.intentions
 
     /** What it has printed, with `.print` and the like. */
-    val printed: List<String> get() = journal.printed.toList()
+    val printed: List<String> get() = mas.journal.printedBy(name)
 
-    /** What was logged so far, each line with its level. */
-    val log: List<String> get() = journal.lines.toList()
+    /** What was logged so far, each line with its level; not what is about other agents of the test. */
+    val log: List<String> get() = entries.map { "$it" }
+
+    private val entries: List<AgentLog.Entry> get() = mas.entriesOf(name)
 
     /** What it has said to other agents: `tell(bob,ready)`. */
     val said: List<String> get() = infra.said.map(::described)
 
     /** Lets [duration] pass. */
-    fun after(duration: Duration): TestAgent = apply { time.advance(nanos(duration)) }
+    fun after(duration: Duration): TestAgent = apply { mas.pass(duration) { false } }
 
     /**
      * The sensors of its first [board] show [percepts] from now on; then lets time pass until the agent has perceived that, at most a
      * second, as when it does not look at its sensors.
      */
     fun perceives(vararg percepts: String): TestAgent = apply {
-        val board = board.shows(*percepts)
+        val board = mas.open { board.shows(*percepts) }
         val end = now + PATIENCE
-        time.advanceUntil(nanos(PATIENCE)) { board.answers >= ANSWERS_UNTIL_KNOWN }
+        mas.pass(PATIENCE) { board.answers >= ANSWERS_UNTIL_KNOWN }
         val before = witness.perceptions
-        time.advanceUntil(nanos((end - now).coerceAtLeast(Duration.ZERO))) { witness.perceptions > before }
+        mas.pass((end - now).coerceAtLeast(Duration.ZERO)) { witness.perceptions > before }
     }
 
     /** Agent [sender] says [content] to it: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
@@ -77,8 +101,10 @@ class TestAgent private constructor(
             "$performative is not a performative; there are ${Message.knownPerformatives.joinToString()}"
         }
         val term = parsed(content, "a term") { ASSyntax.parseTerm(content) }
-        infra.receive(Message(performative, sender, infra.agName, term))
-        time.settle()
+        mas.open {
+            infra.receive(Message(performative, sender, name, term))
+            time.settle()
+        }
     }
 
     /** [command] arrives at one of its boards within that time. Each command that arrives fulfils one expectation. */
@@ -111,102 +137,100 @@ class TestAgent private constructor(
 
     /** It has printed a line with [text] in it, or does within that time. */
     fun shouldPrint(text: String, within: Duration = PATIENCE): TestAgent =
-        expect(within, "prints $text") { journal.printed.any { text in it } }
+        expect(within, "prints $text") { printed.any { text in it } }
 
     /** It has said that to another agent, or does within that time: `shouldSay("tell(bob,ready)")`; to all: `tell(everybody,ready)`. */
     fun shouldSay(message: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "says $message") { infra.said.any { described(it) == message.filterNot(Char::isWhitespace) } }
 
+    /** It is stopped within that time, as by `.stopMAS` or `.kill_agent`. */
+    fun shouldStop(within: Duration = PATIENCE): TestAgent = expect(within, "stops") { !isRunning }
+
+    /** It is stopped, as by `.kill_agent`; its boards stay, and nobody uses them. */
+    fun stops(): TestAgent = apply {
+        mas.open {
+            mas.stop(listOf(this), 0)
+            time.settle()
+        }
+    }
+
     private fun expect(within: Duration, what: String, holds: () -> Boolean): TestAgent = apply {
-        if (!time.advanceUntil(nanos(within), holds)) throw AssertionError("expected that agent ${infra.agName} $what within $within\n$report")
+        if (!mas.pass(within, holds)) throw AssertionError("expected that agent $name $what within $within\n$report")
     }
 
     private fun refuse(during: Duration, what: String, holds: () -> Boolean): TestAgent = apply {
-        if (time.advanceUntil(nanos(during), holds)) throw AssertionError("expected that agent ${infra.agName} never $what in $during\n$report")
+        if (mas.pass(during, holds)) throw AssertionError("expected that agent $name never $what in $during\n$report")
     }
 
     private val report: String
-        get() = listOf("sent" to sent, "believes" to beliefs, "intends" to intentions, "said" to said, "log" to log.takeLast(LOGGED))
-            .joinToString("\n", "after $now\n") { (what, found) -> "$what: " + found.joinToString("\n    ", "\n    ").takeIf { found.isNotEmpty() }.orEmpty().ifEmpty { "nothing" } }
+        get() = listOf("sent" to accounted, "believes" to beliefs, "intends" to intentions, "said" to said, "log" to newest(entries).map { "at ${it.atNanos.nanoseconds}: $it" })
+            .joinToString("\n", "after $now${if (isRunning) "" else ", stopped"}\n") { (what, found) ->
+                "$what: " + found.joinToString("\n    ", "\n    ").takeIf { found.isNotEmpty() }.orEmpty().ifEmpty { "nothing" }
+            }
+
+    private val accounted: List<String>
+        get() = bench.all().flatMap { it.accounted }.map { (command, isTaken) -> if (isTaken) "$command, taken by an earlier expectation" else command }
+
+    /** Errors stay, however old: what cannot be read is told at the start. */
+    private fun newest(entries: List<AgentLog.Entry>) = entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
 
     /** One reasoning cycle. An agent that never sleeps would stop the time. */
-    private fun step(): Boolean {
-        if (!infra.step()) return false
+    internal fun step(): Boolean {
+        if (!cycle()) return false
         if (cyclesAt != time.nanos()) cycles = 0
         cyclesAt = time.nanos()
         if (++cycles < MOST_CYCLES) return true
         cycles = 0
         throw AssertionError(
-            "agent ${infra.agName} is still busy after $MOST_CYCLES cycles at one instant: a plan that repeats itself has to wait for something, " +
+            "agent $name is still busy after $MOST_CYCLES cycles at one instant: a plan that repeats itself has to wait for something, " +
                 "time (.wait) or a command (argo.act)\n$report",
         )
+    }
+
+    private fun cycle(): Boolean = try {
+        infra.step()
+    } catch (endless: StackOverflowError) {
+        throw AssertionError("agent $name calls itself without end, in a rule or an internal action; what it called last is in the cause\n$report", endless)
     }
 
     /** An agent is woken once a second at least. */
     private fun wakeEachSecond() {
         infra.wake()
-        time.later(nanos(1.seconds), ::wakeEachSecond)
+        if (isRunning) time.later(nanos(1.seconds), ::wakeEachSecond)
     }
+
+    internal fun end() {
+        infra.end()
+        setUp.environment?.takeIf { mas.running().none { other -> other.setUp.environment === it } }?.stop()
+    }
+
+    internal fun takeBoardsAway() = bench.all().forEach(Board::end)
 
     /**
-     * Stops the agent and takes its boards away.
-     * @throws IllegalStateException if the agent's architecture leaves a thread behind
+     * Stops it and all other agents of its test, and takes their boards away.
+     * @throws IllegalStateException if an architecture leaves a thread behind
      */
-    override fun close() {
-        time.driving {
-            time.work = { false }
-            infra.end()
-            time.settle()
-            bench.all().forEach(Board::end)
-            time.advance(nanos(PATIENCE))
-            val left = time.living()
-            time.interruptAll()
-            time.settle()
-            journal.close()
-            check(left.isEmpty()) { "agent ${infra.agName} has left threads behind: ${left.joinToString()}" }
-        }
-    }
+    override fun close() = mas.close()
 
     internal companion object {
-        private val PATIENCE = 1.seconds
         private const val MOST_CYCLES = 10_000
         private const val LOGGED = 20
 
         /** The first answer has been read when the board is asked again. */
         private const val ANSWERS_UNTIL_KNOWN = 2
-
-        fun start(file: Path, name: String, setUp: AgentSetUp.() -> Unit): TestAgent {
-            JasonTime.install()
-            val time = VirtualTime()
-            val bench = Bench(time)
-            val wanted = AgentSetUp(bench, name).apply(setUp)
-            val journal = AgentLog(time)
-            return try {
-                time.driving { start(file, wanted, time, bench, journal) }
-            } catch (failed: Throwable) {
-                journal.close()
-                throw failed
-            }
-        }
-
-        private fun start(file: Path, wanted: AgentSetUp, time: VirtualTime, bench: Bench, journal: AgentLog): TestAgent {
-            val infra = InfraArch(wanted.name)
-            val witness = PerceptionWitness()
-            val ts = create(file, wanted, bench, infra, witness)
-            val agent = TestAgent(time, bench, infra, witness, journal, ts)
-            time.work = agent::step
-            agent.wakeEachSecond()
-            try {
-                time.settle()
-            } catch (failed: Throwable) {
-                runCatching { agent.close() }.onFailure(failed::addSuppressed)
-                throw failed
-            }
-            return agent
-        }
     }
 }
 
-private fun nanos(duration: Duration): Long = duration.inWholeNanoseconds.also { require(it >= 0) { "time does not go back: $duration" } }
+/** How long the test waits for something, unless told otherwise. */
+internal val PATIENCE = 1.seconds
+
+/** @throws IllegalArgumentException if a test cannot last so long */
+internal fun nanos(duration: Duration): Long {
+    require(!duration.isNegative()) { "time does not go back: $duration" }
+    require(duration <= LONGEST) { "a test lasts $LONGEST at most, not $duration" }
+    return duration.inWholeNanoseconds
+}
+
+private val LONGEST = 3650.days
 
 private fun described(message: Message) = "${message.ilForce}(${message.receiver},${message.propCont})".filterNot(Char::isWhitespace)

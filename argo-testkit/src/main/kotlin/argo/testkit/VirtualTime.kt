@@ -24,6 +24,9 @@ internal class VirtualTime : LineClock {
     /** Does a part of what else there is to do now, on the driver's thread, and says whether there was anything. */
     var work: () -> Boolean = { false }
 
+    /** Whose agents go by it; null before there are any. */
+    var mas: TestMas? = null
+
     override fun nanos(): Long = nowNanos
 
     override fun await(condition: Condition, nanos: Long) {

@@ -1,0 +1,31 @@
+package argo.testkit
+
+import argo.Arch
+import argo.Platform
+
+/**
+ * How the architecture of an agent that another one creates is made.
+ *
+ * @param classes what stands in `agentArchClass(…)`; none: that of [father]
+ * @throws IllegalArgumentException if it cannot run in a test
+ */
+internal fun archOf(classes: List<String>, father: TestAgent?): (Platform) -> Arch = when {
+    classes.isEmpty() -> father?.setUp?.arch ?: ::Arch
+    classes == listOf(Arch::class.java.name) -> ::Arch
+    else -> archOf(classes.singleOrNull() ?: throw IllegalArgumentException("an agent under test has one architecture, not ${classes.joinToString()}"))
+}
+
+private fun archOf(name: String): (Platform) -> Arch {
+    val constructor = try {
+        Class.forName(name).asSubclass(Arch::class.java).getConstructor(Platform::class.java)
+    } catch (unusable: ReflectiveOperationException) {
+        throw unusable(name, unusable)
+    } catch (unusable: ClassCastException) {
+        throw unusable(name, unusable)
+    }
+    return constructor::newInstance
+}
+
+private fun unusable(name: String, cause: Exception) = IllegalArgumentException(
+    "an agent under test can have the architecture argo.Arch, or a public subclass of it whose constructor takes the platform and passes it on; $name is none", cause,
+)

@@ -1,0 +1,39 @@
+package argo.testkit
+
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.createTempDirectory
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.writeText
+
+/**
+ * The file of the agent [source].
+ *
+ * @param first directories to look in before the usual ones
+ * @throws IllegalArgumentException if there is none
+ */
+internal fun found(source: String, first: List<String> = emptyList()): Path {
+    val places = (first + DIRECTORIES).map { Path.of(it, source).toAbsolutePath().normalize() }
+    return places.firstOrNull { it.isRegularFile() }
+        ?: throw IllegalArgumentException("there is no agent $source; looked for ${places.joinToString()}")
+}
+
+/** @throws IllegalArgumentException if there is no such file */
+internal fun existing(file: Path): Path {
+    require(file.isRegularFile()) { "there is no agent ${file.toAbsolutePath().normalize()}" }
+    return file.toAbsolutePath().normalize()
+}
+
+/** Does [work] with a file that holds [program] meanwhile. */
+internal fun written(program: String, work: (Path) -> Unit) {
+    val directory = createTempDirectory("argo-testkit")
+    val file = directory.resolve("agent.asl").apply { writeText(program) }
+    try {
+        work(file)
+    } finally {
+        Files.delete(file)
+        Files.delete(directory)
+    }
+}
+
+private val DIRECTORIES = listOf("", "src/agt", "src/main/asl", "src/test/resources")

@@ -1,0 +1,150 @@
+package argo.testkit
+
+import jason.asSemantics.Message
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Trigger
+import jason.asSyntax.Trigger.TEOperator
+import jason.asSyntax.Trigger.TEType
+import java.nio.file.Path
+import kotlin.time.Duration
+
+/**
+ * Agents under test that speak with each other, in one time: see [mas]. Each has ports of its own, as on a computer of its own.
+ *
+ * It belongs to one thread at a time.
+ */
+class TestMas internal constructor() : AutoCloseable {
+    internal val time = VirtualTime().also { it.mas = this }
+    internal val journal = AgentLog(time)
+    private val agents = LinkedHashMap<String, TestAgent>() // of several that had a name in turn, the last
+    private val made = ArrayList<TestAgent>()
+    private var closed = false
+
+    /** The names of the agents that run, in the order in which they were made. */
+    val names: List<String> get() = agents.values.filter { it.isRunning }.map { it.name }
+
+    /**
+     * The agent that is called [name], whether or not it runs still.
+     * @throws IllegalArgumentException if there is none
+     */
+    operator fun get(name: String): TestAgent =
+        agents[name] ?: throw IllegalArgumentException("there is no agent $name; there are ${agents.keys.joinToString()}")
+
+    /** The agent that was made first. */
+    internal val first: TestAgent get() = made.first()
+
+    /** Lets [duration] pass. */
+    fun after(duration: Duration): TestMas = apply { pass(duration) { false } }
+
+    /**
+     * Lets time pass until [reached], at most [duration], and returns whether it was.
+     * @throws IllegalStateException if it is closed
+     */
+    internal fun pass(duration: Duration, reached: () -> Boolean): Boolean = open { time.advanceUntil(nanos(duration), reached) }
+
+    /** Does [work], which changes something, unless it is closed. */
+    internal fun <T> open(work: () -> T): T {
+        check(!closed) { "the test agents ${agents.keys.joinToString()} are closed; what is expected of them stands before that" }
+        return work()
+    }
+
+    /** Does [making], which makes agents, and then lets all agents run; nothing is left if that fails. */
+    internal fun begin(making: () -> Unit): TestMas = apply {
+        try {
+            JasonTime.install()
+            TestServices.install()
+            time.driving {
+                making()
+                time.work = ::step
+                time.settle()
+            }
+        } catch (failed: Throwable) {
+            runCatching(::close).onFailure(failed::addSuppressed)
+            throw failed
+        }
+    }
+
+    /**
+     * Makes an agent that runs from the next instant on.
+     *
+     * @param file its program; null: none
+     * @param called what messages call the program
+     */
+    internal fun make(file: Path?, called: String, wanted: AgentSetUp): TestAgent {
+        require(wanted.name !in names) { "there is an agent ${wanted.name} already; \"name = …\" in its braces gives the other one another" }
+        require(wanted.name !in RESERVED) { "an agent cannot be called ${wanted.name}" }
+        return TestAgent(this, file, called, wanted).also {
+            agents[it.name] = it
+            made += it
+        }
+    }
+
+    /** [base], or [base] with a number: what an agent can be called that is made now. */
+    internal fun newName(base: String): String = (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { it !in names }
+
+    /** The agents that run. */
+    internal fun running(): List<TestAgent> = agents.values.filter { it.isRunning }
+
+    /** The agent that is called [name], if it runs. */
+    internal fun find(name: String): TestAgent? = agents[name]?.takeIf { it.isRunning }
+
+    /** Takes [message] to its receiver; one that is not in the test is spoken to in vain. */
+    internal fun deliver(message: Message) {
+        find(message.receiver)?.infra?.receive(message.clone())
+    }
+
+    /** Takes [message] to all but its sender. */
+    internal fun broadcast(message: Message) = running().filter { it.name != message.sender }.forEach { other ->
+        deliver(message.clone().apply { receiver = other.name })
+    }
+
+    /** Stops [agents] in [deadlineMs] ms of this time, and has them know it until then. */
+    internal fun stop(agents: List<TestAgent>, deadlineMs: Int) {
+        if (deadlineMs > 0) agents.forEach { it.ts.c.addExternalEv(shuttingDown(deadlineMs)) }
+        time.later(deadlineMs * NANOS_PER_MS) { agents.forEach(TestAgent::end) } // never within a reasoning cycle
+    }
+
+    private fun shuttingDown(deadlineMs: Int) =
+        Trigger(TEOperator.add, TEType.belief, ASSyntax.createLiteral("jag_shutting_down", ASSyntax.createNumber(deadlineMs.toDouble())))
+
+    /** What was logged about the agent [name], and about no agent. */
+    internal fun entriesOf(name: String): List<AgentLog.Entry> = journal.entries.filter { it.isOf(name) || agents.keys.none(it::isOf) }
+
+    private fun step(): Boolean {
+        TestServices.install() // a multi-agent system that starts meanwhile puts its own in its place
+        var isBusy = false
+        for (agent in running()) if (agent.step()) isBusy = true
+        return isBusy
+    }
+
+    /**
+     * Stops all agents and takes their boards away. May be called twice.
+     * @throws IllegalStateException if an agent's architecture leaves a thread behind
+     */
+    override fun close() {
+        if (closed) return
+        closed = true
+        try {
+            time.driving {
+                time.work = { false }
+                running().forEach(TestAgent::end)
+                time.settle()
+                made.forEach(TestAgent::takeBoardsAway)
+                time.advance(nanos(PATIENCE))
+                val left = time.living()
+                time.interruptAll()
+                time.settle()
+                check(left.isEmpty()) { "agents ${agents.keys.joinToString()} have left threads behind: ${left.joinToString()}" }
+            }
+        } finally {
+            journal.close()
+        }
+    }
+
+    private companion object {
+        const val NANOS_PER_MS = 1_000_000L
+
+        /** Names that mean something else to Jason. */
+        val RESERVED = listOf("self", "percept")
+    }
+}

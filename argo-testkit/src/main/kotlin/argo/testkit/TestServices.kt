@@ -1,0 +1,84 @@
+package argo.testkit
+
+import jason.JasonException
+import jason.asSemantics.Agent
+import jason.mas2j.ClassParameters
+import jason.runtime.RuntimeServices
+import jason.runtime.RuntimeServicesFactory
+import java.lang.reflect.InvocationHandler
+import java.lang.reflect.InvocationTargetException
+import java.lang.reflect.Method
+import java.lang.reflect.Proxy
+import java.rmi.RemoteException
+
+/**
+ * What Jason's internal actions ask of the infrastructure, `.create_agent` and `.stopMAS` for instance: of the [TestMas] whose agent asks, or of
+ * the multi-agent system that really runs beside the tests. Versions of Jason name some of these services differently, so they are told by their names.
+ */
+internal class TestServices private constructor(private val real: RuntimeServices?) : InvocationHandler {
+    override fun invoke(proxy: Any, method: Method, arguments: Array<out Any?>?): Any? {
+        val mas = VirtualTime.active()?.mas
+        return if (mas != null) serve(mas, method.name, arguments.orEmpty()) else delegate(method, arguments.orEmpty())
+    }
+
+    private fun delegate(method: Method, arguments: Array<out Any?>): Any? {
+        if (real == null) throw RemoteException("no multi-agent system is running here")
+        try {
+            return method.invoke(real, *arguments)
+        } catch (failed: InvocationTargetException) {
+            throw failed.targetException
+        }
+    }
+
+    private fun serve(mas: TestMas, service: String, with: Array<out Any?>): Any? = when (service) {
+        "createAgent" -> createAgent(mas, with)
+        "startAgent" -> Unit.let { null } // it runs from when it was made
+        "killAgent" -> killAgent(mas, with[0] as String, with[1] as String, with[2] as Int)
+        "stopMAS" -> mas.stop(mas.running(), with.getOrElse(0) { 0 } as Int).let { null }
+        "getNewAgentName" -> mas.newName(with[0] as String)
+        "getAgentsNames", "getAgentsName" -> mas.names
+        "getAgentsQty" -> mas.names.size
+        "getMASName" -> "test"
+        "isRunning" -> mas.names.isNotEmpty()
+        else -> throw RemoteException("agents under test have no $service: what it does needs a real run")
+    }
+
+    private fun killAgent(mas: TestMas, name: String, by: String, deadlineMs: Int): Boolean {
+        val agent = mas.find(name)?.takeIf { it.ts.ag.killAcc(by) } ?: return false
+        mas.stop(listOf(agent), deadlineMs)
+        return true
+    }
+
+    private fun createAgent(mas: TestMas, with: Array<out Any?>): String {
+        val source = with[1] as String?
+        val father = (with[6] as Agent?)?.ts?.agArch?.agName?.let(mas::find)
+        val wanted = AgentSetUp(mas.time, mas.newName(with[0] as String))
+        try {
+            (with[2] as String?)?.let { wanted.agentClass = Class.forName(it).asSubclass(Agent::class.java) }
+            wanted.arch = archOf((with[3] as List<*>?).orEmpty().map { "$it" }, father)
+            wanted.beliefBase = with[4] as ClassParameters?
+            wanted.environment = father?.setUp?.environment
+            wanted.sourcePath(*father?.sourceDirectories.orEmpty().toTypedArray())
+            val file = source?.let { found(it, wanted.sourcePaths) }
+            mas.make(file, "$file", wanted)
+        } catch (refused: IllegalArgumentException) {
+            throw JasonException(refused.message, refused)
+        } catch (unknown: ClassNotFoundException) {
+            throw JasonException("there is no class ${unknown.message}", unknown)
+        } catch (other: ClassCastException) {
+            throw JasonException("the class of an agent is a subclass of ${Agent::class.java.name}", other)
+        }
+        return wanted.name
+    }
+
+    companion object {
+        /** Puts it in the place of what is there. */
+        @Synchronized
+        fun install() {
+            val there: RuntimeServices? = RuntimeServicesFactory.get()
+            if (there != null && Proxy.isProxyClass(there.javaClass) && Proxy.getInvocationHandler(there) is TestServices) return
+            val services = RuntimeServices::class.java
+            RuntimeServicesFactory.set(services.cast(Proxy.newProxyInstance(TestServices::class.java.classLoader, arrayOf(services), TestServices(there))))
+        }
+    }
+}
