@@ -6,6 +6,8 @@ import jason.asSemantics.Message
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.environment.Environment
+import jason.runtime.RuntimeServices
+import jason.runtime.RuntimeServicesFactory
 
 /**
  * What the infrastructure is for an agent under test: its name, its mail, its environment, and what wakes it.
@@ -82,6 +84,9 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
     }
 
     override fun perceive(): MutableCollection<Literal>? = environment?.getPercepts(name)
+
+    @Suppress("OVERRIDE_DEPRECATION") // where Jason 3.3 asks for some services
+    override fun getRuntimeServices(): RuntimeServices = RuntimeServicesFactory.get()
 
     override fun act(action: ActionExec) {
         action.result = environment?.executeAction(name, action.actionTerm) ?: false

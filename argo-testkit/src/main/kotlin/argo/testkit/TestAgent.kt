@@ -4,7 +4,6 @@ import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.ASSyntax
 import java.nio.file.Path
-import java.util.logging.Level
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.days
 import kotlin.time.Duration.Companion.nanoseconds
@@ -27,7 +26,7 @@ class TestAgent internal constructor(
     internal val setUp: AgentSetUp,
 ) : AutoCloseable {
     private val time get() = mas.time
-    private val bench = setUp.bench
+    internal val bench = setUp.bench
     private val witness = PerceptionWitness()
     internal val infra = InfraArch(setUp.name, mas, setUp.environment)
     internal val ts: TransitionSystem
@@ -75,7 +74,7 @@ class TestAgent internal constructor(
     /** What was logged so far, each line with its level; not what is about other agents of the test. */
     val log: List<String> get() = entries.map { "$it" }
 
-    private val entries: List<AgentLog.Entry> get() = mas.entriesOf(name)
+    internal val entries: List<AgentLog.Entry> get() = mas.entriesOf(name)
 
     /** What it has said to other agents: `tell(bob,ready)`. */
     val said: List<String> get() = infra.said.map(::described)
@@ -155,24 +154,12 @@ class TestAgent internal constructor(
     }
 
     private fun expect(within: Duration, what: String, holds: () -> Boolean): TestAgent = apply {
-        if (!mas.pass(within, holds)) throw AssertionError("expected that agent $name $what within $within\n$report")
+        if (!mas.pass(within, holds)) throw AssertionError("expected that agent $name $what within $within\n${report()}")
     }
 
     private fun refuse(during: Duration, what: String, holds: () -> Boolean): TestAgent = apply {
-        if (mas.pass(during, holds)) throw AssertionError("expected that agent $name never $what in $during\n$report")
+        if (mas.pass(during, holds)) throw AssertionError("expected that agent $name never $what in $during\n${report()}")
     }
-
-    private val report: String
-        get() = listOf("sent" to accounted, "believes" to beliefs, "intends" to intentions, "said" to said, "log" to newest(entries).map { "at ${it.atNanos.nanoseconds}: $it" })
-            .joinToString("\n", "after $now${if (isRunning) "" else ", stopped"}\n") { (what, found) ->
-                "$what: " + found.joinToString("\n    ", "\n    ").takeIf { found.isNotEmpty() }.orEmpty().ifEmpty { "nothing" }
-            }
-
-    private val accounted: List<String>
-        get() = bench.all().flatMap { it.accounted }.map { (command, isTaken) -> if (isTaken) "$command, taken by an earlier expectation" else command }
-
-    /** Errors stay, however old: what cannot be read is told at the start. */
-    private fun newest(entries: List<AgentLog.Entry>) = entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
 
     /** One reasoning cycle. An agent that never sleeps would stop the time. */
     internal fun step(): Boolean {
@@ -183,14 +170,14 @@ class TestAgent internal constructor(
         cycles = 0
         throw AssertionError(
             "agent $name is still busy after $MOST_CYCLES cycles at one instant: a plan that repeats itself has to wait for something, " +
-                "time (.wait) or a command (argo.act)\n$report",
+                "time (.wait) or a command (argo.act)\n${report()}",
         )
     }
 
     private fun cycle(): Boolean = try {
         infra.step()
     } catch (endless: StackOverflowError) {
-        throw AssertionError("agent $name calls itself without end, in a rule or an internal action; what it called last is in the cause\n$report", endless)
+        throw AssertionError("agent $name calls itself without end, in a rule or an internal action; what it called last is in the cause\n${report()}", endless)
     }
 
     /** An agent is woken once a second at least. */
@@ -200,6 +187,7 @@ class TestAgent internal constructor(
     }
 
     internal fun end() {
+        if (!isRunning) return
         infra.end()
         setUp.environment?.takeIf { mas.running().none { other -> other.setUp.environment === it } }?.stop()
     }
@@ -214,7 +202,6 @@ class TestAgent internal constructor(
 
     internal companion object {
         private const val MOST_CYCLES = 10_000
-        private const val LOGGED = 20
 
         /** The first answer has been read when the board is asked again. */
         private const val ANSWERS_UNTIL_KNOWN = 2

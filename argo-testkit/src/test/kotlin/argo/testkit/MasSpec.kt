@@ -146,7 +146,10 @@ class MasSpec : FunSpec({
             path.informAgsEnvironmentChanged("bob")
             agents["bob"].shouldPrint("at(7)", within = 1.milliseconds).shouldNotBelieve("at(2)")
             agents["cat"].shouldPrint("this agent under test has no environment")
+            agents["ann"].stops()
             path.stopped shouldBe 0
+            agents["bob"].stops().stops()
+            path.stopped shouldBe 1
         }
         path.stopped shouldBe 1
     }
