@@ -20,13 +20,20 @@ import kotlin.system.exitProcess
  * Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. `demo` is the sample
  * `collision` under the name that it has at the front door, and `experiment` has its place there alone.
  */
-fun main(args: Array<String>): Unit = exitProcess(
-    when (args.firstOrNull()) {
-        "demo" -> commandLine(CollisionCommand(), "./argo demo").execute(*args.drop(1).toTypedArray())
-        "experiment" -> commandLine(ExperimentCommand(), "./argo experiment").execute(*args.drop(1).toTypedArray())
-        else -> commandLine(Samples(), "./argo sample").execute(*args)
-    },
-)
+fun main(args: Array<String>) {
+    val (commands, arguments) = program(args)
+    exitProcess(commands.execute(*arguments))
+}
+
+/** The program that [args] are for, and its own arguments. */
+internal fun program(args: Array<String>): Pair<CommandLine, Array<String>> {
+    val rest = args.drop(1).toTypedArray()
+    return when (args.firstOrNull()) {
+        "demo" -> commandLine(CollisionCommand(), "./argo demo") to rest
+        "experiment" -> commandLine(ExperimentCommand(), "./argo experiment") to rest
+        else -> commandLine(Samples(), "./argo sample") to args
+    }
+}
 
 private fun commandLine(command: Any, name: String) = CommandLine(command)
     .setCommandName(name)

@@ -48,15 +48,23 @@ internal class Container private constructor(val name: String, val port: Int, pr
          */
         fun start(project: Path, name: String, port: Int, mainPort: Int, said: (String) -> Unit): Container {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-            val role = if (port == mainPort) emptyList() else listOf("-container")
-            val command = listOf(java, "-cp", System.getProperty("java.class.path"), "jason.infra.jade.RunJadeMAS", "${project.fileName}") + role +
-                listOf("-container-name", name, "-host", HOST, "-port", "$mainPort", "-local-host", HOST, "-local-port", "$port", "-nomtp") +
-                listOf("-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true", "--no-net", "true")
+            val command = listOf(java, "-cp", System.getProperty("java.class.path")) + program("${project.fileName}", name, Address(HOST, port), Address(HOST, mainPort))
             val process = ProcessBuilder(command).directory(project.parent.toFile()).redirectErrorStream(true).start()
             return Container(name, port, process, said)
+        }
+
+        /** What Java is to run for the container [name] of [project] that listens at [own], while the main container listens at [main]. */
+        fun program(project: String, name: String, own: Address, main: Address): List<String> {
+            val role = if (own == main) emptyList() else listOf("-container")
+            return listOf("jason.infra.jade.RunJadeMAS", project) + role +
+                listOf("-container-name", name, "-host", main.host, "-port", "${main.port}", "-local-host", own.host, "-local-port", "${own.port}", "-nomtp") +
+                listOf("-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true", "--no-net", "true")
         }
 
         /** The address that all containers of the sample have. */
         const val HOST = "127.0.0.1"
     }
+
+    /** Where a container listens. */
+    data class Address(val host: String, val port: Int)
 }

@@ -18,6 +18,12 @@ class Document(private val root: Path, val path: Path) {
     /** The blocks between fences, in their order. */
     val snippets: List<Snippet> by lazy { snippetsOf(path.readLines()) }
 
+    /** What stands between single backquotes outside of the blocks, on one line or over the end of one. */
+    val spans: List<Snippet> by lazy {
+        val sentences = FENCED.replace(text) { block -> "\n".repeat(block.value.count { it == '\n' }) }
+        SPAN.findAll(sentences).map { Snippet(name, sentences.substring(0, it.range.first).count { char -> char == '\n' } + 1, "", it.groupValues[1].replace('\n', ' ')) }.toList()
+    }
+
     /** Where links lead that stay in the repository, without the part behind `#`. */
     val links: List<String>
         get() = LINK.findAll(FENCED.replace(text, "")).map { it.groupValues[1] }.filterNot { "://" in it || it.startsWith("mailto:") }.toList()
@@ -52,6 +58,7 @@ class Document(private val root: Path, val path: Path) {
 
     companion object {
         private val LINK = Regex("""\[[^\]]*]\(([^) ]+)\)""")
+        private val SPAN = Regex("""`([^`]+)`""")
         private val HEADING = Regex("""(?m)^#+ +(.+?) *$""")
         private val FENCED = Regex("""(?ms)^ *```.*?^ *```""")
 

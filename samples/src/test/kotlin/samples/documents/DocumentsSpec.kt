@@ -11,6 +11,7 @@ import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Agent
 import jason.asSyntax.parser.as2j
+import jason.util.Config
 import org.jetbrains.kotlin.cli.common.ExitCode
 import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 import java.io.ByteArrayOutputStream
@@ -59,6 +60,16 @@ class DocumentsSpec : FunSpec({
         written("json").filter { "\"rules\"" in it.text }.forEach { test("$it") { JsonFilters.read(it.text, "$it") } }
     }
 
+    context("the versions are those that this repository is built with in") {
+        val built = root.resolve("gradle/libs.versions.toml").readText()
+        written("kts").forEach { snippet ->
+            test("$snippet") {
+                val shown = Regex("""\d+\.\d+\.\d+""").findAll(snippet.text).map { it.value }.toList()
+                withClue(shown) { shown.filterNot { "\"$it\"" in built }.shouldBeEmpty() }
+            }
+        }
+    }
+
     context("Kotlin compiles") {
         documents.filter { document -> document.snippets.any { it.language == "kotlin" } }.forEach { document ->
             test("$document") {
@@ -74,20 +85,13 @@ class DocumentsSpec : FunSpec({
             }
         }
     }
-
-    context("./argo knows what is told to it in") {
-        val commands = Regex("""(?m)^  ([a-z]+)[ \[]""").findAll(ProcessBuilder("$root/argo").start().inputReader().readText()).map { it.groupValues[1] }.toSet()
-        (written("sh") + written("console")).forEach { snippet ->
-            val told = Regex("""\./argo ([a-z]+)""").findAll(snippet.text).map { it.groupValues[1] }.toList()
-            if (told.isNotEmpty()) test("$snippet") { withClue(commands) { (told - commands).shouldBeEmpty() } }
-        }
-    }
 })
 
-/** `text` is what somebody reads or a program prints, `console` what is typed and what then is printed; `cpp`, `c` and `ini` are tried by the firmware's tests or not at all. */
-private val LANGUAGES = setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "java", "sh", "console", "cpp", "c", "ini", "text")
+/** `text` is what somebody reads or a program prints, `console` what is typed and what then is printed. What is typed is tried by CommandsSpec, `cpp` and `c` by FirmwareSnippetsSpec. */
+private val LANGUAGES = setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "text")
 
 private fun readAgent(text: String) {
+    Config.get()[Config.START_WEB_MI] = "false" // else a server would show each of these agents
     val agent = Agent().apply { initAg() }
     as2j(StringReader(text)).agent(agent)
 }

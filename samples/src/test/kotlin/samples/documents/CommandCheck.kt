@@ -1,0 +1,116 @@
+package samples.documents
+
+import picocli.CommandLine
+import picocli.CommandLine.ParameterException
+import samples.program
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.isExecutable
+import kotlin.io.path.name
+import kotlin.io.path.readText
+
+/** Tells of a command, without running it, whether the repository that lies at [root] has all that it names: programs, their options, tasks, modules, files. */
+class CommandCheck(private val root: Path) {
+    private val usage = ProcessBuilder("$root/argo").start().inputReader().use { it.readText() }
+
+    /** The words behind `./argo` that its usage shows. */
+    val verbs: Set<String> = Regex("""(?m)^  ([a-z]+)[ \[]""").findAll(usage).map { it.groupValues[1] }.toSet()
+
+    /** What is wrong with [words]; null: nothing. */
+    fun problem(words: List<String>): String? {
+        val rest = words.drop(1).filterNot { it in PLACEHOLDERS }
+        return when (words.first()) {
+            "./argo" -> argo(rest)
+            "java" -> java(rest)
+            "mvn" -> maven(rest)
+            "gradle", "./gradlew" -> gradle(rest)
+            "make" -> rest.firstOrNull { !Regex("(?m)^$it:").containsMatchIn(root.resolve("javino-arduino/Makefile").readText()) }?.let { "the Makefile has no target $it" }
+            "./check", "./package" -> missing(root.resolve("javino-arduino/${words.first()}").takeIf { it.isExecutable() }, words.first()) ?: unheardOf(root.resolve("javino-arduino/${words.first()}"), rest)
+            "build/simulator" -> unheardOf(root.resolve("javino-arduino/simulator/main.c"), rest.map { it.trim('[', ']') }.filter { it.startsWith("--") })
+            "alias" -> java(rest.single().substringAfter("=").split(" ").drop(1))
+            "source" -> tool(rest.joinToString(" ").removePrefix("<(argo ").removeSuffix(")").split(" "))
+            else -> "nothing is known of ${words.first()}"
+        }
+    }
+
+    private fun argo(words: List<String>): String? {
+        val verb = words.firstOrNull() ?: return null
+        val rest = words.drop(1)
+        return when (verb) {
+            !in verbs -> "./argo has no $verb, it has: ${verbs.joinToString()}"
+            "demo", "experiment" -> sample(words)
+            "sample" -> if (rest.isEmpty()) null else sample(rest)
+            "tools" -> tool(rest)
+            "new" -> if (rest.isEmpty()) null else tool(words)
+            "bench" -> rest.firstOrNull { !Regex("""\b$it \(""").containsMatchIn(usage) }?.let { "./argo bench has no $it" }
+            else -> if (rest.isEmpty()) null else "./argo $verb takes no arguments"
+        }
+    }
+
+    private fun sample(words: List<String>): String? = program(words.toTypedArray()).let { (commands, arguments) -> refusal(commands, arguments.asList()) }
+
+    private fun tool(words: List<String>): String? = refusal(TOOLS(), words)
+
+    private fun refusal(commands: CommandLine, words: List<String>): String? = try {
+        commands.parseArgs(*words.toTypedArray())
+        null
+    } catch (refused: ParameterException) {
+        refused.message
+    }
+
+    private fun java(words: List<String>): String? {
+        val options = words.takeWhile { it.startsWith("--") }
+        val rest = words.drop(options.size)
+        return when {
+            options.any { it != "--enable-native-access=ALL-UNNAMED" } -> "an option for Java that is none: $options"
+            rest.isEmpty() -> null
+            rest[0] == "-jar" -> if (Path.of(rest[1]).name == "argo.jar") tool(rest.drop(2)) else "there is no ${rest[1]}"
+            rest[0] == "-cp" -> missing(runCatching { Class.forName(rest[2], false, javaClass.classLoader) }.getOrNull(), rest[2])
+            else -> "Java is not told what to run"
+        }
+    }
+
+    private fun maven(words: List<String>): String? {
+        val own = listOf(root.resolve("pom.xml"), root.resolve(NEW_PROJECT).resolve("pom.xml")).joinToString("\n") { it.readText() }
+        val module = words.getOrNull(words.indexOf("-pl") + 1).takeIf { "-pl" in words }
+        return words.filterNot { it == module }.firstNotNullOfOrNull { word ->
+            when {
+                word in setOf("-q", "-o", "-B", "-am", "-pl") || word in PHASES || word.startsWith("-Dsurefire.") -> null
+                word.startsWith("-Dtest=") -> missing(source("${word.removePrefix("-Dtest=")}.kt"), word)
+                ":" in word -> missing("<artifactId>${word.substringBefore(':')}-maven-plugin</artifactId>".takeIf { it in own }, "a plugin for $word")
+                else -> "Maven has no $word"
+            }
+        } ?: module?.let { missing(root.resolve("$it/pom.xml").takeIf { pom -> pom.exists() }, "a module $it") }
+    }
+
+    private fun gradle(words: List<String>): String? = words.firstNotNullOfOrNull { word ->
+        val task = word.substringAfterLast(':')
+        val build = word.substringBeforeLast(':', "").trim(':').let { if (it.isEmpty()) root.resolve("build.gradle.kts") else root.resolve("$it/build.gradle.kts") }
+        when {
+            word.startsWith("--args=") -> sample(word.removePrefix("--args=").split(" "))
+            !build.exists() -> "there is no project for $word"
+            task == "build" || task == "test" -> null
+            task == "publishToMavenLocal" -> missing("maven-publish".takeIf { it in build.readText() }, "the plugin maven-publish")
+            task == "run" && ':' in word -> missing("application".takeIf { it in build.readText() }, "the plugin application in $word")
+            else -> missing("'$task'".takeIf { it in root.resolve(NEW_PROJECT).resolve("build.gradle").readText() }, "a task $task")
+        }
+    }
+
+    private fun source(name: String): Path? = root.toFile().walk().onEnter { it.name !in setOf("target", "build", ".git") }.find { it.name == name }?.toPath()
+
+    private fun unheardOf(program: Path, options: List<String>): String? = program.readText().let { text -> options.find { it !in text } }?.let { "$program knows nothing of $it" }
+
+    private fun missing(found: Any?, what: String): String? = if (found == null) "there is no $what" else null
+
+    private companion object {
+        /** What a project that `./argo new` makes is made of. */
+        const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
+        val PHASES = setOf("clean", "compile", "test", "package", "verify", "install")
+
+        /** Words that stand for any. */
+        val PLACEHOLDERS = setOf("COMMAND", "…")
+
+        /** The command line of the tools in argo.jar, which they keep to themselves. */
+        val TOOLS: () -> CommandLine = Class.forName("argo.tools.MainKt").getMethod("tools").let { tools -> { tools.invoke(null) as CommandLine } }
+    }
+}

@@ -1,0 +1,69 @@
+package samples.documents
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import samples.fleet.Container
+import samples.fleet.Container.Address
+import java.nio.file.Path
+
+/** Every command that a page tells its reader to type is one that there is, with these options. */
+class CommandsSpec : FunSpec({
+    val root = Path.of("..").toRealPath()
+    val commands = Document.all(root).associateWith(ToldCommand::of)
+    val check = CommandCheck(root)
+
+    test("commands are found between fences, in sentences and in tables") {
+        val told = commands.values.flatten().map { it.text }
+        listOf("./argo new my-robot", "mvn -q compile exec:exec", "./argo bench latency", "java -jar lib/argo.jar ports --probe").forEach { told shouldContain it }
+    }
+
+    test("a command that does not exist is noticed") {
+        val wrong = listOf(
+            "./argo fly", "./argo demo --fly", "./argo demo --limit far", "./argo sample fly", "./argo bench fly", "./argo jar fly", "./argo tools fly", "./argo new a b",
+            "java -jar argo.jar ports --fly", "java -jar argo.jar request ttyACM0", "java -jar agro.jar", "java -cp lib/* no.such.Program", "mvn fly", "mvn fly:fly",
+            "mvn -pl fly test", "mvn -Dtest=FlySpec test", "gradle fly", "./gradlew :fly:run", "./gradlew :samples:run --args=fly", "make fly", "./check --fly", "fly",
+        )
+        wrong.forEach { withClue(it) { check.problem(it.split(" ")) shouldNotBe null } }
+    }
+
+    context("there is what is told in") {
+        commands.filterValues { it.isNotEmpty() }.forEach { (document, told) ->
+            test("$document") {
+                told.filter { NOT_TRIED.keys.none(it.text::startsWith) }.forEach { command ->
+                    withClue(command) { if (command.words[0] == "cd") folder(command, told) else check.problem(command.words) shouldBe null }
+                }
+            }
+        }
+    }
+
+    test("what is not tried is still told somewhere") {
+        NOT_TRIED.keys.filterNot { start -> commands.values.flatten().any { it.text.startsWith(start) } }.shouldBeEmpty()
+    }
+
+    test("containers on several computers are started as the sample starts its own") {
+        val main = Address("10.8.0.1", 1099)
+        val told = commands.entries.single { it.key.name == "docs/several-computers.md" }.value.filter { it.words[0] == "java" }.map { it.words.drop(3) }
+        told shouldBe listOf(
+            Container.program("fleet.mas2j", "main", main, main),
+            Container.program("fleet.mas2j", "scout1", Address("10.8.0.11", 1100), main),
+        )
+    }
+})
+
+/** The beginnings of the commands that nothing tries, and why. */
+private val NOT_TRIED = mapOf(
+    "sudo usermod" to "changes the machine",
+    "lsusb" to "is the system's",
+    "ssh" to "needs another computer",
+    "cc " to "is run by FirmwareSnippetsSpec",
+    "./board " to "needs a board; javino-arduino/tests/e2e/posix.py runs it on a pseudo-terminal",
+)
+
+/** A reader is sent into a folder that a command before has made. */
+private fun folder(command: ToldCommand, told: List<ToldCommand>) {
+    told.takeWhile { it !== command }.map { it.text } shouldContain "./argo new ${command.words[1]}"
+}

@@ -1,0 +1,76 @@
+package samples.documents
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.ints.shouldBeExactly
+import java.io.File
+import java.nio.file.Path
+
+/** What pages show of sketches and of C is compiled against the board's library, on this machine, with all warnings as errors. */
+class FirmwareSnippetsSpec : FunSpec({
+    val root = Path.of("..").toRealPath()
+    val library = root.resolve("javino-arduino").toFile()
+    val documents = Document.all(root)
+    val folder = tempdir()
+    val warnings = "-Wall -Wextra -Werror"
+    fun compiler(program: String): EnabledOrReasonIf = { if (onPath(program)) Enabled.enabled else Enabled.disabled("there is no $program: install g++ with your package manager") }
+
+    test("there are sketches and C on the pages") {
+        listOf("cpp", "c").forEach { language -> documents.flatMap { it.snippets }.filter { it.language == language }.shouldNotBeEmpty() }
+    }
+
+    context("a sketch for Arduino is") {
+        documents.flatMap { it.snippets }.filter { it.language == "cpp" }.forEach { snippet ->
+            test("$snippet").config(enabledOrReasonIf = compiler("c++")) {
+                val sketch = folder.resolve("Sketch.ino").apply { writeText(snippet.text + "\n") }
+                // the prototypes that the Arduino tools add
+                library.runs("awk -f tests/prototypes.awk '$sketch' '$sketch' > '$folder/sketch.cpp'")
+                library.runs("c++ -std=c++11 $warnings -Itests/stub -Isrc -c '$folder/sketch.cpp' -o '$folder/sketch.o'")
+            }
+        }
+    }
+
+    context("a program in C99 is") {
+        documents.filter { page -> page.snippets.any { it.language == "c" } }.forEach { document ->
+            test("$document").config(enabledOrReasonIf = compiler("cc")) {
+                val body = document.snippets.filter { it.language == "c" }.joinToString("\n") { it.text }
+                val program = folder.resolve("program.c").apply { writeText("$OF_THE_READER\nvoid program(void) {\n$body\n}\n") }
+                library.runs("cc -std=c99 -pedantic $warnings -Isrc -c '$program' -o '$folder/program.o'")
+            }
+        }
+    }
+
+    context("the compiler is called rightly in") {
+        documents.flatMap(ToldCommand::of).filter { it.words[0] == "cc" }.forEach { command ->
+            test("$command").config(enabledOrReasonIf = compiler("cc")) { library.runs(command.text.replace(Regex("-o (\\S+)$"), "-o '$folder/$1'")) }
+        }
+    }
+})
+
+/** What a page leaves to its reader's own microcontroller. */
+private val OF_THE_READER = """
+    #include "javino_board.h"
+    #include "javino_literal.h"
+    bool uart_has_byte(void);
+    uint8_t uart_take_byte(void);
+    void uart_put_byte(void *context, uint8_t byte);
+    int read_light(void);
+    bool act(const char *text, size_t length);
+    void stop_motors(void);
+    void program(void);
+    extern uint16_t now;
+    extern uint32_t now_32;
+""".trimIndent()
+
+private fun onPath(program: String) = System.getenv("PATH").split(File.pathSeparator).any { File(it, program).canExecute() }
+
+/** Has a shell run [command] in this folder. */
+private fun File.runs(command: String) {
+    val shell = ProcessBuilder("sh", "-c", command).directory(this).redirectErrorStream(true).start()
+    val said = shell.inputReader().use { it.readText() }
+    withClue("$command\n$said") { shell.waitFor() shouldBeExactly 0 }
+}
