@@ -10,6 +10,7 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
+import jason.infra.local.LocalAgArch
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
@@ -250,8 +251,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun stop() {
         view?.close()
         if (::ports.isInitialized) ports.stop()
-        super.stop()
+        if (!eachIsStopped) super.stop()
     }
+
+    /** Whether Jason stops each architecture of this agent: its Local infrastructure does, others the first one alone, and not each bears being stopped twice. */
+    private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }
 
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {
         val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING

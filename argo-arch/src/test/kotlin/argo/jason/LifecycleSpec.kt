@@ -1,11 +1,14 @@
 package argo.jason
 
+import argo.Arch
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.architecture.AgArch
 import javino.FakeBoard
 import javino.Link
+import java.util.concurrent.CopyOnWriteArrayList
 
 private const val LIMIT_MS = 20_000
 
@@ -110,7 +113,39 @@ class LifecycleSpec : FunSpec({
             }
         }
     }
+
+    test("an architecture behind it is stopped once, by the Local infrastructure, which stops each") {
+        CountedStops.all.clear()
+        TestMas().use { it.agent("bob", "", behind = CountedStops::class.java.name) }
+        CountedStops.all.map { it.stops } shouldBe listOf(1)
+    }
+
+    test("an architecture behind it is stopped once where the first one alone is told, as on JADE") {
+        val behind = CountedStops()
+        behind.insertAgArch(Arch())
+        behind.firstAgArch.stop()
+        behind.stops shouldBe 1
+    }
 })
+
+/** An architecture, such as CArtAgO's, for which it matters how often it is stopped. Jason makes it, so all of them are kept. */
+class CountedStops : AgArch() {
+    var stops = 0
+        private set
+
+    init {
+        all += this
+    }
+
+    override fun stop() {
+        stops++
+        super.stop()
+    }
+
+    companion object {
+        val all = CopyOnWriteArrayList<CountedStops>()
+    }
+}
 
 private fun threads(): List<String> = Thread.getAllStackTraces().keys.map { it.name }
 

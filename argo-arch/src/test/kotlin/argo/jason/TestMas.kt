@@ -43,12 +43,12 @@ class TestMas : AutoCloseable {
     /** What has been logged so far, one message a line. */
     val log: String get() = records.joinToString("\n") { "${it.level} ${it.loggerName}: ${it.message}" }
 
-    /** Starts an agent with [program]; [options] are those in brackets in a `.mas2j`. */
-    fun agent(name: String, program: String, arch: String? = "argo.Arch", options: Map<String, String> = emptyMap()) {
+    /** Starts an agent with [program]; [options] are those in brackets in a `.mas2j`, [behind] is a second architecture. */
+    fun agent(name: String, program: String, arch: String? = "argo.Arch", options: Map<String, String> = emptyMap(), behind: String? = null) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val settings = Settings().apply { setOptions(HashMap<String, Any>(options)) }
         val services = RuntimeServicesFactory.get()
-        val created = services.createAgent(name, source.toString(), null, listOfNotNull(arch), null, settings, null)
+        val created = services.createAgent(name, source.toString(), null, listOfNotNull(arch, behind), null, settings, null)
         services.startAgent(created)
     }
 
