@@ -87,8 +87,8 @@ class DocumentsSpec : FunSpec({
     }
 })
 
-/** `text` is what somebody reads or a program prints, `console` what is typed and what then is printed. What is typed is tried by CommandsSpec, `cpp` and `c` by FirmwareSnippetsSpec. */
-private val LANGUAGES = setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "text")
+/** `text` is what somebody reads or a program prints, `console` what is typed and what then is printed. What is typed is tried by CommandsSpec, `cpp` and `c` by FirmwareSnippetsSpec, `jcm` by JaCaMoSpec. */
+private val LANGUAGES = setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "text")
 
 private fun readAgent(text: String) {
     Config.get()[Config.START_WEB_MI] = "false" // else a server would show each of these agents
