@@ -9,9 +9,9 @@ import java.io.PrintWriter
 import java.nio.charset.Charset
 import kotlin.system.exitProcess
 
-/** Runs the tool that the arguments name, and ends the program with its exit status: 0 done, 1 failed, 2 wrong arguments. */
+/** Runs the tool that the arguments name, and ends the program with its exit status: 0 done, 1 failed, 2 wrong arguments. The property `argo.command` is what has been typed to run it. */
 fun main(args: Array<String>) {
-    val commands = tools().setOut(standardOut())
+    val commands = tools().setOut(standardOut()).setCommandName(System.getProperty("argo.command") ?: "java -jar argo.jar")
     val status = commands.execute(*args)
     commands.out.flush()
     exitProcess(status)
