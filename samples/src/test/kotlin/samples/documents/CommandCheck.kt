@@ -75,7 +75,8 @@ class CommandCheck(private val root: Path) {
         val module = words.getOrNull(words.indexOf("-pl") + 1).takeIf { "-pl" in words }
         return words.filterNot { it == module }.firstNotNullOfOrNull { word ->
             when {
-                word in setOf("-q", "-o", "-B", "-am", "-pl") || word in PHASES || word.startsWith("-Dsurefire.") -> null
+                word in setOf("-q", "-o", "-B", "-am", "-pl") || word in GOALS || word.startsWith("-Dsurefire.") -> null
+                word.startsWith("-DincludeScope=") || word.startsWith("-DoutputDirectory=") -> missing("dependency:copy-dependencies".takeIf { it in words }, "goal for $word")
                 word.startsWith("-Dtest=") -> missing(source("${word.removePrefix("-Dtest=")}.kt"), word)
                 ":" in word -> missing("<artifactId>${word.substringBefore(':')}-maven-plugin</artifactId>".takeIf { it in own }, "a plugin for $word")
                 else -> "Maven has no $word"
@@ -105,7 +106,9 @@ class CommandCheck(private val root: Path) {
     private companion object {
         /** What a project that `./argo new` makes is made of. */
         const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
-        val PHASES = setOf("clean", "compile", "test", "package", "verify", "install")
+
+        /** What every Maven does. */
+        val GOALS = setOf("clean", "compile", "test", "package", "verify", "install", "dependency:copy-dependencies")
 
         /** Words that stand for any. */
         val PLACEHOLDERS = setOf("COMMAND", "…")
