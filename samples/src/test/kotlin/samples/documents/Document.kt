@@ -1,13 +1,9 @@
 package samples.documents
 
-import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.exists
-import kotlin.io.path.extension
-import kotlin.io.path.isRegularFile
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
-import kotlin.streams.asSequence
 
 /** A page of the documentation, as it lies at [path] under the repository's [root]. */
 class Document(private val root: Path, val path: Path) {
@@ -62,11 +58,9 @@ class Document(private val root: Path, val path: Path) {
         private val HEADING = Regex("""(?m)^#+ +(.+?) *$""")
         private val FENCED = Regex("""(?ms)^ *```.*?^ *```""")
 
-        /** All pages of the repository that lies at [root]. */
-        fun all(root: Path): List<Document> = Files.walk(root).use { files ->
-            files.asSequence().filter { it.isRegularFile() && it.extension == "md" && root.relativize(it).none { part -> "$part" in NOT_OURS } }
-                .map { Document(root, it) }.sortedBy { it.name }.toList()
-        }
+        /** All pages of the repository that lies at [root], without those of projects that `./argo new` has made in it. */
+        fun all(root: Path): List<Document> = root.toFile().walk().onEnter { it.name !in NOT_OURS && !it.resolve("lib/argo.jar").exists() }
+            .filter { it.isFile && it.extension == "md" }.map { Document(root, it.toPath()) }.sortedBy { it.name }.toList()
 
         private val NOT_OURS = setOf("target", "build", "dist", ".argo", ".git", ".gradle")
 

@@ -29,7 +29,8 @@ class DocumentsSpec : FunSpec({
     fun written(language: String) = snippets.filter { it.language == language }
 
     test("the pages are found") {
-        documents.map { it.name } shouldContainAll listOf("README.md", "docs/filters.md", "samples/blink/README.md", "javino-arduino/README.md")
+        documents.map { it.name } shouldContainAll
+            listOf("README.md", "docs/filters.md", "samples/blink/README.md", "javino-arduino/README.md", "argo-tools/src/main/resources/argo/tools/project/README.md")
     }
 
     test("the page on internal actions says what the sources say") {
