@@ -43,9 +43,40 @@ class TwinBuildsSpec : FunSpec({
         }
     }
 
+    test("both leave the same entries out of the jar") {
+        val pom = root.resolve("argo-arch/pom.xml").readText()
+        val script = root.resolve("argo-arch/build.gradle.kts").readText()
+        values(pom, "<exclude>([^<]+)</exclude>") shouldBe values(checkNotNull(Regex("exclude\\((.+)\\)").find(script)).value, "\"([^\"]+)\"")
+    }
+
+    test("both put the same Jason projects and filters on the samples' class path") {
+        val pom = root.resolve("samples/pom.xml").readText()
+        val script = root.resolve("samples/build.gradle.kts").readText()
+        val folders = checkNotNull(Regex("listOf\\((.+)\\)\\.forEach").find(script)) { "no list of the Jason projects in the script" }.groupValues[1]
+        values(pom, "<include>([^<]+)/\\*\\*</include>") shouldBe values(folders, "\"([^\"]+)\"")
+        values(pom, "<directory>([^<]+)</directory><targetPath>filters</targetPath>") shouldBe values(script, "from\\(\"([^\"]+)\"\\) \\{ into\\(\"filters\"\\)")
+    }
+
+    test("both tell the samples' tests of the same files") {
+        val pom = root.resolve("samples/pom.xml").readText().substringAfter("<systemPropertyVariables>").substringBefore("</systemPropertyVariables>")
+        val script = root.resolve("samples/build.gradle.kts").readText()
+        values(pom, "<([\\w.]+)>") shouldBe values(script, "systemProperty\\(\"([\\w.]+)\"")
+    }
+
+    test("a new project's Gradle build fetches its plugins from where this one does") {
+        val repositories = Regex("pluginManagement \\{ repositories \\{.+")
+        val own = repositories.find(root.resolve("settings.gradle.kts").readText())?.value
+        val made = repositories.find(root.resolve("argo-tools/src/main/resources/argo/tools/project/settings.gradle").readText())?.value
+        made shouldBe checkNotNull(own) { "no pluginManagement in the settings" }
+    }
+
     for (module in gradle.modules.keys) {
         test("both give $module the same dependencies") {
             maven.modules[module] shouldBe gradle.modules[module]
         }
     }
 })
+
+/** What the group of [pattern] matches in [text], all of it; fails when nothing does, since then nothing would be compared. */
+private fun values(text: String, pattern: String): Set<String> =
+    Regex(pattern).findAll(text).map { it.groupValues[1] }.toSet().also { check(it.isNotEmpty()) { "no $pattern in\n$text" } }
