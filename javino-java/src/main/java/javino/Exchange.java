@@ -6,8 +6,8 @@ package javino;
  * <p>One thread at a time, but for what says that any may call it.
  */
 final class Exchange {
-    /** What is asked of a board to find out whether it runs, and in which version: every board answers it and none acts on it. */
-    private static final Frame READINESS_REQUEST = Frame.of("getPercepts");
+    /** What is asked of a board to find out whether it runs, and in which version. */
+    private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
 
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int REPEAT_MILLIS = 250;

@@ -36,7 +36,7 @@ public final class FakeBoard implements AutoCloseable {
         this.name = name;
         record = new FakeBoardRecord(port(), clock);
         sketch = new FakeBoardSketch(script, record, clock);
-        whenAsked("getPercepts").answer("");
+        whenAsked(PerceptsRequest.ALL).answer("");
     }
 
     /**

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * What travels as a unit: of version 1 of the Javino protocol {@code fffe}, the payload's length in two hexadecimal digits, the payload; of
@@ -66,7 +67,7 @@ public final class Frame {
         for (int i = 0; i < text.length(); i++) {
             char c = text.charAt(i);
             if (c > 0xFF) {
-                throw new IllegalArgumentException(String.format(
+                throw new IllegalArgumentException(String.format(Locale.ROOT,
                         "a message carries one byte per character, but character %d of %s is U+%04X; the highest is U+00FF",
                         i + 1, quoted(text), (int) c));
             }
@@ -139,12 +140,13 @@ public final class Frame {
 
     private static void checkLength(int length, String text) {
         if (length > MAX_PAYLOAD) {
-            throw new IllegalArgumentException(String.format(
+            throw new IllegalArgumentException(String.format(Locale.ROOT,
                     "a message has at most %d bytes, but %s has %d", MAX_PAYLOAD, quoted(text), length));
         }
     }
 
-    private static String quoted(String text) {
+    /** {@code text} in quotes, for a message to a person: its beginning if it is long. */
+    static String quoted(String text) {
         return text.length() <= 40 ? '"' + text + '"' : '"' + text.substring(0, 40) + "...\"";
     }
 

@@ -15,7 +15,8 @@ import java.util.List;
  *
  * <p>As a file it is text in UTF-8: the line {@code javino-recording 1}, and a line for each message, {@code <ms>\t<in|out>\t<message>}.
  * {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a backslash, a tab and line ends in a message, <code>&#92;u0007</code> for
- * another control character. Empty lines, and lines that begin with {@code #}, say nothing. {@link RecordingWriter} writes it.
+ * another control character. Empty lines, and lines that begin with {@code #}, say nothing; other
+ * lines have at most 1,048,576 characters. {@link RecordingWriter} writes it.
  *
  * @param entries the messages; their times never go back
  */
@@ -24,8 +25,6 @@ public record Recording(List<Entry> entries) {
     static final String HEADER = "javino-recording 1";
 
     private static final String HEADER_WORD = "javino-recording ";
-    private static final int MOST_HEADER = 64;
-    private static final int BYTE_ORDER_MARK = 0xFEFF;
 
     /** Which way a message went. */
     public enum Direction {
@@ -57,7 +56,7 @@ public record Recording(List<Entry> entries) {
             }
             message.chars().filter(c -> c > HIGHEST).findFirst().ifPresent(c -> {
                 throw new IllegalArgumentException(String.format(
-                        "a message carries one byte per character, but one of \"%s\" is U+%04X; the highest is U+00FF", message, c));
+                        "a message carries one byte per character, but one of %s is U+%04X; the highest is U+00FF", Frame.quoted(message), c));
             });
         }
     }
@@ -80,7 +79,7 @@ public record Recording(List<Entry> entries) {
 
     /** Whether the board was asked for its percepts, rather than speaking by itself. */
     public boolean isOfRequests() {
-        return entries.stream().anyMatch(entry -> entry.direction() == Direction.OUT && ReplayBoard.isRequest(entry.message()));
+        return entries.stream().anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));
     }
 
     /**
@@ -97,42 +96,21 @@ public record Recording(List<Entry> entries) {
 
     /** As {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
     public static Recording read(Reader text, String source) throws IOException {
-        BufferedReader lines = new BufferedReader(text);
+        RecordingLines lines = new RecordingLines(text);
         List<Entry> entries = new ArrayList<>();
-        int number = 1;
         try {
-            requireHeader(firstLine(lines), source);
-            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                number++;
+            requireHeader(lines.header(), source);
+            for (String line = lines.next(); line != null; line = lines.next()) {
                 if (!line.isEmpty() && !line.startsWith("#")) {
                     entries.add(entry(line, entries.isEmpty() ? 0 : entries.get(entries.size() - 1).millis()));
                 }
             }
         } catch (CharacterCodingException e) {
-            throw new MalformedRecordingException(source, number, "bytes that are not UTF-8");
+            throw new MalformedRecordingException(source, lines.number(), "bytes that are not UTF-8");
         } catch (IllegalArgumentException e) {
-            throw new MalformedRecordingException(source, number, e.getMessage());
+            throw new MalformedRecordingException(source, lines.number(), e.getMessage());
         }
         return new Recording(entries);
-    }
-
-    /** The first line, without the mark that some editors put before it; no more of it than a header can have, since the file may be anything. */
-    private static String firstLine(BufferedReader text) throws IOException {
-        StringBuilder line = new StringBuilder();
-        int character = text.read();
-        if (character == BYTE_ORDER_MARK) {
-            character = text.read();
-        }
-        for (; character >= 0 && character != '\n' && character != '\r' && line.length() < MOST_HEADER; character = text.read()) {
-            line.append((char) character);
-        }
-        if (character == '\r') {
-            text.mark(1);
-            if (text.read() != '\n') {
-                text.reset();
-            }
-        }
-        return line.toString();
     }
 
     private static void requireHeader(String line, String source) throws MalformedRecordingException {
@@ -159,7 +137,7 @@ public record Recording(List<Entry> entries) {
 
     private static long millis(String written) {
         if (!written.matches("[0-9]{1,18}")) {
-            throw new IllegalArgumentException("\"" + written + "\" is not a time in whole milliseconds");
+            throw new IllegalArgumentException(Frame.quoted(written) + " is not a time in whole milliseconds");
         }
         return Long.parseLong(written);
     }
@@ -170,6 +148,6 @@ public record Recording(List<Entry> entries) {
                 return direction;
             }
         }
-        throw new IllegalArgumentException("\"" + written + "\" is no direction; a message goes \"in\" or \"out\"");
+        throw new IllegalArgumentException(Frame.quoted(written) + " is no direction; a message goes \"in\" or \"out\"");
     }
 }

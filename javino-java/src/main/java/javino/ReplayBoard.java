@@ -70,11 +70,6 @@ public final class ReplayBoard implements SimulatedBoard {
         return new ReplayBoard(said, asked, inTurn, repeated, listener, clock);
     }
 
-    /** Whether a message asks a board for its percepts, all or some. */
-    static boolean isRequest(String message) {
-        return message.equals("getPercepts") || message.startsWith("getPercepts(");
-    }
-
     @Override
     public void run(Transport line) throws PortException, InterruptedException {
         new Run(line).run();
@@ -176,7 +171,7 @@ public final class ReplayBoard implements SimulatedBoard {
             version = frame.version();
             if (!voice.isRepeated(frame)) {
                 String message = frame.text();
-                if (!isRequest(message)) {
+                if (!PerceptsRequest.isIn(message)) {
                     commands.accept(message);
                 } else if (asked) {
                     say(answer(), frame.version());

@@ -14,6 +14,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import javino.Recording.Direction
+import java.io.Reader
 import java.io.StringReader
 import java.io.StringWriter
 
@@ -50,12 +51,19 @@ class RecordingSpec : FunSpec({
     }
 
     test("of what is no recording no more is read than shows it") {
-        val endless = object : java.io.Reader() {
-            override fun read(into: CharArray, from: Int, length: Int) = length.also { into.fill('0', from, from + length) }
+        shouldThrow<MalformedRecordingException> { Recording.read(Endless(""), "zeros") }.message shouldContain "the first line of a recording is"
+    }
 
-            override fun close() = Unit
-        }
-        shouldThrow<MalformedRecordingException> { Recording.read(endless, "zeros") }.message shouldContain "the first line of a recording is"
+    test("of a line that never ends no more is kept than a line can have, and of a comment nothing") {
+        val header = "javino-recording 1\n"
+        shouldThrow<MalformedRecordingException> { Recording.read(Endless(header + "7\tin\t"), "robot.rec") }.message shouldBe
+            "robot.rec:2: a line of a recording has at most 1048576 characters, and this one has more"
+        read("$header# ${"0".repeat(3 shl 20)}\r\n\r\n7\tin\ta\r\n").entries() shouldBe listOf(Recording.Entry(7, Direction.IN, "a"))
+        read("${header}7\tin\t${"a".repeat(1 shl 19)}").entries().single().message().length shouldBe (1 shl 19)
+    }
+
+    test("a message says no more of a line than shows which it is") {
+        shouldThrow<MalformedRecordingException> { read("javino-recording 1\n${"x".repeat(100_000)}\tin\ta\n") }.message!!.length shouldBe 94
     }
 
     test("whether the board was asked is seen from what was sent") {
@@ -90,3 +98,15 @@ class RecordingSpec : FunSpec({
 })
 
 private const val START = -7_000_000_000L
+
+/** [beginning], and then zeros for ever. */
+private class Endless(private val beginning: String) : Reader() {
+    private var at = 0
+
+    override fun read(into: CharArray, from: Int, length: Int): Int {
+        (0 until length).forEach { into[from + it] = beginning.getOrElse(at++) { '0' } }
+        return length
+    }
+
+    override fun close() = Unit
+}

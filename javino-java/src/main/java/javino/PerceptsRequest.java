@@ -1,0 +1,32 @@
+package javino;
+
+import java.util.Arrays;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * The request for percepts: {@code getPercepts} for all, and to a board of version 2 {@code getPercepts(dist,light)} for those of some
+ * functors.
+ */
+public final class PerceptsRequest {
+    /** Asks for all percepts. Every board answers it, and none acts on it. */
+    public static final String ALL = "getPercepts";
+
+    private static final String SOME = ALL + "(";
+
+    private PerceptsRequest() {}
+
+    /** Whether {@code message} asks for percepts, all or some. */
+    public static boolean isIn(String message) {
+        return message.equals(ALL) || message.startsWith(SOME);
+    }
+
+    /** The functors that {@code message} asks for; empty: all. */
+    public static Set<String> functorsIn(String message) {
+        if (!message.startsWith(SOME)) {
+            return Set.of();
+        }
+        String names = message.substring(SOME.length(), message.endsWith(")") ? message.length() - 1 : message.length());
+        return Arrays.stream(names.split(",")).filter(name -> !name.isBlank()).collect(Collectors.toUnmodifiableSet());
+    }
+}
