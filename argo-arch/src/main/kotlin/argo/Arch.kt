@@ -2,19 +2,15 @@ package argo
 
 import argo.filters.PerceptionFilter
 import argo.view.AgentView
-import argo.view.ViewedAgent
-import argo.view.ViewedPort
 import jason.architecture.AgArch
 import jason.asSemantics.Unifier
-import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
-import jason.bb.BeliefBase
 import jason.infra.local.LocalAgArch
+import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
-import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Level
 import java.util.logging.Logger
@@ -42,26 +38,29 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private lateinit var states: PortStates
     private lateinit var ports: Ports
     private lateinit var waker: Waker
-    private lateinit var policy: SensingPolicy
+    private lateinit var inCycle: InCycleSensing
     private val commands = CommandLedger()
     private val actedThrough = AtomicReference<OpenPort?>()
     private var observer: AgentObserver = Unobserved
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
-    @Volatile
-    private var perceiving = false
+    internal lateinit var policy: SensingPolicy
+        private set
 
+    /** Whether the agent perceives its board. */
     @Volatile
-    private var intervalMs = DEFAULT_INTERVAL_MS
-    private var lastInCycle: Long? = null
-    private val staleness = Staleness(platform.nowMs)
+    internal var isPerceiving = false
+        private set
+
+    /** The sensing interval in ms. */
+    @Volatile
+    internal var intervalMs = DEFAULT_INTERVAL_MS
+        private set
+    private val stale = StaleBeliefs(platform.nowMs, { ports.current?.takeIf { isPerceiving } }, { intervalMs })
 
     @Volatile
     private var sensed: List<Literal> = emptyList()
     private val sightings = Sightings { sensed }
-
-    @Volatile
-    private var staleBelieved: Set<Term> = emptySet()
     private lateinit var reflexes: Reflexes
     private var criticalNews: List<Literal> = emptyList()
 
@@ -76,6 +75,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val options = ArchOptions(ts.settings, log)
         policy = options.policy
         waker = Waker(this, platform)
+        inCycle = InCycleSensing(platform, waker)
         val rareWarning = { RareWarning(platform.nowMs) { log.warning(it) } }
         board = BoardPercepts(BeliefReader { log.warning(it) }, log, PerceptLimit(options.mostPercepts, rareWarning()), sightings, platform.nowMs)
         reflexes = Reflexes(::sendReflex, rareWarning())
@@ -83,7 +83,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle) { log.warning(it) }
         // a view that cannot be had is reported, and the agent does without
-        view = options.view?.let { AgentView.open(it, ViewedArch(), log) }?.also { observer = it.observer }
+        view = options.view?.let { AgentView.open(it, ViewedArch(this, states, board, waker, platform), log) }?.also { observer = it.observer }
     }
 
     /** An atomic plan holds back all events; with `events=requeue` those that no plan applies to come back for ever. */
@@ -102,17 +102,15 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     /** The youngest percept belief that unifies with [percept] under [un], and its age in ms; null if there is none. Called by the agent's thread. */
     internal fun youngest(percept: Literal, un: Unifier): Pair<Literal, Long>? {
-        val candidates = ts.ag.bb.getCandidateBeliefs(percept, un)?.asSequence().orEmpty()
-        return candidates.filter { !it.isRule && it.hasSource(BeliefBase.APercept) && un.clone().unifiesNoUndo(percept, it) }
-            .mapNotNull { belief -> sightings.lastSeenNanos(belief)?.let { belief to (platform.clock.nanos() - it) / NANOS_PER_MS } }
-            .minByOrNull { (_, ageMs) -> ageMs }
+        val now = platform.clock.nanos()
+        return sightings.youngest(ts.ag.bb, percept, un, now)?.let { (belief, seen) -> belief to (now - seen) / NANOS_PER_MS }
     }
 
     /** Starts or stops perceiving. */
     internal fun perceive(open: Boolean) {
-        if (perceiving == open) return
-        perceiving = open
-        staleness.renew()
+        if (isPerceiving == open) return
+        isPerceiving = open
+        stale.renew()
         senseAnew()
     }
 
@@ -137,24 +135,23 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
      * @param outcome is called once, with null when its last byte has left the line or the board has acted, else with the reason why it has not
      */
     internal fun send(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
-        val observed = observer.commandIssued(port.link.port(), text)
-        if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(text, options).also(observed))
-        val number = commands.issue()
-        port.commands.submit(text, options) {
-            commands.done(number)
-            observed(it)
+        val number = if (policy == SensingPolicy.IN_CYCLE) null else commands.issue()
+        transmit(port, text, options) {
+            number?.let(commands::done)
             outcome(it)
         }
     }
 
     /** Sends a reflex, which no snapshot waits for since the agent has not issued it. */
-    private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) {
-        val observed = observer.commandIssued(port.link.port(), command)
-        if (policy == SensingPolicy.IN_CYCLE) return outcome(port.commands.write(command).also(observed))
-        port.commands.submit(command, CommandOptions(urgent = true)) {
-            observed(it)
-            outcome(it)
+    private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) = transmit(port, command, CommandOptions(urgent = true), outcome)
+
+    private fun transmit(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
+        val observed = observer.commandIssued(port.link.port(), text)
+        val told = { failure: Failure? ->
+            observed(failure)
+            outcome(failure)
         }
+        if (policy == SensingPolicy.IN_CYCLE) told(port.commands.write(text, options)) else port.commands.submit(text, options, told)
     }
 
     /** Wakes the agent until [seen]: see [Waker]. */
@@ -165,7 +162,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val current = ports.current
         val before = actedThrough.getAndSet(current)
         if (before !== current) commands.forget()
-        if (!isSame(before, current)) staleness.renew() // what is believed of a port that has come back is as old as it was
+        if (!isSame(before, current)) stale.renew() // what is believed of a port that has come back is as old as it was
         senseAnew()
     }
 
@@ -174,7 +171,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private fun applySensing() {
         val current = ports.current
-        if (policy != SensingPolicy.IN_CYCLE) ports.all().forEach { it.sensing.set(perceiving && it === current, intervalMs) }
+        if (policy != SensingPolicy.IN_CYCLE) ports.all().forEach { it.sensing.set(isPerceiving && it === current, intervalMs) }
     }
 
     /** What was sensed so far and has not been perceived is of another time or place. */
@@ -189,18 +186,18 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
         val environmentNews = environment.update(super.perceive())
-        if (policy == SensingPolicy.IN_CYCLE) senseInCycle()
-        if (perceiving) board.due()?.also(observer::filtered)?.let(handOver::put)
-        val snapshot = handOver.take()?.takeIf { perceiving && it.port === ports.current }?.let(::current)
+        if (policy == SensingPolicy.IN_CYCLE) ports.current?.takeIf { isPerceiving && it.link.isOpen }?.let { inCycle.sense(it, intervalMs) }
+        if (isPerceiving) board.due()?.also(observer::filtered)?.let(handOver::put)
+        val snapshot = handOver.take()?.takeIf { isPerceiving && it.port === ports.current }?.let(::current)
         if (snapshot != null) {
             sensed = snapshot.percepts
             observer.handedOver(snapshot)
         }
         criticalNews = snapshot?.critical.orEmpty().map { it.percept }
-        val staleNews = believeStale()
-        listOfNotNull(environment.dueInMs(), board.dueInMs().takeIf { perceiving }, staleDueInMs().takeIf { it != 0L }).minOrNull()?.let(waker::wakeIn)
+        val staleNews = stale.update()
+        listOfNotNull(environment.dueInMs(), board.dueInMs().takeIf { isPerceiving }, stale.dueInMs().takeIf { it != 0L }).minOrNull()?.let(waker::wakeIn)
         if (!environmentNews && snapshot == null && !states.hasNews() && !staleNews) return null
-        return (environment.percepts + sensed + states.beliefs() + staleBelieved.map { ASSyntax.createLiteral(STALE, it) }).toMutableList()
+        return (environment.percepts + sensed + states.beliefs() + stale.beliefs()).toMutableList()
     }
 
     /** [taken] as it is with the filter that is active now. */
@@ -217,30 +214,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.checkMail()
     }
 
-    /** In how many ms the board in use will have been silent for too long; null: it is not listened to, or may be silent. */
-    private fun staleDueInMs(): Long? =
-        ports.current?.takeIf { perceiving }?.options?.staleAfterMs(intervalMs)?.let(staleness::dueInMs)
-
-    /** The names of the port in use if its board has been silent for too long. */
-    private fun stalePorts(): Set<Term> = if (staleDueInMs() == 0L) ports.current?.terms.orEmpty().toSet() else emptySet()
-
-    /** Makes up the agent's mind about [stalePorts], and says whether that is news. */
-    private fun believeStale(): Boolean {
-        val now = stalePorts()
-        return (now != staleBelieved).also { staleBelieved = now }
-    }
-
-    private fun senseInCycle() {
-        val port = ports.current?.takeIf { perceiving && it.link.isOpen } ?: return
-        val start = platform.clock.nanos()
-        if (start - (lastInCycle ?: (start - Long.MAX_VALUE / 2)) < intervalMs * NANOS_PER_MS) return
-        lastInCycle = start
-        port.sensing.exchange()
-        waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
-    }
-
     override fun canSleep(): Boolean =
-        super.canSleep() && !handOver.isReady() && !states.hasNews() && !environment.isWaiting() && stalePorts() == staleBelieved && !(perceiving && board.dueInMs() == 0L)
+        super.canSleep() && !handOver.isReady() && !states.hasNews() && !environment.isWaiting() && !stale.hasNews() && !(isPerceiving && board.dueInMs() == 0L)
 
     override fun reasoningCycleFinished() {
         observer.cycleFinished()
@@ -265,16 +240,16 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     private inner class Listener : SensingListener {
-        override fun request(port: OpenPort) = if (port.link.protocol() == Protocol.V2) board.request else PERCEPTS_REQUEST
+        override fun request(port: OpenPort) = if (port.link.protocol() == Protocol.V2) board.request else PerceptsRequest.ALL
 
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
-            if (port !== ports.current || !perceiving) return
-            staleness.renew()
+            if (port !== ports.current || !isPerceiving) return
+            stale.renew()
             val snapshot = board.snapshot(port, message, receivedNanos).also(observer::filtered)
             startReflexes(snapshot)
             handOver.put(snapshot)
             ports.report(port, PortStatus.ON)
-            waker.wake { !handOver.isReady() && staleBelieved.isEmpty() }
+            waker.wake { !handOver.isReady() && stale.isEmpty() }
         }
 
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) =
@@ -283,43 +258,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)
     }
 
-    private inner class ViewedArch : ViewedAgent {
-        override val name: String = agName
-        override val policy get() = this@Arch.policy.word
-        override val intervalMs get() = this@Arch.intervalMs
-        override val isPerceiving get() = perceiving
-        override val beliefs: BeliefBase get() = ts.ag.bb
-
-        override fun nanos() = platform.clock.nanos()
-
-        override fun ports(): List<ViewedPort> {
-            val inUse = ports.current?.terms.orEmpty()
-            return states.all().map { (port, status) -> ViewedPort("$port", status.word, port in inUse) }
-        }
-
-        override fun filterNames() = argo.filterNames(ts.ag)
-        override fun filter(name: String) = filterOf(ts.ag, name)
-        override fun explain(percept: String) = board.explain(percept)
-        override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = later(done) { this@Arch.perceiveThrough(filter) }
-        override fun perceive(open: Boolean, done: () -> Unit) = later(done) { this@Arch.perceive(open) }
-        override fun wake() = waker.wake { true }
-
-        /** Has the agent's own thread do [work] before its next cycle. */
-        private fun later(done: () -> Unit, work: () -> Unit) {
-            val isDone = AtomicBoolean()
-            ts.runAtBeginOfNextCycle {
-                work()
-                isDone.set(true)
-                done()
-            }
-            waker.wake(isDone::get)
-        }
-    }
-
     internal companion object {
-        /** The functor of the belief that nothing comes from a port. */
-        const val STALE = "stale"
-
         /** The sensing interval in ms until `argo.limit` sets another. */
         const val DEFAULT_INTERVAL_MS = 50
         private const val NANOS_PER_MS = 1_000_000L

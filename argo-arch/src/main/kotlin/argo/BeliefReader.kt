@@ -45,7 +45,7 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
             literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
             !literal.isGround || literal.ns.isVar -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
             isComputed(literal) -> Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
-            literal.functor == Arch.STALE && literal.arity == 1 -> Reading.Unreadable("stale/1 tells that nothing comes from a port, which no board can claim")
+            literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 -> Reading.Unreadable("stale/1 tells that nothing comes from a port, which no board can claim")
             claimsToBeAPort(literal) -> Reading.Unreadable("port/2 with on, off or timeout tells the state of a port, which no board can claim")
             else -> Reading.Belief(ownSource(literal))
         }

@@ -6,6 +6,7 @@ import argo.filters.FilterSession
 import argo.filters.PerceptionFilter
 import argo.filters.perceptsOf
 import jason.asSyntax.Literal
+import javino.PerceptsRequest
 import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Level
 import java.util.logging.Logger
@@ -38,7 +39,7 @@ internal class BoardPercepts(
 
     /** What a board of version 2 is to be asked, see [perceptsRequest]. */
     @Volatile
-    var request: String = PERCEPTS_REQUEST
+    var request: String = PerceptsRequest.ALL
         private set
 
     /** Perceives through [filter] from now on; null: everything. */

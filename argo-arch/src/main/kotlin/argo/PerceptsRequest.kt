@@ -3,16 +3,14 @@ package argo
 import argo.filters.PerceptionFilter
 import argo.filters.Predicate
 import javino.Frame
-
-/** The message that asks a board for its percepts. */
-internal const val PERCEPTS_REQUEST = "getPercepts"
+import javino.PerceptsRequest
 
 /**
  * What a board of version 2 is asked for while [filter] is active: `getPercepts(dist,light)` if percepts of these functors are all that the
  * filter lets through, so that the others take no time on the line; otherwise everything.
  */
 internal fun perceptsRequest(filter: PerceptionFilter?): String =
-    filter?.let(::functorsKept)?.joinToString(",", "$PERCEPTS_REQUEST(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD } ?: PERCEPTS_REQUEST
+    filter?.let(::functorsKept)?.joinToString(",", "${PerceptsRequest.ALL}(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD } ?: PerceptsRequest.ALL
 
 /** The functors without whose percepts the filter decides as it would with them; null: it may need any. */
 private fun functorsKept(filter: PerceptionFilter): List<String>? = (filter.rules + filter.critical.map { it.rule })

@@ -2,6 +2,7 @@ package argo
 
 import javino.Frame
 import javino.Link
+import javino.PerceptsRequest
 import javino.PortException
 import javino.PortFaultException
 import javino.PortGoneException
@@ -51,7 +52,7 @@ internal class Sensing(
      * How long the line is left free before a request, so that the command which the last message caused need not wait for it:
      * an eighth of what a request takes, which is about a hundredth of an exchange.
      */
-    private val graceNanos = port.options.link.line().byteNanos() * Frame.of(PERCEPTS_REQUEST).toBytes().size / 8
+    private val graceNanos = port.options.link.line().byteNanos() * Frame.of(PerceptsRequest.ALL).toBytes().size / 8
     private val isPaced = port.link.settings().paced()
     private val thread = lazy { platform.start("argo-$owner-${if (isPaced) "sensing" else "watching"}-${port.link.port()}", ::run) }
 

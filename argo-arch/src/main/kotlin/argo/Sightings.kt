@@ -1,6 +1,8 @@
 package argo
 
+import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
+import jason.bb.BeliefBase
 import jason.bb.StructureWrapperForLiteral
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
@@ -31,6 +33,19 @@ internal class Sightings(private val believed: () -> Collection<Literal>) {
 
     /** When [percept], whose annotations do not matter, was seen last, by the platform's clock; null: it is no percept of a board. */
     fun lastSeenNanos(percept: Literal): Long? = lock.withLock { lastSeen[StructureWrapperForLiteral(percept)] }
+
+    /**
+     * The percept in [beliefs] that unifies with [percept] under [un] and was seen last, and when; null if there is none.
+     *
+     * Called by the agent's thread, to which [beliefs] and [un] belong.
+     *
+     * @param nowNanos the time by the platform's clock
+     */
+    fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
+        beliefs.getCandidateBeliefs(percept, un)?.asSequence().orEmpty()
+            .filter { !it.isRule && it.hasSource(BeliefBase.APercept) && un.clone().unifiesNoUndo(percept, it) }
+            .mapNotNull { belief -> lastSeenNanos(belief)?.let { belief to it } }
+            .minByOrNull { (_, seenNanos) -> nowNanos - seenNanos }
 
     /** How many percepts are remembered. */
     fun size(): Int = lock.withLock { lastSeen.size }

@@ -8,6 +8,7 @@ import jason.asSyntax.ASSyntax
 import javino.FakeBoard
 import javino.Link
 import javino.LinkSettings
+import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import java.io.IOException
@@ -72,7 +73,7 @@ class LostPortSpec : FunSpec({
 })
 
 private object NoListener : SensingListener {
-    override fun request(port: OpenPort) = PERCEPTS_REQUEST
+    override fun request(port: OpenPort) = PerceptsRequest.ALL
     override fun received(port: OpenPort, message: String, receivedNanos: Long) = Unit
     override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = Unit
     override fun lost(port: OpenPort, trouble: PortException) = Unit

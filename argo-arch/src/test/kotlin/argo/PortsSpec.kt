@@ -12,6 +12,7 @@ import io.kotest.matchers.types.shouldBeSameInstanceAs
 import jason.asSyntax.ASSyntax
 import javino.FakeBoard
 import javino.Link
+import javino.PerceptsRequest
 import javino.PortException
 import javino.PortFaultException
 import javino.PortPermissionException
@@ -27,7 +28,7 @@ private class PortsBench : AutoCloseable {
     val time = TestTime()
     private val states = PortStates { port, status, _ -> told += "$port ${status.word}" }
     private val listener = object : SensingListener {
-        override fun request(port: OpenPort) = PERCEPTS_REQUEST
+        override fun request(port: OpenPort) = PerceptsRequest.ALL
         override fun received(port: OpenPort, message: String, receivedNanos: Long) = Unit
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = Unit
         override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)

@@ -7,6 +7,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.FakeBoard
 import javino.Link
+import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
@@ -16,7 +17,7 @@ class SilenceSpec : FunSpec({
     val time = TestTime()
     val events = ArrayList<String>()
     val listener = object : SensingListener {
-        override fun request(port: OpenPort) = PERCEPTS_REQUEST
+        override fun request(port: OpenPort) = PerceptsRequest.ALL
         override fun received(port: OpenPort, message: String, receivedNanos: Long) = events.plusAssign("received")
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = events.plusAssign("unanswered")
         override fun lost(port: OpenPort, trouble: PortException) = events.plusAssign("lost: ${trouble.message}")
@@ -74,7 +75,7 @@ class SilenceSpec : FunSpec({
         FakeBoard.plugIn("silence").use { board ->
             onPort(board.port()) { port ->
                 port.exchangeUntil("received")
-                board.whenAsked(PERCEPTS_REQUEST).staySilent()
+                board.whenAsked(PerceptsRequest.ALL).staySilent()
                 repeat(3) {
                     port.exchangeUntil("unanswered")
                     time.pass(60_000)

@@ -2,6 +2,7 @@ package benchmarks
 
 import javino.Frame
 import javino.FrameDecoder
+import javino.PerceptsRequest
 import java.io.File
 import java.io.FileInputStream
 import java.io.FileOutputStream
@@ -41,7 +42,7 @@ class PingBoard(device: File, private val exchanges: Int) {
     }
 
     private fun handle(message: String, firstByteAt: Long) {
-        if (message == "getPercepts") answer()
+        if (message == PerceptsRequest.ALL) answer()
         else if (message == "pong($sent)") latencies[measured++] = firstByteAt - answeredAt
     }
 

@@ -2,6 +2,7 @@ package benchmarks
 
 import javino.Frame
 import javino.FrameDecoder
+import javino.PerceptsRequest
 import javino.Protocol
 import javino.SimulatedBoard
 import javino.Transport
@@ -43,7 +44,7 @@ class SensorBoard(
         private var last: Frame? = null
 
         fun handle(frame: Frame) {
-            if (frame.text().startsWith(REQUEST)) answer(frame) else act(frame)
+            if (PerceptsRequest.isIn(frame.text())) answer(frame) else act(frame)
         }
 
         private fun answer(request: Frame) {
@@ -72,7 +73,6 @@ class SensorBoard(
     }
 
     companion object {
-        private const val REQUEST = "getPercepts"
         private const val BUFFER = 512
         private const val READ_MS = 1000
         private const val WRITE_MS = 10_000

@@ -5,6 +5,7 @@ import javino.Frame
 import javino.LineSettings
 import javino.MemoryLine
 import javino.NoSuchPortException
+import javino.PerceptsRequest
 import javino.PortBusyException
 import javino.PortException
 import javino.PortGoneException
@@ -38,8 +39,8 @@ class Board internal constructor(private val time: VirtualTime) {
     private val taken = HashSet<Int>()
 
     init {
-        fake.whenAsked(REQUEST).answer(::percepts)
-        fake.whenAsked(::isRequest).answer(::percepts)
+        fake.whenAsked(PerceptsRequest.ALL).answer(::percepts)
+        fake.whenAsked(PerceptsRequest::isIn).answer(::percepts)
     }
 
     /** Its sensors show [percepts] from now on, `dist(front,30)` say, each as its text; none: it answers with an empty message. */
@@ -117,10 +118,10 @@ class Board internal constructor(private val time: VirtualTime) {
     fun isForbidden(): Board = apply { refusal = { PortPermissionException(it, "this user may not open port $it") } }
 
     /** The commands that have arrived, in their order. */
-    val commands: List<String> get() = fake.received().filterNot(::isRequest) + replayed
+    val commands: List<String> get() = fake.received().filterNot(PerceptsRequest::isIn) + replayed
 
     /** The requests for percepts that have arrived, in their order: `getPercepts`, or with functors from an agent that speaks version 2. */
-    val requests: List<String> get() = fake.received().filter(::isRequest)
+    val requests: List<String> get() = fake.received().filter(PerceptsRequest::isIn)
 
     /** Its [commands], and whether an expectation has taken each. */
     internal val accounted: List<Pair<String, Boolean>> get() = commands.mapIndexed { i, command -> command to (i in taken) }
@@ -163,7 +164,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
     private fun percepts(request: String): String {
         answers++
-        val functors = request.removePrefix(REQUEST).removeSurrounding("(", ")").split(',').filter(String::isNotBlank).toSet()
+        val functors = PerceptsRequest.functorsIn(request)
         return messageOf(shown.filter { functors.isEmpty() || functorOf(it) in functors })
     }
 
@@ -181,9 +182,6 @@ class Board internal constructor(private val time: VirtualTime) {
 }
 
 private const val HIGHEST_BYTE = 0xFF
-private const val REQUEST = "getPercepts"
-
-private fun isRequest(message: String) = message == REQUEST || message.startsWith("$REQUEST(")
 
 private fun functorOf(percept: String) = percept.removePrefix("~").substringBefore('(').substringBefore('[').trim()
 

@@ -3,6 +3,7 @@ package samples.board
 import javino.Frame
 import javino.FrameDecoder
 import javino.LineClock
+import javino.PerceptsRequest
 import javino.Transport
 
 /**
@@ -35,7 +36,7 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
     }
 
     private fun handle(message: String, line: Transport, unread: Unread) {
-        if (message != REQUEST) return sketch.act(message)
+        if (message != PerceptsRequest.ALL) return sketch.act(message)
         val answer = messages(perceptsOf(sketch.percepts())).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
         unread.lookedAwayUntil(line.say(answer, clock))
     }

@@ -3,6 +3,7 @@ package samples.board
 import javino.Frame
 import javino.FrameDecoder
 import javino.LineClock
+import javino.PerceptsRequest
 import javino.Protocol
 import javino.Transport
 import java.util.ArrayDeque
@@ -43,7 +44,7 @@ class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = Li
     private fun handle(message: Frame, line: Transport) {
         val text = message.text()
         when {
-            text == REQUEST || text.startsWith("$REQUEST(") -> line.say(answer(text, message.version()), clock)
+            PerceptsRequest.isIn(text) -> line.say(answer(text, message.version()), clock)
             message.flags() and Frame.ACK_WANTED == 0 -> sketch.act(text)
             else -> {
                 if (message != acted) sketch.act(text)
@@ -54,18 +55,13 @@ class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = Li
     }
 
     private fun answer(request: String, version: Int): ByteArray {
-        val percepts = wanted(request).let { names ->
-            perceptsOf(sketch.percepts()).filter { names == null || it.substringBefore('(') in names }
-        }
+        val names = PerceptsRequest.functorsIn(request)
+        val percepts = perceptsOf(sketch.percepts()).filter { names.isEmpty() || it.substringBefore('(') in names }
         if (version == 1) return messages(percepts).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
         val frames = Frame.fragments(percepts.joinToString("").toByteArray(Charsets.ISO_8859_1), sequence)
         sequence = (frames.last().sequence() + 1) % Frame.SEQUENCES
         return frames.map(Frame::toBytes).reduce(ByteArray::plus)
     }
-
-    /** The functors that are asked for; null: all. */
-    private fun wanted(request: String): Set<String>? =
-        request.removePrefix(REQUEST).takeIf { it.isNotEmpty() }?.removeSurrounding("(", ")")?.split(',')?.toSet()
 
     private companion object {
         const val MOST_READ = 4096

@@ -5,9 +5,6 @@ import javino.Transport
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** What asks a board for its percepts. */
-internal const val REQUEST = "getPercepts"
-
 private const val WRITE_LIMIT_MS = 30_000
 
 /**

@@ -2,6 +2,7 @@ package samples.experiment
 
 import javino.Frame
 import javino.LineSettings
+import javino.PerceptsRequest
 import samples.collision.Course
 import samples.collision.Sensors
 import kotlin.random.Random
@@ -16,7 +17,7 @@ internal fun exchangeNanos(trial: Trial): Long {
     val percepts = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM)
     val asked = if (trial.condition == Condition.VERSION_2) trial.view.functors else null
     val answer = if (asked == null) percepts.length else percepts.split(';').filter { it.substringBefore('(') in asked }.sumOf { it.length + 1 }
-    val request = "getPercepts".length + if (asked == null) 0 else asked.joinToString(",", "(", ")").length
+    val request = PerceptsRequest.ALL.length + if (asked == null) 0 else asked.joinToString(",", "(", ")").length
     val frames = (answer + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
     return (request + answer + (1 + frames) * around(trial)) * byteNanos(trial)
 }

@@ -1,0 +1,47 @@
+package argo
+
+import argo.filters.PerceptionFilter
+import argo.view.ViewedAgent
+import argo.view.ViewedPort
+import jason.bb.BeliefBase
+import java.util.concurrent.atomic.AtomicBoolean
+
+/** [arch] as its live view sees it, and has it do things. */
+internal class ViewedArch(
+    private val arch: Arch,
+    private val states: PortStates,
+    private val board: BoardPercepts,
+    private val waker: Waker,
+    private val platform: Platform,
+) : ViewedAgent {
+    override val name: String = arch.agName
+    override val policy get() = arch.policy.word
+    override val intervalMs get() = arch.intervalMs
+    override val isPerceiving get() = arch.isPerceiving
+    override val beliefs: BeliefBase get() = arch.ts.ag.bb
+
+    override fun nanos() = platform.clock.nanos()
+
+    override fun ports(): List<ViewedPort> {
+        val inUse = arch.portInUse()?.terms.orEmpty()
+        return states.all().map { (port, status) -> ViewedPort("$port", status.word, port in inUse) }
+    }
+
+    override fun filterNames() = filterNames(arch.ts.ag)
+    override fun filter(name: String) = filterOf(arch.ts.ag, name)
+    override fun explain(percept: String) = board.explain(percept)
+    override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = later(done) { arch.perceiveThrough(filter) }
+    override fun perceive(open: Boolean, done: () -> Unit) = later(done) { arch.perceive(open) }
+    override fun wake() = waker.wake { true }
+
+    /** Has the agent's own thread do [work] before its next cycle. */
+    private fun later(done: () -> Unit, work: () -> Unit) {
+        val isDone = AtomicBoolean()
+        arch.ts.runAtBeginOfNextCycle {
+            work()
+            isDone.set(true)
+            done()
+        }
+        waker.wake(isDone::get)
+    }
+}
