@@ -52,6 +52,6 @@ internal class Reflexes(private val send: (OpenPort, String, (Failure?) -> Unit)
     private fun end(rule: CriticalRule, run: Run, failure: Failure?) {
         val isFinal = failure == null || failure.error == "act_refused" // asking again would be refused again
         lock.withLock { run.phase = if (isFinal) Phase.DONE else Phase.FAILED }
-        if (failure != null) warning.happens("$rule ${failure.error}") { "the reflex ${rule.reflex} of the critical rule on $rule has failed: ${failure.cause}" }
+        if (failure != null) warning.happens("$rule ${failure.error}") { "the reflex ${rule.reflex} of the critical rule on ${rule.rule} has failed: ${failure.cause}" }
     }
 }

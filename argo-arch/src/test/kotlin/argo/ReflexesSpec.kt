@@ -66,6 +66,7 @@ class ReflexesSpec : FunSpec({
         reflexes.perceived(port, listOf(near))
         sent shouldHaveSize 6
         warnings shouldHaveSize 1
+        warnings.single().split("stop") shouldHaveSize 2 // named once
         warnings.single() shouldContain "the reflex stop"
         warnings.single() shouldContain "no answer"
     }
