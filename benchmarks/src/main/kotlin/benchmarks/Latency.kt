@@ -3,9 +3,11 @@ package benchmarks
 import javino.Frame
 import javino.FrameDecoder
 import javino.LineSettings
+import javino.PerceptsRequest
 import javino.PseudoTerminals
 import javino.Transport
 import javino.Transports
+import java.util.Locale
 import kotlin.concurrent.thread
 
 private const val WARM_UP = 300
@@ -43,7 +45,7 @@ private fun answerPings(computer: Transport) {
     val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(computer.line())) { computer.write(Frame.of("pong(${++pings})")) }
     val buffer = ByteArray(512)
     for (exchange in 1..WARM_UP + EXCHANGES) {
-        computer.write(Frame.of("getPercepts"))
+        computer.write(Frame.of(PerceptsRequest.ALL))
         while (pings < exchange) decoder.accept(buffer, 0, computer.read(buffer, 0, buffer.size, LIMIT_MS), System.nanoTime())
         Thread.sleep(INTERVAL_MS) // as the agent does between requests
     }
@@ -55,6 +57,6 @@ private fun Transport.write(frame: Frame) = frame.toBytes().let { write(it, 0, i
 fun latency() {
     println("frame to command over a pseudo-terminal, 12 percepts, $EXCHANGES exchanges after $WARM_UP to warm up, ${machine()}:")
     mapOf("an agent" to measureLatency(), "the line without an agent" to measureBareLatency()).forEach { (what, latencies) ->
-        println("%-26s median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(what, latencies.ms(0.5), latencies.ms(0.99), latencies.ms(1.0)))
+        println("%-26s median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(Locale.ROOT, what, latencies.ms(0.5), latencies.ms(0.99), latencies.ms(1.0)))
     }
 }

@@ -2,6 +2,7 @@ package benchmarks
 
 import javino.Protocol
 import java.io.File
+import java.util.Locale
 
 /** One figure of the table. @property target what it should be, in words; empty: nothing was set */
 internal class Figure(val name: String, val value: Double, val unit: String, val target: String = "")
@@ -32,7 +33,7 @@ private class Realtime {
 
     private fun show(name: String, value: Double, unit: String, target: String = "") {
         figures += Figure(name, value, unit, target)
-        println("%-84s %10.3f %-4s %s".format(name, value, unit, target).trimEnd())
+        println("%-84s %10.3f %-4s %s".format(Locale.ROOT, name, value, unit, target).trimEnd())
     }
 
     private fun latency() {
