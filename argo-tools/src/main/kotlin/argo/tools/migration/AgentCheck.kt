@@ -3,9 +3,10 @@ package argo.tools.migration
 import java.nio.file.Path
 
 /** What would be otherwise in an agent's program. */
-internal class AgentCheck(private val file: Path, text: String) {
+internal class AgentCheck(private val file: Path, private val text: String) {
     private val advices = Advices("$file")
-    private val calls = callsIn(tokensOf(text))
+    private val tokens = if (text.any(::isForeign)) emptyList() else tokensOf(text)
+    private val calls = callsIn(tokens)
     private val ports = calls.filter { ArgoActions.actionIn(it.name) == "port" }.mapNotNull { it.arguments.firstOrNull()?.singleOrNull() }
 
     /** The names of the filters that it changes to, with their lines. */
@@ -16,11 +17,24 @@ internal class AgentCheck(private val file: Path, text: String) {
 
     /** All that is to be said. */
     fun advices(): List<Advice> {
+        program()
         calls.forEach { call -> ArgoActions.actionIn(call.name)?.let { action(it, call) } }
         severalPorts()
         calls.filter { it.name == "port" && it.arguments.size == 2 }.forEach(::portBelief)
         calls.filter { it.name == "source" }.forEach(::source)
         return advices.all
+    }
+
+    /** What Jason would not even read, and what need not be looked into further. */
+    private fun program() {
+        val foreign = text.indexOfFirst(::isForeign)
+        val last = tokens.lastOrNull()
+        if (foreign >= 0) {
+            val line = 1 + text.take(foreign).count { it == '\n' }
+            advices.change(line, "this is no program of AgentSpeak: it holds the character U+${"%04X".format(text[foreign].code)}, as no text does", "text in UTF-8 can be checked")
+        } else if (last != null && !last.isSymbol('.') && !last.isSymbol('}')) {
+            advices.change(last.line, "no program of AgentSpeak ends so: a belief, a goal and a plan end with a full stop", "see whether the file is whole, and what it should be")
+        }
     }
 
     private fun action(action: String, call: Call) {
@@ -136,6 +150,10 @@ internal class AgentCheck(private val file: Path, text: String) {
         const val NANOS_PER_MS = 1_000_000.0
         const val MS_PER_MINUTE = 60_000.0
         const val SLOW_MS = 200.0
+
+        const val BLANKS = "\t\n\u000B\u000C\r"
+
+        fun isForeign(character: Char): Boolean = character < ' ' && character !in BLANKS
 
         /** What an atom or a string names. */
         fun nameOf(token: Token): String = token.text.removeSurrounding("\"").removeSurrounding("'")

@@ -12,6 +12,7 @@ import kotlin.io.path.readBytes
 /** Reads programs that were written for other versions of ARGO. */
 internal class Migration(files: List<Path>) {
     private val files = files.flatMap(::expanded).distinct()
+    private val kotlinFilters = kotlinFiltersIn(files.filter { it.isDirectory() } + Path.of("src"))
 
     /** What is to be said of all files, file by file in the order of the lines; none if a folder holds nothing to be checked. */
     fun advices(): List<Advice> {
@@ -19,7 +20,7 @@ internal class Migration(files: List<Path>) {
         val needArch = agents.filter { it.second.needsArch }.map { it.first.name }.toSet()
         val ofAgents = agents.flatMap { (file, check) -> check.advices() + filtersOf(file, check) }
         val ofProjects = files.filter { it.extension in PROJECTS }.flatMap { ProjectCheck(it, textOf(it)).advices(needArch) }
-        val ofFilters = (files.filter { it.extension == "xml" } + agents.flatMap { (file, check) -> check.filters.mapNotNull { filterFile(file, it.first) } })
+        val ofFilters = (files.filter { it.extension == "xml" } + agents.flatMap { (file, check) -> check.filters.mapNotNull { filterFile(file, it.first) }.filter { it.extension == "xml" } })
             .distinctBy { it.toAbsolutePath().normalize() }.flatMap { FilterFileCheck(it).advices() }
         return ofAgents + ofProjects + ofFilters
     }
@@ -27,24 +28,22 @@ internal class Migration(files: List<Path>) {
     /** How many files were read. */
     val count: Int get() = files.size
 
-    private fun filtersOf(file: Path, check: AgentCheck): List<Advice> = check.filters.filter { filterFile(file, it.first) == null }.map { (name, line) ->
-        Advice("$file", line, false, "there is no file of the filter $name beside the agent or in the working directory, nor in filters/ there", "fine if it is written in Kotlin or comes on the class path; else put it there")
+    private fun filtersOf(file: Path, check: AgentCheck): List<Advice> = check.filters.filter { it.first !in kotlinFilters && filterFile(file, it.first) == null }.map { (name, line) ->
+        Advice("$file", line, false, "there is no file of the filter $name beside the agent or in the working directory, nor in filters/ there, and no Kotlin source that makes it", "fine if it comes on the class path; else put it there")
     }
 
     private fun filterFile(asl: Path, name: String): Path? {
         val folders = listOf(asl.toAbsolutePath().parent, Path.of("").toAbsolutePath()).flatMap { listOf(it, it.resolve("filters")) }
-        val names = if (name.endsWith(".xml")) listOf(name) else if (name.endsWith(".json")) emptyList() else listOf("$name.xml")
+        val names = if (name.endsWith(".xml") || name.endsWith(".json")) listOf(name) else listOf("$name.xml", "$name.json")
         return folders.firstNotNullOfOrNull { folder -> names.map(folder::resolve).find(Files::isRegularFile) }
     }
 
     private fun expanded(file: Path): List<Path> = when {
-        file.isDirectory() -> Files.walk(file).use { found -> found.filter { it.extension in KNOWN && Files.isRegularFile(it) && !isBuilt(file.relativize(it)) }.sorted().toList() }
+        file.isDirectory() -> sourcesIn(file, KNOWN)
         !Files.exists(file) -> throw ToolException("there is no file $file")
         file.extension !in KNOWN -> throw ToolException("$file is none of the files that can be checked: ${KNOWN.joinToString { ".$it" }}")
         else -> listOf(file)
     }
-
-    private fun isBuilt(path: Path) = path.any { it.name in setOf("build", "target", "bin") || it.name.startsWith(".") }
 
     /** Programs are in UTF-8, and old ones in ISO 8859-1; what matters here is ASCII. */
     private fun textOf(file: Path): String = try {

@@ -133,6 +133,30 @@ class MigrationSpec : FunSpec({
         }
     }
 
+    context("what Jason would not read as a program is told before all else") {
+        listOf(
+            "\u0000\u0001ELF" to "a.asl:1 this is no program of AgentSpeak: it holds the character U+0000, as no text does",
+            "+!s.\n+!s <- .act(x).\u001B" to "a.asl:2 this is no program of AgentSpeak: it holds the character U+001B",
+            "<html>\n</html>\n" to "a.asl:2 no program of AgentSpeak ends so",
+            "+!s <- .print(x).\n\n+!t <- .print(" to "a.asl:3 no program of AgentSpeak ends so",
+        ).forEach { (text, what) ->
+            test(what) {
+                val advice = advices("a.asl" to text).single()
+                advice.must shouldBe true
+                "${Path.of(advice.file).name}:${advice.line} ${advice.what}" shouldContain what
+            }
+        }
+        listOf("", "// nothing yet\n", "{ include(\"b.asl\") }", "!s. // and so on\n").forEach { text -> test("not \"${text.trim()}\"") { advices("a.asl" to text).shouldBeEmpty() } }
+    }
+
+    test("filters that the project makes in Kotlin, or has as JSON, are there") {
+        val agent = "+!s <- .change_filter(front); .change_filter(byDay); .change_filter(\"night.json\")."
+        val project = arrayOf("src/agt/a.asl" to agent, "src/main/kotlin/F.kt" to "val f = keepingFilter(\n  \"front\") { }", "src/agt/filters/night.json" to "{}")
+        advices(*project).single().what shouldContain "there is no file of the filter byDay"
+        advices(*project, "src/agt/byDay.json" to "{}").shouldBeEmpty()
+        advices(*project, "build/F.kt" to "perceptionFilter(\"byDay\") { }").single().what shouldContain "byDay"
+    }
+
     test("the command's exit status says whether something must change") {
         val bad = folder("a.asl" to "+!s <- .argo.sleep(3).\n")
         val said = argo("check-agent", "$bad")
