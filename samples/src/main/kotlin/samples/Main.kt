@@ -1,12 +1,10 @@
 package samples
 
+import argo.tools.refuseWithout
+import argo.tools.refusingInWords
 import picocli.CommandLine
 import picocli.CommandLine.Command
-import picocli.CommandLine.ExitCode
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
-import picocli.CommandLine.TypeConversionException
-import picocli.CommandLine.UnmatchedArgumentException
 import samples.collision.CollisionCommand
 import samples.lamp.BlinkCommand
 import samples.lamp.TwoBoardsCommand
@@ -35,30 +33,7 @@ internal fun program(args: Array<String>): Pair<CommandLine, Array<String>> {
     }
 }
 
-private fun commandLine(command: Any, name: String) = CommandLine(command)
-    .setCommandName(name)
-    .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
-    .registerConverter(Int::class.javaObjectType) { wholeNumber(it, String::toIntOrNull) }
-    .registerConverter(Long::class.javaObjectType) { wholeNumber(it, String::toLongOrNull) }
-    .setParameterExceptionHandler { wrong, _ ->
-        val refused = wrong.commandLine
-        refused.err.println(reason(wrong))
-        refused.err.println("${refused.commandSpec.qualifiedName()} --help shows what there is")
-        ExitCode.USAGE
-    }
-
-private fun reason(wrong: ParameterException): String? {
-    val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()
-    val samples = wrong.commandLine.subcommands.keys
-    return when {
-        surplus == null -> wrong.message
-        samples.isEmpty() -> "there is nothing to do with '$surplus' here"
-        else -> "there is no sample '$surplus'; there are: ${samples.joinToString()}"
-    }
-}
-
-private fun <N> wholeNumber(text: String, read: (String) -> N?): N =
-    read(text) ?: throw TypeConversionException("$text is not a whole number that can be used here")
+private fun commandLine(command: Any, name: String) = CommandLine(command).setCommandName(name).refusingInWords("sample")
 
 @Command(
     name = "samples",
@@ -72,5 +47,5 @@ private class Samples : Runnable {
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
     private var help = false
 
-    override fun run(): Unit = throw ParameterException(spec.commandLine(), "name a sample: ${spec.subcommands().keys.joinToString()}")
+    override fun run(): Unit = spec.refuseWithout("sample")
 }

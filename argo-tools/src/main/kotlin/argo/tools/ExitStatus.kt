@@ -4,7 +4,7 @@ import argo.filters.FilterException
 import java.io.IOException
 import java.io.UncheckedIOException
 import java.nio.file.AccessDeniedException
-import java.nio.file.FileAlreadyExistsException
+import java.nio.file.FileSystemException
 import java.nio.file.NoSuchFileException
 
 /** What a command tells the shell. */
@@ -21,9 +21,9 @@ internal class ToolException(message: String) : Exception(message)
 internal fun saidTo(failure: Throwable): String? = when (failure) {
     is ToolException, is FilterException -> failure.message
     is NoSuchFileException -> "there is no file ${failure.file}"
-    is FileAlreadyExistsException -> "${failure.file} is there already, and is not overwritten"
     is AccessDeniedException -> "${failure.file}: this user may not do that there"
     is javino.PortException, is javino.MalformedRecordingException -> failure.message
+    is FileSystemException -> "${failure.file}: ${failure.reason ?: failure.javaClass.simpleName}"
     is IOException -> "$failure"
     is UncheckedIOException -> failure.cause?.let(::saidTo)
     else -> null

@@ -4,7 +4,6 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Help.Ansi
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 import java.io.PrintWriter
 import java.util.concurrent.Callable
@@ -28,7 +27,7 @@ internal abstract class ToolCommand : Callable<Int> {
     protected val paint: Paint get() = Paint(Ansi.AUTO.enabled())
 
     /** Wrong arguments: ends the command with exit status 2. */
-    protected fun misuse(reason: String): Nothing = throw ParameterException(spec.commandLine(), reason)
+    protected fun misuse(reason: String): Nothing = spec.refuse(reason)
 }
 
 /** Colours text, or leaves it. */

@@ -14,7 +14,6 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.IVersionProvider
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 
 /** The command that holds all others. */
@@ -38,7 +37,7 @@ internal class Tools : Runnable {
     @Option(names = ["-V", "--version"], versionHelp = true, description = ["says which version this is"])
     private var version = false
 
-    override fun run(): Unit = throw ParameterException(spec.commandLine(), "name a command: ${spec.subcommands().keys.joinToString()}")
+    override fun run(): Unit = spec.refuseWithout("command")
 }
 
 /** The version of the jar that this runs from. */

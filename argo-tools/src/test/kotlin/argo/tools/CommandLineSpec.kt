@@ -2,6 +2,8 @@ package argo.tools
 
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.engine.spec.tempfile
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
@@ -10,6 +12,10 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
 import picocli.CommandLine
+import java.io.IOException
+import java.io.OutputStream
+import java.io.PrintWriter
+import java.io.StringWriter
 import java.nio.file.Path
 import kotlin.io.path.readText
 
@@ -38,6 +44,7 @@ class CommandLineSpec : FunSpec({
             "monitor" to "Missing required parameter: 'PORT'",
             "monitor sim:x --mode sing" to "--mode is request or listen, not sing",
             "monitor sim:x --interval -1" to "--interval is from 0 to",
+            "monitor sim:x --count many" to "'--count': many is not a whole number",
             "monitor sim:x --count 0" to "--count is at least 1, not 0",
             "monitor sim:x --protocol 3" to "--protocol is 1, 2 or auto, not 3",
             "request sim:x a --baud 0" to "--baud is from 1 to",
@@ -65,6 +72,36 @@ class CommandLineSpec : FunSpec({
         said.status shouldBe 1
         said.err shouldContain "there is no port ttyNoSuchBoard9"
         said.err shouldNotContain "\tat "
+    }
+
+    test("results that cannot be written make a command fail, whatever it did") {
+        fun full(reason: String) = object : OutputStream() {
+            override fun write(byte: Int): Unit = throw IOException(reason)
+        }
+        fun said(target: OutputStream, vararg arguments: String): Pair<Int, String> {
+            val err = StringWriter()
+            return run(arrayOf(*arguments), target, tools().setErr(PrintWriter(err, true))) to "$err"
+        }
+        val file = tempfile(suffix = ".json").apply { writeText("""{"rules": [{"predicate": "d"}]}""") }
+        listOf(listOf("completion"), listOf("--help"), listOf("doctor", "--json"), listOf("filter", "check", "$file")).forEach { command ->
+            said(full("No space left on device"), *command.toTypedArray()) shouldBe (1 to "the results could not be written: No space left on device\n")
+            said(full("Broken pipe"), *command.toTypedArray()) shouldBe (1 to "")
+            said(OutputStream.nullOutputStream(), *command.toTypedArray()).second.shouldBeEmpty()
+        }
+        said(full("No space left on device"), "fly").first shouldBe 2
+    }
+
+    test("a file that cannot be made is told with the folder that is at fault") {
+        val folder = tempdir()
+        val filter = folder.resolve("f.json").apply { writeText("""{"rules": [{"predicate": "d"}]}""") }
+        fun convert(target: String) = argo("filter", "convert", "$filter", "--to", "xml", "-o", target)
+        convert("$folder/none/f.xml") shouldBe Said(1, "", "there is no folder $folder/none\n")
+        convert("$filter/f.xml") shouldBe Said(1, "", "$filter is no folder\n")
+        convert("$filter") shouldBe Said(1, "", "$filter is there already, and is not overwritten\n")
+        convert("$folder/f.xml").status shouldBe 0
+        argo("monitor", "sim:not-asked-for", "--record", "$folder/none/f.rec") shouldBe Said(1, "", "there is no folder $folder/none\n")
+        listOf(listOf("replay", "$folder"), listOf("filter", "explain", "$folder.xml", "d")).forEach { argo(*it.toTypedArray()).status shouldBe 1 }
+        argo("replay", "$folder") shouldBe Said(1, "", "$folder is a folder, no file\n")
     }
 
     test("the version names the Java that runs it too") {

@@ -1,10 +1,11 @@
 package samples.collision
 
+import argo.tools.refuse
+import argo.tools.requireWithin
 import javino.LineSettings
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 import samples.project.LogFile
 import samples.project.Progress
@@ -87,32 +88,26 @@ internal class CollisionCommand : Callable<Int> {
         requireOneOf("--filter", filter, "none", "frontSide", "frontDistance")
         requireOneOf("--sensing", sensing, "fresh", "every", "in_cycle")
         val mostCm = if (port == null) Course.START_CM.toInt() - 1 else MOST_CM
-        requireWithin("--limit", limit, 1..mostCm, "cm" + if (port == null) ", since the robot starts ${Course.START_CM.toInt()} cm from the wall" else "")
-        requireWithin("--interval", interval, 0..MOST_MS, "ms")
-        requireWithin("--baud", baud, LEAST_BAUD..MOST_BAUD, "bits a second")
-        if (port?.isBlank() == true) refuse("--port names no port")
-        if (port != null && seed != null) refuse("--seed is for the simulated robot, and --port asks for a real one")
+        spec.requireWithin("--limit", limit, 1..mostCm, "cm" + if (port == null) ", since the robot starts ${Course.START_CM.toInt()} cm from the wall" else "")
+        spec.requireWithin("--interval", interval, 0..MOST_MS, "ms")
+        spec.requireWithin("--baud", baud, LEAST_BAUD..MOST_BAUD, "bits a second")
+        if (port?.isBlank() == true) spec.refuse("--port names no port")
+        if (port != null && seed != null) spec.refuse("--seed is for the simulated robot, and --port asks for a real one")
         return Levels(filter, limit, interval, baud, sensing, port, seed ?: 1)
     }
 
     private fun audience(): Audience? {
-        view?.let { requireWithin("--view", it, 0..MOST_PORT, "as a port, 0 being any that is free") }
+        view?.let { spec.requireWithin("--view", it, 0..MOST_PORT, "as a port, 0 being any that is free") }
         viewWait?.let {
-            if (view == null) refuse("--view-wait is for --view")
-            requireWithin("--view-wait", it, 0..MOST_WAIT_S, "s")
+            if (view == null) spec.refuse("--view-wait is for --view")
+            spec.requireWithin("--view-wait", it, 0..MOST_WAIT_S, "s")
         }
         return view?.let { Audience(it, viewWait ?: WAIT_S, System.out, System.`in`) }
     }
 
     private fun requireOneOf(option: String, value: String, vararg words: String) {
-        if (value !in words) refuse("$option is ${words.dropLast(1).joinToString(", ")} or ${words.last()}, not $value")
+        if (value !in words) spec.refuse("$option is ${words.dropLast(1).joinToString(", ")} or ${words.last()}, not $value")
     }
-
-    private fun requireWithin(option: String, value: Int, range: IntRange, unit: String) {
-        if (value !in range) refuse("$option is from ${range.first} to ${range.last} $unit, not $value")
-    }
-
-    private fun refuse(why: String): Nothing = throw ParameterException(spec.commandLine(), why)
 
     private companion object {
         const val INTERRUPTED = 130 // as shells report Ctrl-C

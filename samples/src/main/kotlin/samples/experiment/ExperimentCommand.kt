@@ -1,9 +1,10 @@
 package samples.experiment
 
+import argo.tools.refuse
+import argo.tools.requireWithin
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 import samples.experiment.report.writeReport
 import samples.project.Logs
@@ -72,9 +73,9 @@ internal class ExperimentCommand : Callable<Int> {
         val settings = try {
             settings(archive).also(archive::open)
         } catch (refused: ContinuationException) {
-            refuse(refused.message.orEmpty())
+            spec.refuse(refused.message.orEmpty())
         } catch (unwritable: IOException) {
-            refuse("--out $out cannot be written to: $unwritable")
+            spec.refuse("--out $out cannot be written to: $unwritable")
         }
         val workers = if (port == null) jobs ?: (2 * Runtime.getRuntime().availableProcessors()) else 1
         println("seed ${settings.seed}; agents reason ${if (port == null) "${settings.slowdown} times slower than here" else "as fast as they can"} (${settings.computer})")
@@ -101,14 +102,14 @@ internal class ExperimentCommand : Callable<Int> {
             if (scaling) randomised(conditions.flatMap(settings.plan::scaling), settings.seed) else emptyList()
 
     private fun conditions(): List<Condition> {
-        jobs?.let { if (it !in 1..MOST_JOBS) refuse("--jobs is from 1 to $MOST_JOBS, not $it") }
-        slowdown?.let { if (!(it in 1.0..MOST_SLOWDOWN)) refuse("--slowdown is from 1 to ${MOST_SLOWDOWN.toInt()}, not $it") }
-        if (port?.isBlank() == true) refuse("--port names no port")
-        if (port != null && (jobs ?: 1) > 1) refuse("--jobs is for simulated robots, and --port asks for a real one")
-        if (port != null && slowdown != null) refuse("--slowdown is for simulated robots, and --port asks for a real one")
-        if (port != null && scaling) refuse("--scaling is for simulated robots, and --port asks for a real one")
+        jobs?.let { spec.requireWithin("--jobs", it, 1..MOST_JOBS) }
+        slowdown?.let { if (!(it in 1.0..MOST_SLOWDOWN)) spec.refuse("--slowdown is from 1 to ${MOST_SLOWDOWN.toInt()}, not $it") }
+        if (port?.isBlank() == true) spec.refuse("--port names no port")
+        if (port != null && (jobs ?: 1) > 1) spec.refuse("--jobs is for simulated robots, and --port asks for a real one")
+        if (port != null && slowdown != null) spec.refuse("--slowdown is for simulated robots, and --port asks for a real one")
+        if (port != null && scaling) spec.refuse("--scaling is for simulated robots, and --port asks for a real one")
         if (condition == "all") return Condition.entries
-        return listOf(Condition.entries.find { it.letter == condition } ?: refuse("--condition is a, b, c or all, not $condition"))
+        return listOf(Condition.entries.find { it.letter == condition } ?: spec.refuse("--condition is a, b, c or all, not $condition"))
     }
 
     /** Those of the experiment that is to be continued, unless options say otherwise. */
@@ -129,8 +130,6 @@ internal class ExperimentCommand : Callable<Int> {
 
     private fun machine(workers: Int): String = listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
         .let { "At most $workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
-
-    private fun refuse(why: String): Nothing = throw ParameterException(spec.commandLine(), why)
 
     private companion object {
         const val INTERRUPTED = 130
@@ -170,6 +169,6 @@ internal class Experiment(private val archive: Archive, private val settings: Se
 
     private fun facts(status: Campaign.Status): List<String> {
         val seconds = status.left / 1000
-        return listOf("run ${status.done} of ${status.all}", "${status.collisions} at the wall", "about ${seconds / 60}:${"%02d".format(seconds % 60)} left")
+        return listOf("run ${status.done} of ${status.all}", "${status.collisions} at the wall", "about ${seconds / 60}:${"${seconds % 60}".padStart(2, '0')} left")
     }
 }

@@ -1,9 +1,9 @@
 package samples.fleet
 
+import argo.tools.refuse
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 import java.util.concurrent.Callable
 import java.util.concurrent.CountDownLatch
@@ -30,7 +30,7 @@ internal class FleetCommand : Callable<Int> {
     private var help = false
 
     override fun call(): Int {
-        if (seconds < 1) throw ParameterException(spec.commandLine(), "--seconds is at least 1, not $seconds")
+        if (seconds < 1) spec.refuse("--seconds is at least 1, not $seconds")
         val ready = CountDownLatch(SCOUTS)
         val fleet = Fleet.start {
             println(it)

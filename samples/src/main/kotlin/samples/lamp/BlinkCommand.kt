@@ -1,11 +1,11 @@
 package samples.lamp
 
+import argo.tools.refuse
 import jason.asSyntax.ASSyntax.createLiteral
 import jason.asSyntax.ASSyntax.createString
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 import samples.project.SampleProject
 import samples.project.SystemRun
@@ -31,7 +31,7 @@ internal class BlinkCommand : Callable<Int> {
     private var help = false
 
     override fun call(): Int {
-        if (seconds < 1) throw ParameterException(spec.commandLine(), "--seconds is at least 1, not $seconds")
+        if (seconds < 1) spec.refuse("--seconds is at least 1, not $seconds")
         val project = SampleProject("blink").apply { believe("blink", createLiteral("board", createString(port))) }
         return SystemRun(project).forAtMost(seconds)
     }

@@ -1,11 +1,12 @@
 package argo.tools.board
 
+import argo.tools.refuse
+import argo.tools.requireWithin
 import javino.Link
 import javino.LinkSettings
 import javino.Protocol
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 
 /** How a board is spoken to: the options that `argo.port` has too. */
@@ -29,13 +30,13 @@ internal class LineOptions {
     private var boot = 0
 
     /** Milliseconds that an answer may take. */
-    val timeoutMs: Int get() = timeout.also { requireRange("--timeout", it, 1..MOST_MS) }
+    val timeoutMs: Int get() = timeout.also { spec.requireWithin("--timeout", it, 1..MOST_MS) }
 
     val settings: LinkSettings
         get() {
-            requireRange("--baud", baud, 1..MOST_BAUD)
-            requireRange("--boot", boot, 0..MOST_MS)
-            val version = PROTOCOLS[protocol] ?: throw misuse("--protocol is 1, 2 or auto, not $protocol")
+            spec.requireWithin("--baud", baud, BAUDS)
+            spec.requireWithin("--boot", boot, 0..MOST_MS)
+            val version = PROTOCOLS[protocol] ?: spec.refuse("--protocol is 1, 2 or auto, not $protocol")
             return LinkSettings.defaults().withBaud(baud).withBootMillis(boot).withProtocol(version)
         }
 
@@ -46,16 +47,11 @@ internal class LineOptions {
         return Link.open(port, settings, spec.qualifiedName())
     }
 
-    private fun requireRange(option: String, value: Int, range: IntRange) {
-        if (value !in range) throw misuse("$option is from ${range.first} to ${range.last}, not $value")
-    }
-
-    private fun misuse(reason: String) = ParameterException(spec.commandLine(), reason)
-
-    private companion object {
-        val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
-        const val MOST_BAUD = 20_000_000
-        const val MOST_MS = 600_000
+    companion object {
+        /** The rates that a line can be asked to have, bits a second. */
+        val BAUDS = 1..20_000_000
+        private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
+        private const val MOST_MS = 600_000
     }
 }
 

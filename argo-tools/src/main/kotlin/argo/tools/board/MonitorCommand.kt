@@ -3,8 +3,12 @@ package argo.tools.board
 import argo.filters.perceptsOf
 import argo.tools.ExitStatus
 import argo.tools.ToolCommand
+import argo.tools.making
 import argo.tools.printable
+import argo.tools.requireNew
+import argo.tools.requireWithin
 import javino.Link
+import javino.PerceptsRequest
 import javino.PortException
 import javino.PortInterruptedException
 import javino.PortTimeoutException
@@ -19,6 +23,7 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
@@ -60,15 +65,16 @@ internal class MonitorCommand : ToolCommand() {
 
     override fun call(): Int {
         if (mode !in listOf("request", "listen")) misuse("--mode is request or listen, not $mode")
-        if (intervalMs !in 0..MOST_MS) misuse("--interval is from 0 to $MOST_MS ms, not $intervalMs")
+        spec.requireWithin("--interval", intervalMs, 0..MOST_MS, "ms")
         if ((count ?: 1) < 1) misuse("--count is at least 1, not $count")
         if ((seconds ?: 1) < 1) misuse("--seconds is at least 1, not $seconds")
+        record?.let(::requireNew) // before the port is opened, which resets the board
         return Interruption().use { line.open(port).use(::monitorRecording) }
     }
 
     private fun monitorRecording(link: Link): Int {
         val file = record ?: return Run(link, null).untilEnd()
-        val writer = Files.newBufferedWriter(file, Charsets.UTF_8, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)
+        val writer = making(file) { Files.newBufferedWriter(it, Charsets.UTF_8, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE) }
         return RecordingWriter(writer, System.nanoTime()).use { Run(link, it).untilEnd() }
     }
 
@@ -87,6 +93,9 @@ internal class MonitorCommand : ToolCommand() {
                 ExitStatus.DONE
             } catch (trouble: PortException) {
                 err.println(trouble.message)
+                ExitStatus.FAILED
+            } catch (unwritable: IOException) {
+                err.println("$record cannot be written on: ${unwritable.message}")
                 ExitStatus.FAILED
             }
             Thread.interrupted() // what is left to do is not to be cut short
@@ -114,8 +123,8 @@ internal class MonitorCommand : ToolCommand() {
         }
 
         private fun ask(): String {
-            recording?.add(System.nanoTime(), Direction.OUT, REQUEST)
-            return link.request(REQUEST, line.timeoutMs)
+            recording?.add(System.nanoTime(), Direction.OUT, PerceptsRequest.ALL)
+            return link.request(PerceptsRequest.ALL, line.timeoutMs)
         }
 
         private fun waitUntil(nanos: Long) {
@@ -167,7 +176,6 @@ internal class MonitorCommand : ToolCommand() {
     private fun texts(percepts: List<String>) = JsonArray(percepts.map(::JsonPrimitive))
 
     private companion object {
-        const val REQUEST = "getPercepts"
         const val MOST_MS = 600_000
         const val MS_PER_S = 1000L
         const val NANOS_PER_MS = 1_000_000L

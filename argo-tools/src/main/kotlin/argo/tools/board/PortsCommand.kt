@@ -3,9 +3,11 @@ package argo.tools.board
 import argo.tools.ExitStatus
 import argo.tools.ToolCommand
 import argo.tools.printable
+import argo.tools.requireWithin
 import javino.Link
 import javino.LinkSettings
 import javino.NoSuchPortException
+import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
@@ -41,7 +43,7 @@ internal class PortsCommand : ToolCommand() {
     private var json = false
 
     override fun call(): Int {
-        if (baud !in 1..MOST_BAUD) misuse("--baud is from 1 to $MOST_BAUD, not $baud")
+        spec.requireWithin("--baud", baud, LineOptions.BAUDS)
         val rows = ports().map { Row(it, SerialPorts.holders(it.name())) }
         val probed = rows.map { if (probe) it.copy(board = board(it)) else it }
         if (json) out.println(JsonArray(probed.map(Row::json))) else print(probed)
@@ -63,7 +65,7 @@ internal class PortsCommand : ToolCommand() {
         val settings = LinkSettings.defaults().withBaud(baud).withProtocol(Protocol.AUTO)
         return try {
             Link.open(row.info.name(), settings, "argo ports").use { link ->
-                link.request("getPercepts", PROBE_MS)
+                link.request(PerceptsRequest.ALL, PROBE_MS)
                 Board("a Javino board of ${versionSpoken(link.protocol())}", answers = true)
             }
         } catch (_: PortTimeoutException) {
@@ -85,7 +87,6 @@ internal class PortsCommand : ToolCommand() {
 
     private companion object {
         const val PROBE_MS = 1_000
-        const val MOST_BAUD = 20_000_000
     }
 }
 

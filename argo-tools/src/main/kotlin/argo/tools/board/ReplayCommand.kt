@@ -4,6 +4,7 @@ import argo.tools.ExitStatus
 import argo.tools.ToolCommand
 import argo.tools.ToolException
 import argo.tools.printable
+import argo.tools.requireFile
 import javino.LineSettings
 import javino.PortException
 import javino.PortInterruptedException
@@ -38,6 +39,7 @@ internal class ReplayCommand : ToolCommand() {
     private var inTurn = false
 
     override fun call(): Int {
+        requireFile(file)
         val recording = Recording.read(file)
         val board = board(recording)
         if (!PseudoTerminals.available()) {

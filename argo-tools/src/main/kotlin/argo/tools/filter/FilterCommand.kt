@@ -1,9 +1,9 @@
 package argo.tools.filter
 
+import argo.tools.refuseWithout
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.ParameterException
 import picocli.CommandLine.Spec
 
 /** `filter`: what there is to do with files of perception filters. */
@@ -19,5 +19,5 @@ internal class FilterCommand : Runnable {
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
     private var help = false
 
-    override fun run(): Unit = throw ParameterException(spec.commandLine(), "name a command: ${spec.subcommands().keys.joinToString()}")
+    override fun run(): Unit = spec.refuseWithout("command")
 }

@@ -7,6 +7,8 @@ import argo.filters.XmlFilters
 import argo.tools.ExitStatus
 import argo.tools.ToolCommand
 import argo.tools.ToolException
+import argo.tools.making
+import argo.tools.requireNew
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
@@ -27,6 +29,7 @@ internal class FilterConvertCommand : ToolCommand() {
     private var target: Path? = null
 
     override fun call(): Int {
+        target?.let(::requireNew)
         val write = FORMS[form] ?: misuse("--to is ${FORMS.keys.joinToString()}, not $form")
         val filter = filterIn(file)
         val text = try {
@@ -34,7 +37,7 @@ internal class FilterConvertCommand : ToolCommand() {
         } catch (unwritable: IllegalArgumentException) {
             throw ToolException("$file cannot be written as $form: ${unwritable.message}")
         }
-        target?.writeText(text, Charsets.UTF_8, StandardOpenOption.CREATE_NEW) ?: out.print(text)
+        target?.let { making(it) { file -> file.writeText(text, Charsets.UTF_8, StandardOpenOption.CREATE_NEW) } } ?: out.print(text)
         out.flush()
         return ExitStatus.DONE
     }

@@ -4,6 +4,7 @@ import argo.filters.JsonFilters
 import argo.filters.PerceptionFilter
 import argo.filters.XmlFilters
 import argo.tools.ToolException
+import argo.tools.requireFile
 import java.nio.file.Path
 import kotlin.io.path.inputStream
 
@@ -15,8 +16,10 @@ import kotlin.io.path.inputStream
 internal fun filterIn(file: Path): PerceptionFilter {
     val name = file.toString()
     return when {
-        name.endsWith(".xml") -> file.inputStream().use { XmlFilters.read(it, name) }
-        name.endsWith(".json") -> file.inputStream().use { JsonFilters.read(it, name) }
+        name.endsWith(".xml") -> existing(file).inputStream().use { XmlFilters.read(it, name) }
+        name.endsWith(".json") -> existing(file).inputStream().use { JsonFilters.read(it, name) }
         else -> throw ToolException("$file is no filter file: their names end in .xml or .json")
     }
 }
+
+private fun existing(file: Path): Path = file.also(::requireFile)

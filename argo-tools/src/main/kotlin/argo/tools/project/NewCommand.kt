@@ -3,11 +3,12 @@ package argo.tools.project
 import argo.tools.ExitStatus
 import argo.tools.ToolCommand
 import argo.tools.ToolException
+import argo.tools.making
+import argo.tools.requireNew
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.nio.file.Files
-import java.nio.file.LinkOption
 import java.nio.file.Path
 import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
@@ -41,8 +42,7 @@ internal class NewCommand : ToolCommand() {
         val argo = existing(argoJar ?: ownJar())
         val testKit = testKitJar?.let(::existing) ?: listOf(TEST_KIT, "argo-testkit-$VERSION.jar").map(argo::resolveSibling).find { it.isRegularFile() }
         val target = parent.resolve(name)
-        if (Files.exists(target, LinkOption.NOFOLLOW_LINKS)) throw ToolException("$target is there already, and is not overwritten; another name, or another folder with --in")
-        if (!Files.isDirectory(parent.toAbsolutePath())) throw ToolException("there is no folder $parent to make the project in")
+        requireNew(target)
         make(target, argo, testKit)
         out.println("made $target: \"cd $target\", then \"gradle\" or \"mvn compile exec:exec\" runs it; README.md tells more")
         if (testKit == null) err.println("there is no $TEST_KIT beside argo.jar, so the project has a test of its filter and none of its agent; --testkit-jar says where it is")
@@ -51,7 +51,7 @@ internal class NewCommand : ToolCommand() {
 
     /** Makes all of it under another name first, so that a disk that is full leaves no half project. */
     private fun make(target: Path, argo: Path, testKit: Path?) {
-        val draft = Files.createDirectory(parent.toAbsolutePath().resolve(".$name-${ProcessHandle.current().pid()}"))
+        val draft = making(parent.toAbsolutePath().resolve(".$name-${ProcessHandle.current().pid()}")) { Files.createDirectory(it) }
         try {
             projectFiles(ProjectName(name), withTestKit = testKit != null).forEach { (path, text) ->
                 draft.resolve(path).apply { parent.createDirectories() }.writeText(text)

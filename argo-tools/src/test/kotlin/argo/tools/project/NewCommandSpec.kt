@@ -1,5 +1,6 @@
 package argo.tools.project
 
+import argo.tools.Said
 import argo.tools.argo
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -36,6 +37,11 @@ class NewCommandSpec : FunSpec({
         project.resolve("pom.xml").readText() shouldContain "argo-testkit.jar"
     }
 
+    test("a new project has nothing that would be otherwise here") {
+        new("spotless").status shouldBe 0
+        argo("check-agent", "$folder/spotless") shouldBe Said(0, "5 files read: 0 things must change, 0 to know of\n", "")
+    }
+
     test("nothing that is there is overwritten, and no half project is left") {
         val there = folder.resolve("there").createDirectory().resolve("file").apply { writeText("mine") }
         val said = new("there")
@@ -57,7 +63,8 @@ class NewCommandSpec : FunSpec({
 
     test("a jar or a folder that is not there is told") {
         argo("new", "x", "--in", "$folder", "--argo-jar", "no.jar").err shouldContain "there is no file no.jar"
-        argo("new", "x", "--in", "$folder/none", "--argo-jar", "$jar").err shouldContain "there is no folder $folder/none"
+        argo("new", "x", "--in", "$folder/none", "--argo-jar", "$jar").err shouldBe "there is no folder $folder/none\n"
+        argo("new", "x", "--in", "$jar", "--argo-jar", "$jar").err shouldBe "$jar is no folder\n"
         new("x", "--testkit-jar", "no.jar").err shouldContain "there is no file no.jar"
         folder.listDirectoryEntries().map { it.name } shouldNotContain "x"
     }

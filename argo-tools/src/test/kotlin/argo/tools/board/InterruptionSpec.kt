@@ -1,0 +1,61 @@
+package argo.tools.board
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import javino.PseudoTerminals
+import javino.Recording
+import java.io.BufferedReader
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.exists
+import kotlin.io.path.writeText
+
+/** What Ctrl-C does to commands that run until it comes. The signal here is SIGTERM, since a build in the background ignores the other one. */
+class InterruptionSpec : FunSpec({
+    val folder = tempdir().toPath()
+    val board = folder.resolve("board.rec").apply { writeText("javino-recording 1\n0\tout\tgetPercepts\n0\tin\tdist(f,1);\n") }
+    val signals: EnabledOrReasonIf = { if (System.getProperty("os.name").startsWith("Windows")) Enabled.disabled("Windows has no signals") else Enabled.enabled }
+    val pairs: EnabledOrReasonIf = { if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal") }
+
+    test("a monitoring that is interrupted ends with its summary and a whole recording").config(enabledOrReasonIf = signals) {
+        val recorded = folder.resolve("mine.rec")
+        tool("monitor", "replay:$board", "--interval", "0", "--record", "$recorded") { process, said ->
+            said.readLine() shouldContain "dist(f,1)"
+            process.destroy()
+            said.readText() shouldContain "recorded in $recorded"
+            process.waitFor(LIMIT_S, TimeUnit.SECONDS) shouldBe true
+            process.exitValue() shouldBe TERMINATED
+        }
+        Recording.read(recorded).received().first().message() shouldBe "dist(f,1);"
+    }
+
+    test("a replay that is interrupted takes its pseudo-terminal away").config(enabledOrReasonIf = pairs) {
+        tool("replay", "$board") { process, said ->
+            val port = Path.of(said.readLine())
+            port.exists() shouldBe true
+            process.destroy()
+            process.waitFor(LIMIT_S, TimeUnit.SECONDS) shouldBe true
+            process.exitValue() shouldBe TERMINATED
+            port.parent.exists() shouldBe false
+        }
+    }
+})
+
+private const val LIMIT_S = 60L
+private const val TERMINATED = 128 + 15
+
+/** Runs a tool in a process of its own, which has ended behind this. */
+private fun tool(vararg arguments: String, use: (Process, BufferedReader) -> Unit) {
+    val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+    val command = listOf(java, "-cp", System.getProperty("java.class.path"), "argo.tools.MainKt") + arguments
+    val process = ProcessBuilder(command).redirectErrorStream(true).start()
+    try {
+        process.inputReader().use { use(process, it) }
+    } finally {
+        process.destroyForcibly().waitFor()
+    }
+}
