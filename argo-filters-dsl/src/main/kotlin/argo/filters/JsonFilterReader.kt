@@ -4,16 +4,12 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
 
 /** Makes a filter of a JSON document, or a list of all that is wrong with it. */
-internal class JsonFilterReader(text: String, private val source: String, private val name: String) {
+internal class JsonFilterReader(text: String, source: String, private val name: String) {
     private val root = JsonTreeReader(SourceText(text), source).read()
-    private val problems = ArrayList<Problem>()
+    private val problems = Problems(source)
 
     /** @throws FilterException with all problems of the document, in the order of the text */
-    fun read(): PerceptionFilter {
-        val filter = filter(root)
-        if (filter == null || problems.isNotEmpty()) throw FilterException(problems.sortedBy { Position(it.line, it.column) })
-        return filter
-    }
+    fun read(): PerceptionFilter = problems.unlessAny(filter(root))
 
     private fun filter(node: JsonNode): PerceptionFilter? {
         val members = members(node, "a filter", RULES, CRITICAL, KEEP, ON_SWITCH) ?: return null
@@ -180,16 +176,9 @@ internal class JsonFilterReader(text: String, private val source: String, privat
         members[name]?.let { report(it.position, "\"$name\" on $what, which has none") }
     }
 
-    private fun <T> reporting(node: JsonNode, read: () -> T): T? = try {
-        read()
-    } catch (e: IllegalArgumentException) {
-        report(node.position, e.message.orEmpty())
-        null
-    }
+    private fun <T> reporting(node: JsonNode, read: () -> T): T? = problems.reporting(node.position, read = read)
 
-    private fun report(at: Position, message: String) {
-        problems += Problem(source, at.line, at.column, message)
-    }
+    private fun report(at: Position, message: String) = problems.report(at, message)
 
     private companion object {
         const val RULES = "rules"

@@ -1,16 +1,15 @@
 package argo.filters
 
 /** Makes a filter of an XML document, or a list of all that is wrong with it. */
-internal class XmlFilterReader(text: String, private val source: String, private val name: String) {
+internal class XmlFilterReader(text: String, source: String, private val name: String) {
     private val tree = XmlTreeReader(SourceText(text), source).read()
-    private val problems = ArrayList<Problem>()
+    private val problems = Problems(source)
 
     /** @throws FilterException with all problems of the document, in the order of the text */
     fun read(): PerceptionFilter {
         val filter = tree.root?.let(::filter)
-        tree.problem?.let(problems::add)
-        if (filter == null || problems.isNotEmpty()) throw FilterException(problems.sortedBy { Position(it.line, it.column) })
-        return filter
+        tree.problem?.let(problems::report)
+        return problems.unlessAny(filter)
     }
 
     private fun filter(root: XmlElement): PerceptionFilter? {
@@ -44,7 +43,7 @@ internal class XmlFilterReader(text: String, private val source: String, private
         val deadbands = element.children.filter { it.name == PARAMETER }.flatMap { parameter -> parameter.attributes.filter { it.name == DEADBAND } }
         deadbands.forEach { report(it.position, "a deadband in <$CRITICAL>; a critical percept is never held back") }
         val reflex = attributes[REFLEX]
-        val command = reflex?.let { attribute -> reporting(attribute.position, "") { attribute.value.also(CriticalRule::requireSendable) } }
+        val command = reflex?.let { attribute -> problems.reporting(attribute.position) { attribute.value.also(CriticalRule::requireSendable) } }
         val rule = rule(element, attributes)
         return if (rule == null || reflex != null && command == null) null else CriticalRule(rule, command)
     }
@@ -112,7 +111,7 @@ internal class XmlFilterReader(text: String, private val source: String, private
             if (isWhole) report(at, "the $what is empty; expected a functor, as in dist or ~open")
             return null
         }
-        return reporting(at, "as the $what, the functor alone is expected") { Predicate.of(text) }
+        return problems.reporting(at, "as the $what, the functor alone is expected") { Predicate.of(text) }
     }
 
     private fun argument(element: XmlElement): Condition? {
@@ -175,7 +174,7 @@ internal class XmlFilterReader(text: String, private val source: String, private
             if (isWhole(element)) report(element.position, "the <${element.name}> is empty; expected the value to compare with")
             return null
         }
-        return operator?.let { reporting(element.textPosition, "") { TestFormat.test(it, text) } }
+        return operator?.let { problems.reporting(element.textPosition) { TestFormat.test(it, text) } }
     }
 
     private fun operator(attribute: XmlAttribute?): String? {
@@ -209,16 +208,7 @@ internal class XmlFilterReader(text: String, private val source: String, private
     /** What is missing in an element that the document breaks off in is no problem of its own. */
     private fun isWhole(element: XmlElement) = element.isClosed || tree.problem == null
 
-    private fun <T> reporting(at: Position, expectation: String, read: () -> T): T? = try {
-        read()
-    } catch (e: IllegalArgumentException) {
-        report(at, listOf(e.message.orEmpty(), expectation).filter(String::isNotEmpty).joinToString("; "))
-        null
-    }
-
-    private fun report(at: Position, message: String) {
-        problems += Problem(source, at.line, at.column, message)
-    }
+    private fun report(at: Position, message: String) = problems.report(at, message)
 
     private companion object {
         const val ROOT = "PerceptionFilter"
