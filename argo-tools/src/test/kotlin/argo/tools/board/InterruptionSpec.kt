@@ -25,7 +25,7 @@ class InterruptionSpec : FunSpec({
         val recorded = folder.resolve("mine.rec")
         tool("monitor", "replay:$board", "--interval", "0", "--record", "$recorded") { process, said ->
             said.readLine() shouldContain "dist(f,1)"
-            process.destroy()
+            process.toHandle().destroy() // process.destroy() would close its output too
             said.readText() shouldContain "recorded in $recorded"
             process.waitFor(LIMIT_S, TimeUnit.SECONDS) shouldBe true
             process.exitValue() shouldBe TERMINATED
@@ -37,7 +37,7 @@ class InterruptionSpec : FunSpec({
         tool("replay", "$board") { process, said ->
             val port = Path.of(said.readLine())
             port.exists() shouldBe true
-            process.destroy()
+            process.toHandle().destroy() // process.destroy() would close its output too
             process.waitFor(LIMIT_S, TimeUnit.SECONDS) shouldBe true
             process.exitValue() shouldBe TERMINATED
             port.parent.exists() shouldBe false
