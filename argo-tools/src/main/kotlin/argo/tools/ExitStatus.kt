@@ -24,7 +24,7 @@ internal fun saidTo(failure: Throwable): String? = when (failure) {
     is AccessDeniedException -> "${failure.file}: this user may not do that there"
     is javino.PortException, is javino.MalformedRecordingException -> failure.message
     is FileSystemException -> "${failure.file}: ${failure.reason ?: failure.javaClass.simpleName}"
-    is IOException -> "$failure"
+    is IOException -> failure.message ?: "$failure"
     is UncheckedIOException -> failure.cause?.let(::saidTo)
     else -> null
 }

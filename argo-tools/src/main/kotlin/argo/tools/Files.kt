@@ -2,9 +2,9 @@ package argo.tools
 
 import java.nio.file.AccessDeniedException
 import java.nio.file.FileAlreadyExistsException
+import java.nio.file.FileSystemException
 import java.nio.file.Files
 import java.nio.file.LinkOption
-import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 
 /**
@@ -30,8 +30,8 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
         throw ToolException("$file is there already, and is not overwritten")
     } catch (_: AccessDeniedException) {
         throw ToolException("this user may not make anything in the folder ${folderOf(file)}")
-    } catch (_: NoSuchFileException) { // as in /proc
-        throw ToolException("nothing can be made in the folder ${folderOf(file)}")
+    } catch (refused: FileSystemException) { // as in /proc, or on a disk that is full or read-only
+        throw ToolException("nothing can be made in the folder ${folderOf(file)}${refused.reason?.let { ": $it" }.orEmpty()}")
     }
 }
 

@@ -1,6 +1,7 @@
 package argo.tools
 
 import picocli.CommandLine
+import picocli.CommandLine.Help.Ansi
 import java.io.FileDescriptor
 import java.io.FileOutputStream
 import java.io.OutputStream
@@ -38,6 +39,7 @@ private fun standardCharset(): Charset {
 /** The tools, to be run in this program or in a test. */
 internal fun tools(): CommandLine = CommandLine(Tools())
     .refusingInWords("command")
+    .setColorScheme(CommandLine.Help.defaultColorScheme(if (System.getenv("TERM") == "dumb") Ansi.OFF else Ansi.AUTO))
     .setExecutionExceptionHandler { failure, command, _ ->
         val said = saidTo(failure)
         if (said != null) command.err.println(said) else failure.printStackTrace(command.err)

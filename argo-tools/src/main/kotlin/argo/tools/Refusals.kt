@@ -6,6 +6,8 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.TypeConversionException
 import picocli.CommandLine.UnmatchedArgumentException
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
 
 /**
  * Has the commands of this line tell a person what is wrong with their arguments, and where the help is, and end with exit status 2.
@@ -16,6 +18,7 @@ fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
     .registerConverter(Int::class.javaObjectType) { wholeNumber(it, String::toIntOrNull) }
     .registerConverter(Long::class.javaObjectType) { wholeNumber(it, String::toLongOrNull) }
+    .registerConverter(Path::class.java, ::file)
     .setParameterExceptionHandler { wrong, _ ->
         val refused = wrong.commandLine
         refused.err.println(reason(wrong, kind))
@@ -25,6 +28,12 @@ fun CommandLine.refusingInWords(kind: String): CommandLine = this
 
 private fun <N> wholeNumber(text: String, read: (String) -> N?): N =
     read(text) ?: throw TypeConversionException("$text is not a whole number that can be used here")
+
+private fun file(name: String): Path = try {
+    Path.of(name)
+} catch (_: InvalidPathException) {
+    throw TypeConversionException("'$name' has characters that no file's name has here; if it is there, the locale (LC_ALL or LANG) is to be one of UTF-8")
+}
 
 private fun reason(wrong: ParameterException, kind: String): String? {
     val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()

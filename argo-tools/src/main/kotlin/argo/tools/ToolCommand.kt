@@ -1,7 +1,6 @@
 package argo.tools
 
 import picocli.CommandLine.Command
-import picocli.CommandLine.Help.Ansi
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
@@ -23,8 +22,8 @@ internal abstract class ToolCommand : Callable<Int> {
     /** Where troubles go. */
     protected val err: PrintWriter get() = spec.commandLine().err
 
-    /** Colours, on a terminal that wants them: not where `NO_COLOR` is set. */
-    protected val paint: Paint get() = Paint(Ansi.AUTO.enabled())
+    /** Colours, on a terminal that wants them: not where `NO_COLOR` is set, or it knows none. */
+    protected val paint: Paint get() = Paint(spec.commandLine().colorScheme.ansi().enabled())
 
     /** Wrong arguments: ends the command with exit status 2. */
     protected fun misuse(reason: String): Nothing = spec.refuse(reason)

@@ -67,6 +67,12 @@ class CommandLineSpec : FunSpec({
         }
     }
 
+    test("a name that no file can have is refused with what may be the reason") {
+        val said = argo("filter", "check", "\u0000.xml")
+        said.status shouldBe 2
+        said.err shouldContain "has characters that no file's name has here; if it is there, the locale"
+    }
+
     test("a port that is not there is named with those that are") {
         val said = argo("request", "ttyNoSuchBoard9", "getPercepts")
         said.status shouldBe 1
