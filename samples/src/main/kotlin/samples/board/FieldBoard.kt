@@ -38,7 +38,7 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
     private fun handle(message: String, line: Transport, unread: Unread) {
         if (message != PerceptsRequest.ALL) return sketch.act(message)
         val answer = messages(perceptsOf(sketch.percepts())).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
-        unread.lookedAwayUntil(line.say(answer, clock))
+        unread.lookAwayUntil(line.beginToSay(answer, clock))
     }
 }
 
@@ -51,28 +51,31 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
 private class Unread(private val line: Transport, private val clock: LineClock) {
     private val arrived = ByteArray(MOST_WAITING)
     private var waiting = ByteArray(0)
-    private var lookedAwayUntil: Long? = null
+    private var burst = 0
 
-    /** The board has not looked until then, by the line's clock. */
-    fun lookedAwayUntil(end: Long) {
-        lookedAwayUntil = end
+    /** Lets bytes come until [end] by the line's clock, and then no longer, even if this takes longer. */
+    fun lookAwayUntil(end: Long) {
+        do {
+            val left = end - clock.nanos()
+            val count = read(arrived.size, (left.coerceAtLeast(0) + NANOS_PER_MILLI - 1) / NANOS_PER_MILLI)
+            val late = ((clock.nanos() - end) / line.line().byteNanos()).coerceIn(0, count.toLong()).toInt()
+            burst = waiting.size - late
+        } while (left > 0)
     }
 
     /** The next bytes to read; empty if none came for a while. */
     fun take(): ByteArray {
-        val end = lookedAwayUntil
-        if (end != null || waiting.isEmpty()) {
-            val count = line.read(arrived, 0, if (end == null) 1 else arrived.size, READ_LIMIT_MS)
-            waiting += arrived.copyOf(count)
-        }
-        val late = if (end == null) 0 else ((clock.nanos() - end) / line.line().byteNanos()).coerceIn(0, waiting.size.toLong()).toInt()
-        val burst = if (end == null) minOf(1, waiting.size) else waiting.size - late
-        lookedAwayUntil = null
-        return waiting.copyOf(burst).also { waiting = waiting.copyOfRange(burst, waiting.size) }
+        if (waiting.isEmpty()) read(1, READ_LIMIT_MS)
+        val count = maxOf(burst, minOf(1, waiting.size))
+        burst = 0
+        return waiting.copyOf(count).also { waiting = waiting.copyOfRange(count, waiting.size) }
     }
+
+    private fun read(most: Int, limitMs: Long): Int = line.read(arrived, 0, most, limitMs.toInt()).also { waiting += arrived.copyOf(it) }
 
     private companion object {
         const val MOST_WAITING = 4096
-        const val READ_LIMIT_MS = 100
+        const val READ_LIMIT_MS = 100L
+        const val NANOS_PER_MILLI = 1_000_000L
     }
 }

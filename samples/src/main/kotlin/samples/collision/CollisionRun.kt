@@ -81,15 +81,15 @@ internal class CollisionRun(
         progress.end()
         if (levels.port == null || witness.beliefs.port !in OPEN) return
         val deadline = clock.nanos() + HALT_LIMIT_S * NANOS_PER_SECOND
-        if (witness.beliefs.status != STOPPED) witness.haltRobot()
-        while (witness.beliefs.status != STOPPED && clock.nanos() < deadline) mas.awaitEnd(LOOK_MS)
+        if (witness.beliefs.status != Witness.STOPPED) witness.haltRobot()
+        while (witness.beliefs.status != Witness.STOPPED && clock.nanos() < deadline) mas.awaitEnd(LOOK_MS)
     }
 
     private fun scene(): Scene {
         if (levels.port != null) return BoardScene(witness, levels.port, levels.limit, clock)
         val robot = Robot(clock, Random(levels.seed))
         SimulatedBoards.plugIn(RobotBoard.NAME, RobotBoard(robot))
-        return SimulatedScene(robot, witness, levels.limit, clock)
+        return SimulatedScene(robot, witness::beliefs, levels.limit, clock)
     }
 
     private fun watch(scene: Scene): Verdict {
@@ -105,7 +105,6 @@ internal class CollisionRun(
 
     private companion object {
         const val AGENT = "robot"
-        const val STOPPED = "stopped"
         val OPEN = setOf("on", "timeout")
         const val SIMULATED = "sim:${RobotBoard.NAME}"
 

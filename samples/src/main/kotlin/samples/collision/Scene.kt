@@ -20,8 +20,11 @@ internal interface Scene {
     fun overdue(seconds: Long): Verdict
 }
 
-/** The simulated [robot], whose place is known whatever its agent believes. */
-internal class SimulatedScene(private val robot: Robot, private val witness: Witness, private val limit: Int, private val clock: LineClock) : Scene {
+/**
+ * The simulated [robot], whose place is known whatever its agent believes. A robot that stands has ended its run when its agent believes so: one
+ * that waits for its board to answer will go on.
+ */
+internal class SimulatedScene(private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock) : Scene {
     override fun look(): List<String> {
         val now = clock.nanos()
         val course = robot.course
@@ -37,10 +40,13 @@ internal class SimulatedScene(private val robot: Robot, private val witness: Wit
     override fun verdict(): Verdict? {
         val now = clock.nanos()
         val course = robot.course
-        return when (course.stateAt(now)) {
-            Course.State.COLLIDED -> Verdict.Collided(limit, between(course.reached(limit.toDouble(), now), course.reached(0.0, now)) ?: 0)
-            Course.State.STOPPED -> Verdict.Stopped(course.distanceAt(now), limit, between(course.reached(limit.toDouble(), now), course.halt))
-            else -> witness.beliefs.trouble?.let { Verdict.Failed(it) }
+        val state = course.stateAt(now)
+        val (_, status, trouble) = beliefs()
+        return when {
+            state == Course.State.COLLIDED -> Verdict.Collided(limit, between(course.reached(limit.toDouble(), now), course.reached(0.0, now)) ?: 0)
+            state == Course.State.STOPPED && status == Witness.STOPPED ->
+                Verdict.Stopped(course.distanceAt(now), limit, between(course.reached(limit.toDouble(), now), course.halt))
+            else -> trouble?.let { Verdict.Failed(it) }
         }
     }
 
@@ -76,7 +82,7 @@ internal class BoardScene(private val witness: Witness, private val port: String
     override fun verdict(): Verdict? = with(witness.beliefs) {
         when {
             trouble != null -> Verdict.Failed(trouble)
-            status == "stopped" -> Verdict.Sent(distance, limit)
+            status == Witness.STOPPED -> Verdict.Sent(distance, limit)
             else -> null
         }
     }

@@ -49,4 +49,9 @@ internal class Witness : AgArch() {
         val trouble: String? = null,
         val port: String? = null,
     )
+
+    companion object {
+        /** What it believes of its status when it has stopped its robot. */
+        const val STOPPED = "stopped"
+    }
 }

@@ -9,7 +9,13 @@ class SimulatedSceneSpec : FunSpec({
     class Run(limit: Int) {
         val clock = HandClock()
         val robot = Robot(clock, Random(1))
-        val scene = SimulatedScene(robot, Witness(), limit, clock)
+        var beliefs = Witness.Beliefs()
+        val scene = SimulatedScene(robot, { beliefs }, limit, clock)
+
+        fun stop() {
+            robot.act("stop")
+            beliefs = beliefs.copy(status = "stopped")
+        }
     }
 
     test("a run lasts until the robot has stopped or collided") {
@@ -33,18 +39,29 @@ class SimulatedSceneSpec : FunSpec({
         val run = Run(40)
         run.robot.act("front")
         run.clock.advance(16_142)
-        run.robot.act("stop")
+        run.stop()
         run.clock.advance(500)
         val verdict = run.scene.verdict().shouldNotBeNull()
         verdict.sentence shouldBe "stopped 38.6 cm from the wall, 142 ms after the 40 cm limit"
         verdict.exitStatus shouldBe 0
     }
 
+    test("a robot that waits for its board to answer has not ended its run") {
+        val run = Run(40)
+        run.robot.act("front")
+        run.beliefs = Witness.Beliefs(status = "front")
+        run.clock.advance(1000)
+        run.robot.act("stop")
+        run.scene.verdict() shouldBe null
+        run.robot.act("front")
+        run.scene.verdict() shouldBe null
+    }
+
     test("a stop before the limit is told as such") {
         val run = Run(40)
         run.robot.act("front")
         run.clock.advance(1000)
-        run.robot.act("stop")
+        run.stop()
         run.scene.verdict().shouldNotBeNull().sentence shouldBe "stopped 190.0 cm from the wall, before the 40 cm limit"
     }
 
@@ -52,7 +69,7 @@ class SimulatedSceneSpec : FunSpec({
         val run = Run(40)
         run.robot.act("front")
         run.clock.advance(20_050)
-        run.robot.act("stop")
+        run.stop()
         val verdict = run.scene.verdict().shouldNotBeNull()
         verdict.sentence shouldBe "ran into the wall: the agent had not stopped the robot 4.0 s after the 40 cm limit"
         verdict.exitStatus shouldBe 1
