@@ -13,7 +13,6 @@ import java.util.Deque;
 final class Echoes {
     /** More than are ever on their way: the others were lost on it. */
     private static final int MOST = 32;
-    private static final String REQUEST = "getPercepts";
 
     private final Deque<Frame> sent = new ArrayDeque<>(); // what has not come back yet, the oldest first
     private boolean known;
@@ -31,7 +30,7 @@ final class Echoes {
         if (!sent.contains(frame)) {
             return false;
         }
-        known |= frame.text().startsWith(REQUEST);
+        known |= PerceptsRequest.isIn(frame.text());
         if (known) {
             while (!sent.remove().equals(frame)) { } // what was sent before it has been lost on the way
         }
