@@ -36,5 +36,5 @@ private fun runBoard(port: String) {
 private fun processorNanos(without: Thread): Long =
     (ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime - ManagementFactory.getThreadMXBean().getThreadCpuTime(without.id)
 
-private const val WARM_UP_MS = 15_000L
+private const val WARM_UP_MS = 60_000L
 private const val MEASURED_MS = 10_000L
