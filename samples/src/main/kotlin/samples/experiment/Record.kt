@@ -84,18 +84,22 @@ internal val JSON = Json { encodeDefaults = true }
 internal class RecordWriter(private val file: Path) : AutoCloseable {
     private val lock = ReentrantLock()
     private val out = Files.newOutputStream(file) // not buffered: what a full disk has refused must not come later
-    private var isClosed = false
+    private var isEnded = false
     private var trouble: IOException? = null
 
-    /** Adds [entry] as one whole line; after [close], and after a line that could not be written, nothing is added any more. */
+    /**
+     * Adds [entry] as one whole line; after the result, [close], or a line that could not be written, nothing is added any more: a board may still
+     * be answering when its run is over.
+     */
     fun write(entry: Entry) = lock.withLock {
-        if (!isClosed && trouble == null) {
+        if (!isEnded && trouble == null) {
             try {
                 out.write((JSON.encodeToString(Entry.serializer(), entry) + "\n").toByteArray())
             } catch (full: IOException) {
                 trouble = full
             }
         }
+        if (entry is Entry.Result) isEnded = true
     }
 
     /**
@@ -106,7 +110,7 @@ internal class RecordWriter(private val file: Path) : AutoCloseable {
     fun requireWhole() = lock.withLock { trouble?.let { throw IOException("$file cannot be written: ${it.message}", it) } }
 
     override fun close() = lock.withLock {
-        isClosed = true
+        isEnded = true
         out.close()
     }
 }

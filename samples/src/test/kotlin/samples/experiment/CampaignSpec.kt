@@ -169,6 +169,16 @@ class CampaignSpec : FunSpec({
         file.readLines().map { JSON.decodeFromString(Entry.serializer(), it) }.single().shouldBeInstanceOf<Entry.Begin>()
     }
 
+    test("what a board still says when its run is over is not in the record") {
+        val file = tempdir().toPath().resolve("record.jsonl")
+        RecordWriter(file).use { record ->
+            record.write(Entry.Begin(trials[0], SETTINGS))
+            record.write(stopped())
+            record.write(Entry.Frame(1, "dist(f,39)", 39.0))
+        }
+        readRecord(file)?.last() shouldBe stopped()
+    }
+
     test("how far it has come is told with the runs at the wall and the time left") {
         val told = ConcurrentLinkedQueue<Campaign.Status>()
         Campaign(archive(), SETTINGS, { _, _, _ -> stopped().copy(outcome = Outcome.COLLIDED) }, 1, GivenUp(), told::add).run(trials)
