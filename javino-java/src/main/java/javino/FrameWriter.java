@@ -6,17 +6,17 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 
 /**
- * Takes frames to a line, one at a time and in the order in which they are asked for, each when the {@link LineSchedule} lets it. So a
+ * Takes frames to a line, one at a time and in the order in which they are asked for, each when the {@link Pacer} lets it. So a
  * request waits for the actions that were waiting before it, and for no others.
  *
  * <p>Safe on any thread; no lock is held while bytes are written.
  */
 final class FrameWriter {
-    /** What a frame is for: the schedule treats the two differently. */
+    /** What a frame is for: the pacer treats the two differently. */
     enum Kind { ACTION, REQUEST }
 
     /** What is done after a frame's turn has come and right before it is written. */
-    interface Preparation {
+    interface BeforeWrite {
         void run() throws PortException;
     }
 
@@ -27,12 +27,12 @@ final class FrameWriter {
     private final Deque<Object> turns = new ArrayDeque<>(); // the first is being written, or is the next
     private final Transport transport;
     private final LineClock clock;
-    private final LineSchedule schedule;
+    private final Pacer pacer;
     private String end; // why the line is gone; null while it is there
 
-    FrameWriter(Transport transport, LineSchedule schedule, LineClock clock) {
+    FrameWriter(Transport transport, Pacer pacer, LineClock clock) {
         this.transport = transport;
-        this.schedule = schedule;
+        this.pacer = pacer;
         this.clock = clock;
         lock = clock.newLock(false);
         changed = lock.newCondition();
@@ -45,12 +45,12 @@ final class FrameWriter {
      * @return when its last byte leaves the line, by the clock
      * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
      */
-    long write(Kind kind, Frame frame, int timeoutMillis, Preparation preparation) throws PortException {
+    long write(Kind kind, Frame frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
         byte[] bytes = frame.toBytes();
         Object turn = new Object();
         try {
             awaitTurn(turn, kind, bytes.length, timeoutMillis);
-            preparation.run();
+            beforeWrite.run();
             return writeNow(kind, bytes, timeoutMillis);
         } finally {
             endTurn(turn);
@@ -66,7 +66,7 @@ final class FrameWriter {
                 requireLine();
                 long now = clock.nanos();
                 long wait = turns.peek() != turn ? Long.MAX_VALUE
-                        : kind == Kind.ACTION ? schedule.nanosUntilAction(bytes, now) : schedule.nanosUntilRequest(now);
+                        : kind == Kind.ACTION ? pacer.nanosUntilAction(bytes, now) : pacer.nanosUntilRequest(now);
                 if (wait == 0) {
                     return;
                 }
@@ -90,7 +90,7 @@ final class FrameWriter {
             lock.lock(); // also of a write that failed some bytes may have left
             try {
                 long now = clock.nanos();
-                sent = kind == Kind.ACTION ? schedule.wroteAction(bytes.length, start, now) : schedule.wroteRequest(bytes.length, start, now);
+                sent = kind == Kind.ACTION ? pacer.wroteAction(bytes.length, start, now) : pacer.wroteRequest(bytes.length, start, now);
             } finally {
                 lock.unlock();
             }
@@ -125,7 +125,7 @@ final class FrameWriter {
     void received(int bytes, long now) {
         lock.lock();
         try {
-            schedule.received(bytes, now);
+            pacer.received(bytes, now);
         } finally {
             lock.unlock();
         }
@@ -135,7 +135,7 @@ final class FrameWriter {
     void answered(long now) {
         lock.lock();
         try {
-            schedule.answered(now);
+            pacer.answered(now);
             changed.signalAll();
         } finally {
             lock.unlock();
@@ -143,10 +143,10 @@ final class FrameWriter {
     }
 
     /** Says that the board speaks version 2. */
-    void boardIsVersion2() {
+    void speakVersion2() {
         lock.lock();
         try {
-            schedule.boardIsVersion2();
+            pacer.speakVersion2();
             changed.signalAll();
         } finally {
             lock.unlock();

@@ -14,7 +14,7 @@ import java.util.function.Supplier;
  */
 final class Inbox {
     /** Told whenever bytes have arrived. */
-    interface Reception {
+    interface ReadListener {
         /** Says that {@code bytes} have been read at {@code now}, in nanoseconds of the line's clock. */
         void received(int bytes, long now);
     }
@@ -25,7 +25,7 @@ final class Inbox {
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int BUFFER = 1024;
     /** Messages that wait at most to be taken: nobody may ever take one of a board that speaks unasked. The newest count. */
-    private static final int MOST_MESSAGES = 64;
+    private static final int MAX_MESSAGES = 64;
     private static final System.Logger LOG = System.getLogger(Inbox.class.getName());
     /** Reads at most, one after the other, of what a line has ready: more than any driver holds, but an end for a line that never rests. */
     private static final int READS = 64;
@@ -37,9 +37,9 @@ final class Inbox {
     private final Transport transport;
     private final LineClock clock;
     private final FrameDecoder decoder;
-    private final Fragments fragments;
-    private final Echoes echoes = new Echoes();
-    private final Reception received;
+    private final Reassembler fragments;
+    private final LocalEchoFilter echoes = new LocalEchoFilter();
+    private final ReadListener received;
     private final long interByteTimeoutNanos;
     private boolean beingRead;
     private boolean version2; // and nothing else
@@ -54,7 +54,7 @@ final class Inbox {
      *
      * @param received told whenever bytes have arrived
      */
-    Inbox(Transport transport, LineClock clock, Reception received) {
+    Inbox(Transport transport, LineClock clock, ReadListener received) {
         this(transport, clock, received, Protocol.V1, Frame.MAX_PAYLOAD);
     }
 
@@ -62,7 +62,7 @@ final class Inbox {
      * @param received told whenever bytes have arrived
      * @param messageLimit bytes that a message of several fragments has at most
      */
-    Inbox(Transport transport, LineClock clock, Reception received, Protocol protocol, int messageLimit) {
+    Inbox(Transport transport, LineClock clock, ReadListener received, Protocol protocol, int messageLimit) {
         this.transport = transport;
         this.clock = clock;
         lock = clock.newLock(false);
@@ -70,7 +70,7 @@ final class Inbox {
         this.received = received;
         interByteTimeoutNanos = FrameDecoder.interByteTimeoutNanos(transport.line());
         decoder = new FrameDecoder(interByteTimeoutNanos, protocol, this::keep);
-        fragments = new Fragments(messageLimit);
+        fragments = new Reassembler(messageLimit);
         version2 = protocol == Protocol.V2;
         lastByteNanos = clock.nanos();
     }
@@ -173,7 +173,7 @@ final class Inbox {
     }
 
     /** Bytes so far that made no frame. */
-    long noise() {
+    long discardedBytes() {
         lock.lock();
         try {
             return decoder.discarded();
@@ -275,7 +275,7 @@ final class Inbox {
     }
 
     private void keep(Message message) {
-        if (messages.size() == MOST_MESSAGES) {
+        if (messages.size() == MAX_MESSAGES) {
             messages.poll();
         }
         messages.add(message);

@@ -25,7 +25,7 @@ import java.util.function.BooleanSupplier;
  * free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
  */
 public final class Link implements AutoCloseable {
-    private static final long LONGEST_WAIT_NANOS = 600_000_000L;
+    private static final long MAX_WAIT_NANOS = 600_000_000L;
     /** How long the device may be gone before it is noticed while a long message leaves. */
     private static final long WATCH_NANOS = 250_000_000L;
 
@@ -37,8 +37,8 @@ public final class Link implements AutoCloseable {
     private final LineClock clock;
     private final FrameWriter writer;
     private final Inbox inbox;
-    private final Exchange exchange; // used by who holds reading
-    private final Delivery delivery;
+    private final RequestChannel channel; // used by who holds reading
+    private final StopAndWaitSender sender;
 
     Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
         this.transport = transport;
@@ -47,10 +47,10 @@ public final class Link implements AutoCloseable {
         this.clock = clock;
         ending = clock.newLock(false);
         reading = clock.newLock(true); // fair: a sender that must wait for readiness gets its turn too
-        writer = new FrameWriter(transport, new LineSchedule(settings, clock.nanos()), clock);
+        writer = new FrameWriter(transport, new Pacer(settings, clock.nanos()), clock);
         inbox = new Inbox(transport, clock, writer::received, settings.protocol(), settings.messageLimit());
-        exchange = new Exchange(inbox, writer, clock, settings);
-        delivery = new Delivery(transport.name(), inbox, writer, clock, settings.line());
+        channel = new RequestChannel(inbox, writer, clock, settings);
+        sender = new StopAndWaitSender(transport.name(), inbox, writer, clock, settings.line());
     }
 
     /**
@@ -110,7 +110,7 @@ public final class Link implements AutoCloseable {
 
     /** The version that is spoken; {@link Protocol#AUTO} while it has not been found out. */
     public Protocol protocol() {
-        return exchange.protocol();
+        return channel.protocol();
     }
 
     /** Frames of version 2 that have arrived with a wrong checksum and were dropped. */
@@ -137,7 +137,7 @@ public final class Link implements AutoCloseable {
         Frame request = Frame.of(message);
         requireTime(timeoutMillis);
         return reading(() -> {
-            Message answer = exchange.request(request, timeoutMillis);
+            Message answer = channel.request(request, timeoutMillis);
             if (answer == null) {
                 throw new PortTimeoutException(port(), "port " + port() + " gave no answer to \"" + message + "\" within " + timeoutMillis
                         + " ms; " + transport.doubt());
@@ -173,14 +173,14 @@ public final class Link implements AutoCloseable {
         requireTime(timeoutMillis);
         try {
             return noticing(() -> {
-                if (exchange.mustAsk()) {
+                if (channel.mustAsk()) {
                     awaitStart();
                 }
-                if (exchange.protocol() == Protocol.V2) {
-                    delivery.deliver(action, timeoutMillis, () -> requireWanted(goes));
+                if (channel.protocol() == Protocol.V2) {
+                    sender.deliver(action, timeoutMillis, () -> requireWanted(goes));
                 } else {
                     awaitSent(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> {
-                        exchange.awaitGap();
+                        channel.awaitGap();
                         requireWanted(goes);
                         inbox.sends(action);
                     }));
@@ -216,7 +216,7 @@ public final class Link implements AutoCloseable {
     public String listen(int timeoutMillis) throws PortException {
         requireTime(timeoutMillis);
         return reading(() -> {
-            Message message = exchange.listen(timeoutMillis);
+            Message message = channel.listen(timeoutMillis);
             if (message == null) {
                 throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
@@ -257,14 +257,14 @@ public final class Link implements AutoCloseable {
     /** Returns when the board has said something, or must have started. */
     private void awaitStart() throws PortException {
         try {
-            if (!reading.tryLock(Math.max(exchange.nanosUntilStarted(), LONGEST_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
+            if (!reading.tryLock(Math.max(channel.nanosUntilStarted(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
                 return; // another call waited for it meanwhile, or listens for so long that the action must not wait for it
             }
         } catch (InterruptedException e) {
             throw interrupted();
         }
         try {
-            exchange.awaitStart();
+            channel.awaitStart();
         } finally {
             reading.unlock();
         }

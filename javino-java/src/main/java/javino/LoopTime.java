@@ -14,9 +14,9 @@ final class LoopTime {
     static final int SAMPLES = 256;
     private static final int ALONE_AMONG = 64;
     /** A board that takes longer to answer is measuring something, not looking elsewhere; or what came is no answer. */
-    private static final long LONGEST_DELAY_NANOS = 50_000_000L;
+    private static final long MAX_DELAY_NANOS = 50_000_000L;
     /** The longest estimate. */
-    static final long LONGEST_NANOS = 2 * LONGEST_DELAY_NANOS;
+    static final long MAX_NANOS = 2 * MAX_DELAY_NANOS;
 
     private final long[] delays = new long[SAMPLES];
     private int count;
@@ -25,7 +25,7 @@ final class LoopTime {
 
     /** Says that an answer began {@code delayNanos} after its request had left; less than 0 counts as 0. */
     void answeredAfter(long delayNanos) {
-        if (delayNanos > LONGEST_DELAY_NANOS) {
+        if (delayNanos > MAX_DELAY_NANOS) {
             return;
         }
         delays[next] = Math.max(0, delayNanos);

@@ -15,7 +15,7 @@ final class Negotiation {
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int PROBES = 2;
     /** So many if bytes come back, which may be a damaged answer. */
-    private static final int MOST_PROBES = 5;
+    private static final int MAX_PROBES = 5;
     /** A board that takes longer to begin its answer is probed twice and answers twice. */
     private static final long PROBE_NANOS = 30 * NANOS_PER_MILLI;
     /** An answer that is coming is complete by then. */
@@ -25,9 +25,9 @@ final class Negotiation {
     /** While a board is starting, every so many requests one is of version 2, for a board that knows nothing else. */
     private static final int CYCLE = 4;
 
-    private final Exchange exchange;
+    private final RequestChannel channel;
     private final Inbox inbox;
-    private final Answers answers;
+    private final ResponseCorrelator answers;
     private final long gapNanos;
     private boolean probed;
     private int asked;
@@ -35,8 +35,8 @@ final class Negotiation {
     private volatile long version1From;
 
     /** @param settings of which the spacing is kept between the versions, if it is longer than boards in the field need */
-    Negotiation(Exchange exchange, Inbox inbox, Answers answers, LineClock clock, LinkSettings settings) {
-        this.exchange = exchange;
+    Negotiation(RequestChannel channel, Inbox inbox, ResponseCorrelator answers, LineClock clock, LinkSettings settings) {
+        this.channel = channel;
         this.inbox = inbox;
         this.answers = answers;
         gapNanos = Math.max(GAP_NANOS, settings.spacingMillis() * NANOS_PER_MILLI);
@@ -48,26 +48,26 @@ final class Negotiation {
         return version1From;
     }
 
-    /** As {@link Exchange#request}; {@code answered} says whether the answer must be fresh. */
+    /** As {@link RequestChannel#request}; {@code answered} says whether the answer must be fresh. */
     Message run(Frame request, int timeoutMillis, boolean answered) throws PortException {
-        boolean runs = exchange.hasHeard();
+        boolean runs = channel.hasHeard();
         Message answer = null;
         if (!probed || runs) {
             probed = true;
             answer = probe(request, timeoutMillis);
         }
         if (answer == null && !runs) {
-            boolean starting = exchange.nanosUntilStarted() > 0;
-            answer = exchange.requestAsAgreed(request, timeoutMillis);
+            boolean starting = channel.nanosUntilStarted() > 0;
+            answer = channel.requestAsAgreed(request, timeoutMillis);
             if (answer == null && starting) {
                 return probe(request, timeoutMillis); // the board may know nothing else
             }
-            runs = asked == 1 && inbox.noise() == 0;
-            if (answer == null || exchange.protocol() != Protocol.AUTO) {
+            runs = asked == 1 && inbox.discardedBytes() == 0;
+            if (answer == null || channel.protocol() != Protocol.AUTO) {
                 return answer;
             }
             if (runs) {
-                exchange.agreeOn(Protocol.V1);
+                channel.agreeOn(Protocol.V1);
                 return answer;
             }
             answer = probe(request, timeoutMillis);
@@ -75,8 +75,8 @@ final class Negotiation {
         if (answer != null) {
             return answer;
         }
-        exchange.agreeOn(Protocol.V1);
-        return answered ? exchange.requestAsAgreed(request, timeoutMillis) : null;
+        channel.agreeOn(Protocol.V1);
+        return answered ? channel.requestAsAgreed(request, timeoutMillis) : null;
     }
 
     /** Writes a request while the version is not known. */
@@ -86,12 +86,12 @@ final class Negotiation {
     }
 
     private long askVersion1(Frame request, int timeoutMillis) throws PortException {
-        exchange.awaitGap();
-        return exchange.ask(Protocol.V1, request, timeoutMillis);
+        channel.awaitGap();
+        return channel.ask(Protocol.V1, request, timeoutMillis);
     }
 
     private long askVersion2(Frame request, int timeoutMillis) throws PortException {
-        long sent = exchange.ask(Protocol.V2, request, timeoutMillis);
+        long sent = channel.ask(Protocol.V2, request, timeoutMillis);
         version1From = sent + gapNanos;
         return sent;
     }
@@ -104,10 +104,10 @@ final class Negotiation {
             long messages = overheard;
             Message answer = version2By(sent, deadline);
             if (answer != null) {
-                return exchange.completed(answer, timeoutMillis);
+                return channel.completed(answer, timeoutMillis);
             }
             if (overheard == messages && inbox.lastByteNanos() - sent > 0) {
-                most = MOST_PROBES;
+                most = MAX_PROBES;
             }
         }
         answers.oweNothingInVersion1();
@@ -119,7 +119,7 @@ final class Negotiation {
         Message message = answers.by(sent, deadline, sent + ANSWER_NANOS);
         while (message != null && message.version() == 1) {
             overheard++;
-            exchange.overhear(message);
+            channel.overhear(message);
             message = answers.by(sent, deadline, sent + ANSWER_NANOS);
         }
         return message;

@@ -10,15 +10,15 @@ import java.util.concurrent.locks.Lock;
  * not sent again later than {@value #LAST_REPEAT_MILLIS} ms after the first time. Actions have a count of their own, since a request in
  * between does not make a board forget the last action. Safe on any thread.
  */
-final class Delivery {
+final class StopAndWaitSender {
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int REPEATS = 3;
     private static final int LAST_REPEAT_MILLIS = 2500;
-    private static final long QUIET_NANOS = LineSchedule.QUIET_MILLIS * NANOS_PER_MILLI;
-    private static final long FIRST_PATIENCE_NANOS = 150 * NANOS_PER_MILLI;
-    private static final long LEAST_PATIENCE_NANOS = 100 * NANOS_PER_MILLI;
+    private static final long QUIET_NANOS = Pacer.QUIET_MILLIS * NANOS_PER_MILLI;
+    private static final long FIRST_TIMEOUT_NANOS = 150 * NANOS_PER_MILLI;
+    private static final long MIN_TIMEOUT_NANOS = 100 * NANOS_PER_MILLI;
     /** With it the last repetition is on time, and an action that takes five seconds is still waited for. */
-    private static final long MOST_PATIENCE_NANOS = 350 * NANOS_PER_MILLI;
+    private static final long MAX_TIMEOUT_NANOS = 350 * NANOS_PER_MILLI;
     private static final int ACKNOWLEDGEMENT_LENGTH = 12;
 
     private final Lock turn;
@@ -30,7 +30,7 @@ final class Delivery {
     private int sequence;
     private long longestNanos; // between the end of an action that was sent once and its outcome
 
-    Delivery(String port, Inbox inbox, FrameWriter writer, LineClock clock, LineSettings line) {
+    StopAndWaitSender(String port, Inbox inbox, FrameWriter writer, LineClock clock, LineSettings line) {
         this.port = port;
         this.inbox = inbox;
         this.writer = writer;
@@ -45,19 +45,19 @@ final class Delivery {
      * Returns when the board has acted.
      *
      * @param timeoutMillis milliseconds to wait at most for the actions before it, and then for a turn on the line
-     * @param preparation done before it is written for the first time
+     * @param beforeWrite done before it is written for the first time
      * @throws PortTimeoutException if its turn did not come, and then nothing was sent
      * @throws ActionRefusedException if the board does not know it, or not with these arguments
      * @throws ActionUnconfirmedException if the board has said neither
      */
-    void deliver(Frame action, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
+    void deliver(Frame action, int timeoutMillis, FrameWriter.BeforeWrite beforeWrite) throws PortException {
         awaitTurn(timeoutMillis);
         try {
             sequence = (sequence + 1) % Frame.SEQUENCES;
             LastSequences.used(port, sequence);
             inbox.expectOutcome(sequence);
             Frame frame = action.toVersion2(Frame.ACK_WANTED, sequence);
-            Inbox.Outcome outcome = repeat(frame, timeoutMillis, preparation);
+            Inbox.Outcome outcome = repeat(frame, timeoutMillis, beforeWrite);
             if (outcome == null) {
                 throw new ActionUnconfirmedException(port, "port " + port + " did not say that it acted on \"" + action.text()
                         + "\"; it may have, or the board does not run any more");
@@ -82,9 +82,9 @@ final class Delivery {
         }
     }
 
-    private Inbox.Outcome repeat(Frame frame, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
-        long patience = patienceNanos();
-        long first = send(frame, timeoutMillis, preparation);
+    private Inbox.Outcome repeat(Frame frame, int timeoutMillis, FrameWriter.BeforeWrite beforeWrite) throws PortException {
+        long patience = timeoutNanos();
+        long first = send(frame, timeoutMillis, beforeWrite);
         Inbox.Outcome outcome = await(first, patience);
         if (outcome != null) {
             longestNanos = Math.max(longestNanos, clock.nanos() - first);
@@ -97,16 +97,16 @@ final class Delivery {
         return outcome;
     }
 
-    private long send(Frame frame, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
+    private long send(Frame frame, int timeoutMillis, FrameWriter.BeforeWrite beforeWrite) throws PortException {
         return writer.write(FrameWriter.Kind.ACTION, frame, timeoutMillis, () -> {
-            preparation.run();
+            beforeWrite.run();
             inbox.sends(frame);
         });
     }
 
-    private long patienceNanos() {
-        long usual = longestNanos == 0 ? FIRST_PATIENCE_NANOS : Math.max(LEAST_PATIENCE_NANOS, 2 * longestNanos);
-        return Math.min(usual, MOST_PATIENCE_NANOS) + 2 * acknowledgementNanos;
+    private long timeoutNanos() {
+        long usual = longestNanos == 0 ? FIRST_TIMEOUT_NANOS : Math.max(MIN_TIMEOUT_NANOS, 2 * longestNanos);
+        return Math.min(usual, MAX_TIMEOUT_NANOS) + 2 * acknowledgementNanos;
     }
 
     /** Waits for the outcome, and up to twice as long while the board is saying something else. */

@@ -5,7 +5,7 @@ package javino;
  *
  * <p>One thread at a time, but for what says that any may call it.
  */
-final class Exchange {
+final class RequestChannel {
     /** What is asked of a board to find out whether it runs, and in which version. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
 
@@ -13,12 +13,12 @@ final class Exchange {
     private static final int REPEAT_MILLIS = 250;
     /** A request is sent so often at most on a line whose damage is seen. */
     private static final int TRIES = 3;
-    private static final int MOST_BACKOFF = 4;
+    private static final int MAX_BACKOFF = 4;
 
     private final Inbox inbox;
     private final FrameWriter writer;
     private final LineClock clock;
-    private final Answers answers;
+    private final ResponseCorrelator answers;
     private final Negotiation negotiation;
     private final long startedAt; // when a board that has not answered is taken to run
     private volatile Protocol protocol;
@@ -31,11 +31,11 @@ final class Exchange {
     private Message overheard; // the newest that came meanwhile and is for who listens; null: none
 
     /** @param settings of which {@link LinkSettings#bootMillis()} counts from now */
-    Exchange(Inbox inbox, FrameWriter writer, LineClock clock, LinkSettings settings) {
+    RequestChannel(Inbox inbox, FrameWriter writer, LineClock clock, LinkSettings settings) {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;
-        answers = new Answers(inbox, clock);
+        answers = new ResponseCorrelator(inbox, clock);
         negotiation = new Negotiation(this, inbox, answers, clock, settings);
         protocol = settings.protocol();
         startedAt = clock.nanos() + settings.bootMillis() * NANOS_PER_MILLI;
@@ -133,7 +133,7 @@ final class Exchange {
     void agreeOn(Protocol version) {
         inbox.read(version);
         if (version == Protocol.V2) {
-            writer.boardIsVersion2();
+            writer.speakVersion2();
         }
         protocol = version;
     }
@@ -157,8 +157,8 @@ final class Exchange {
         long sent = askAsAgreed(request, timeoutMillis);
         long giveUp = sent + timeoutMillis * NANOS_PER_MILLI;
         for (int tries = 1; true; tries++) {
-            long noise = inbox.noise();
-            long patience = tries < TRIES ? answers.patienceNanos() << backoff : Long.MAX_VALUE / 2;
+            long noise = inbox.discardedBytes();
+            long patience = tries < TRIES ? answers.timeoutNanos() << backoff : Long.MAX_VALUE / 2;
             Message answer = answers.orDamage(sent, noise, sent + Math.min(patience, giveUp - sent), giveUp);
             if (answer != null) {
                 backoff = tries == 1 ? 0 : backoff;
@@ -167,10 +167,10 @@ final class Exchange {
             if (giveUp - clock.nanos() <= 0) {
                 return null;
             }
-            if (inbox.noise() > noise) {
+            if (inbox.discardedBytes() > noise) {
                 answers.settled(); // that was it
             } else {
-                backoff = Math.min(backoff + 1, MOST_BACKOFF);
+                backoff = Math.min(backoff + 1, MAX_BACKOFF);
             }
             sent = askAsAgreed(request, timeoutMillis);
         }
@@ -192,9 +192,9 @@ final class Exchange {
         return sent;
     }
 
-    private long write(Frame frame, int timeoutMillis, FrameWriter.Preparation preparation) throws PortException {
+    private long write(Frame frame, int timeoutMillis, FrameWriter.BeforeWrite beforeWrite) throws PortException {
         return writer.write(FrameWriter.Kind.REQUEST, frame, timeoutMillis, () -> {
-            preparation.run();
+            beforeWrite.run();
             inbox.sends(frame);
         });
     }

@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
  *
  * <p>Guarded by its user's lock.
  */
-final class Fragments {
+final class Reassembler {
     private final int limit;
     private final ByteArrayOutputStream parts = new ByteArrayOutputStream();
     private Frame last; // the last one that came; null: none has
@@ -23,7 +23,7 @@ final class Fragments {
     private boolean tooLong;
 
     /** @param limit bytes that a message has at most; a longer one is dropped */
-    Fragments(int limit) {
+    Reassembler(int limit) {
         this.limit = limit;
     }
 

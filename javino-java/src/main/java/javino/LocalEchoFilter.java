@@ -10,16 +10,16 @@ import java.util.Deque;
  * <p>That a line is one of these shows when a request for percepts comes back, which no board says. From then on actions that come back are no
  * messages either; before, one may be a board's own: some say what they were told. One thread at a time.
  */
-final class Echoes {
+final class LocalEchoFilter {
     /** More than are ever on their way: the others were lost on it. */
-    private static final int MOST = 32;
+    private static final int MAX = 32;
 
     private final Deque<Frame> sent = new ArrayDeque<>(); // what has not come back yet, the oldest first
     private boolean known;
 
     /** Says that a frame is about to go out. */
     void sends(Frame frame) {
-        if (sent.size() == MOST) {
+        if (sent.size() == MAX) {
             sent.poll();
         }
         sent.add(frame);

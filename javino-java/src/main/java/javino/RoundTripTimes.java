@@ -7,8 +7,8 @@ package javino;
  *
  * <p>Times are nanoseconds of one steady clock. One thread at a time.
  */
-final class AnswerHistory {
-    private static final long LEAST_SETTLING_NANOS = 50_000_000L;
+final class RoundTripTimes {
+    private static final long MIN_SETTLING_NANOS = 50_000_000L;
     /** A board that has never answered and does so later than this was starting, not slow. */
     private static final long SLOWEST_BOARD_NANOS = 1_000_000_000L;
 
@@ -31,7 +31,7 @@ final class AnswerHistory {
         return asked > 1;
     }
 
-    /** Answers that may come at most. */
+    /** ResponseCorrelator that may come at most. */
     int owed() {
         return asked;
     }
@@ -43,7 +43,7 @@ final class AnswerHistory {
     }
 
     /** Nanoseconds after which an answer is late: twice the longest that one has taken, at least {@code leastNanos}; a minute if none has. */
-    long patienceNanos(long leastNanos) {
+    long timeoutNanos(long leastNanos) {
         return longestNanos == 0 ? UNKNOWN_NANOS : Math.max(leastNanos, 2 * longestNanos);
     }
 
@@ -62,6 +62,6 @@ final class AnswerHistory {
     long settlingNanos(long answerAt, long timeoutNanos) {
         long sinceFirst = answerAt - firstAskedAt;
         long slow = longestNanos > 0 ? 2 * longestNanos : sinceFirst < SLOWEST_BOARD_NANOS ? sinceFirst : 0;
-        return Math.min(Math.max(LEAST_SETTLING_NANOS, slow), timeoutNanos);
+        return Math.min(Math.max(MIN_SETTLING_NANOS, slow), timeoutNanos);
     }
 }

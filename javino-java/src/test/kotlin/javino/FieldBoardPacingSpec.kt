@@ -22,7 +22,7 @@ private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, priva
     private val settings = LinkSettings.defaults().withBaud(baud)
     private val byteNanos = settings.line().byteNanos()
     private val answer = Frame.of("x".repeat(answerLength))
-    private val schedule = LineSchedule(settings, 0)
+    private val pacer = Pacer(settings, 0)
     private val due = orders.sortedBy { it.atMillis }.mapIndexed { i, order -> order.atMillis * MILLI to "$i".padEnd(order.length, '.') }
     private val queue = ArrayDeque<String>()
     private val onLine = ArrayDeque<Pair<Long, Byte>>()
@@ -54,26 +54,26 @@ private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, priva
         val message = queue.firstOrNull() ?: return
         val bytes = Frame.of(message).toBytes()
         val request = message == FieldBoardModel.REQUEST
-        if ((if (request) schedule.nanosUntilRequest(now) else schedule.nanosUntilAction(bytes.size, now)) > 0) return
+        if ((if (request) pacer.nanosUntilRequest(now) else pacer.nanosUntilAction(bytes.size, now)) > 0) return
         queue.removeFirst()
-        val end = if (request) schedule.wroteRequest(bytes.size, now, now) else schedule.wroteAction(bytes.size, now, now)
+        val end = if (request) pacer.wroteRequest(bytes.size, now, now) else pacer.wroteAction(bytes.size, now, now)
         bytes.forEachIndexed { i, byte -> onLine += end - (bytes.size - 1 - i) * byteNanos to byte }
         if (request) requests++
     }
 
     private fun answerByte(now: Long) {
-        schedule.received(1, now)
+        pacer.received(1, now)
         if (++answerBytes == answer.length()) {
             answerBytes = 0
             answers++
-            schedule.answered(now)
+            pacer.answered(now)
             asking = false
             requestDue = now + intervalNanos
         }
     }
 }
 
-class CourtesySpec : FunSpec({
+class FieldBoardPacingSpec : FunSpec({
     val bauds = Arb.element(9_600, 19_200, 57_600, 115_200, 1_000_000)
     val loops = Arb.element(0L, 1 * MILLI, 5 * MILLI, 8 * MILLI)
     val answers = Arb.element(0, 37, 150, 200, 255)

@@ -5,17 +5,17 @@ package javino;
  *
  * <p>Times are nanoseconds of the link's clock. One thread at a time.
  */
-final class Answers {
+final class ResponseCorrelator {
     private static final long NANOS_PER_MILLI = 1_000_000L;
-    private static final long QUIET_NANOS = LineSchedule.QUIET_MILLIS * NANOS_PER_MILLI;
-    private static final long LEAST_PATIENCE_NANOS = 100 * NANOS_PER_MILLI;
+    private static final long QUIET_NANOS = Pacer.QUIET_MILLIS * NANOS_PER_MILLI;
+    private static final long MIN_TIMEOUT_NANOS = 100 * NANOS_PER_MILLI;
 
     private final Inbox inbox;
     private final LineClock clock;
-    private AnswerHistory history = new AnswerHistory();
-    private AnswerHistory asIfVersion2; // what is owed if the board turns out to be of version 2 and slow; null: nothing
+    private RoundTripTimes history = new RoundTripTimes();
+    private RoundTripTimes asIfVersion2; // what is owed if the board turns out to be of version 2 and slow; null: nothing
 
-    Answers(Inbox inbox, LineClock clock) {
+    ResponseCorrelator(Inbox inbox, LineClock clock) {
         this.inbox = inbox;
         this.clock = clock;
     }
@@ -42,7 +42,7 @@ final class Answers {
     Message orDamage(long sent, long noise, long deadline, long giveUp) throws PortException {
         Message answer = null;
         for (long now = clock.nanos(); answer == null && deadline - now > 0; now = clock.nanos()) {
-            if (inbox.noise() > noise && now - inbox.lastByteNanos() >= QUIET_NANOS) {
+            if (inbox.discardedBytes() > noise && now - inbox.lastByteNanos() >= QUIET_NANOS) {
                 return null;
             }
             answer = inbox.next(Math.min(deadline - now, QUIET_NANOS) + now);
@@ -51,8 +51,8 @@ final class Answers {
     }
 
     /** Nanoseconds after which an answer is late. */
-    long patienceNanos() {
-        return history.patienceNanos(LEAST_PATIENCE_NANOS);
+    long timeoutNanos() {
+        return history.timeoutNanos(MIN_TIMEOUT_NANOS);
     }
 
     /** Says that nothing is owed any more. */
@@ -63,7 +63,7 @@ final class Answers {
     /** Says that the requests so far were of version 2, to which a version 1 board owes no answer. */
     void oweNothingInVersion1() {
         asIfVersion2 = history;
-        history = new AnswerHistory();
+        history = new RoundTripTimes();
     }
 
     /** Says that it is a version 2 board that answers now, after all. */

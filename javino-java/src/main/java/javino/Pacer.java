@@ -17,7 +17,7 @@ package javino;
  * {@link LoopTime}. Version 2 boards hold what they receive, and acknowledge actions, of which one is on its way at a time. They are left their receive buffer,
  * and no other courtesy. A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
  */
-final class LineSchedule {
+final class Pacer {
     static final int QUIET_MILLIS = 50;
     /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
@@ -44,7 +44,7 @@ final class LineSchedule {
     private int bytesMeanwhile;
 
     /** @param now the time at which the line was opened */
-    LineSchedule(LinkSettings settings, long now) {
+    Pacer(LinkSettings settings, long now) {
         paced = settings.paced();
         byteNanos = settings.line().byteNanos();
         spacingNanos = settings.spacingMillis() * NANOS_PER_MILLI;
@@ -57,7 +57,7 @@ final class LineSchedule {
     }
 
     /** Says that the board speaks version 2. */
-    void boardIsVersion2() {
+    void speakVersion2() {
         version2 = true;
     }
 
@@ -145,7 +145,7 @@ final class LineSchedule {
         }
         awaitingAnswer = false;
         if (!actionSinceRequest) {
-            frameEnd = now - LoopTime.LONGEST_NANOS - spacingNanos; // the board has handled all it got: what comes next need not keep its distance
+            frameEnd = now - LoopTime.MAX_NANOS - spacingNanos; // the board has handled all it got: what comes next need not keep its distance
             lineFreeAt = now; // so all has left, if the line is faster than its rate says, as a pseudo-terminal is
             busyUntil = now;
         } else {
