@@ -1,8 +1,8 @@
 package argo
 
-import argo.filters.PerceptReader
-import argo.filters.PerceptSyntaxException
-import argo.filters.piecesOf
+import argo.filters.jason.PerceptReader
+import argo.filters.jason.PerceptSyntaxException
+import argo.filters.matching.piecesOf
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.InternalActionLiteral

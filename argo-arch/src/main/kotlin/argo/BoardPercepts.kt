@@ -1,15 +1,15 @@
 package argo
 
 import argo.filters.CriticalPercept
-import argo.filters.Explanation
-import argo.filters.FilterSession
 import argo.filters.PerceptionFilter
-import argo.filters.perceptsOf
+import argo.filters.matching.Explanation
+import argo.filters.matching.FilterSession
+import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
-import javino.PerceptsRequest
 import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Level
 import java.util.logging.Logger
+import javino.PerceptsRequest
 import kotlin.concurrent.withLock
 
 /**

@@ -1,7 +1,7 @@
 package argo
 
 import argo.filters.PerceptionFilter
-import argo.filters.literalSession
+import argo.filters.jason.literalSession
 import jason.asSyntax.Literal
 
 /**

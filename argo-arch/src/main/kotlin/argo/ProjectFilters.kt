@@ -1,7 +1,7 @@
 package argo
 
-import argo.filters.FilterFinder
 import argo.filters.PerceptionFilter
+import argo.filters.format.FilterFinder
 import jason.asSemantics.Agent
 import java.net.URI
 import java.nio.file.Files

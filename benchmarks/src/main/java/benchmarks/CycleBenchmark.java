@@ -1,9 +1,9 @@
 package benchmarks;
 
-import argo.filters.FilterSession;
-import argo.filters.PerceptReader;
+import argo.filters.matching.FilterSession;
+import argo.filters.jason.PerceptReader;
 import argo.filters.PerceptionFilter;
-import argo.filters.XmlFilters;
+import argo.filters.format.XmlFilters;
 import jason.architecture.AgArch;
 import jason.asSemantics.Agent;
 import jason.asSemantics.Circumstance;

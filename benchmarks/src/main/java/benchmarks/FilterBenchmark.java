@@ -1,10 +1,10 @@
 package benchmarks;
 
-import argo.filters.JasonLiterals;
-import argo.filters.PerceptMatcher;
-import argo.filters.PerceptReader;
-import argo.filters.PerceptionFilterKt;
-import argo.filters.XmlFilters;
+import argo.filters.jason.JasonLiterals;
+import argo.filters.matching.PerceptMatcher;
+import argo.filters.jason.PerceptReader;
+import argo.filters.matching.PerceptMatcherKt;
+import argo.filters.format.XmlFilters;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.parser.ParseException;
@@ -41,7 +41,7 @@ public class FilterBenchmark {
     private String dist = "dist(r,227)";
 
     private static PerceptMatcher matcher(String rules) {
-        return PerceptionFilterKt.matcher(XmlFilters.INSTANCE.read("<PerceptionFilter>" + rules + "</PerceptionFilter>", "benchmark.xml", "benchmark"));
+        return PerceptMatcherKt.matcher(XmlFilters.INSTANCE.read("<PerceptionFilter>" + rules + "</PerceptionFilter>", "benchmark.xml", "benchmark"));
     }
 
     private static String otherRules(int count) {

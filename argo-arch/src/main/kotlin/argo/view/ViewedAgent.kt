@@ -28,7 +28,7 @@ internal interface ViewedAgent {
     /** The names of the filters it could change to. */
     fun filterNames(): List<String>
 
-    /** The filter of that [name]; throws what looking for one throws, see [argo.filters.FilterFinder.find]. */
+    /** The filter of that [name]; throws what looking for one throws, see [argo.filters.format.FilterFinder.find]. */
     fun filter(name: String): PerceptionFilter
 
     /** Why the active filter does with the text [percept] what it does. */

@@ -4,7 +4,7 @@ package argo.filters
  * Offers filters to agents by name.
  *
  * A project that writes its filters in Kotlin implements this and names the class in `META-INF/services/argo.filters.FilterProvider`;
- * [FilterFinder] finds it with `java.util.ServiceLoader`. The class needs a public constructor without arguments.
+ * [argo.filters.format.FilterFinder] finds it with `java.util.ServiceLoader`. The class needs a public constructor without arguments.
  *
  * ```kotlin
  * class RobotFilters : FilterProvider {

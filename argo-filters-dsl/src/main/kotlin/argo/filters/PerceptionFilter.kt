@@ -56,6 +56,3 @@ class PerceptionFilter(
         return "filter $name $verb $what$lane" + if (onSwitch == OnSwitch.FREEZE) ", and freezes what it hides" else ""
     }
 }
-
-/** Compiles the filter. The matcher is to be made once and used for every percept. */
-fun PerceptionFilter.matcher(): PerceptMatcher = PerceptMatcher(this)

@@ -2,6 +2,7 @@ package argo.filters
 
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
+import argo.filters.format.XmlFilters
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.shouldBe

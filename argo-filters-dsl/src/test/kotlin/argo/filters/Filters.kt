@@ -1,9 +1,12 @@
 package argo.filters
 
+import argo.filters.format.XmlFilters
+import argo.filters.matching.PerceptMatcher
+import argo.filters.matching.matcher
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.bind
-import io.kotest.property.arbitrary.choice
 import io.kotest.property.arbitrary.boolean
+import io.kotest.property.arbitrary.choice
 import io.kotest.property.arbitrary.constant
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.enum

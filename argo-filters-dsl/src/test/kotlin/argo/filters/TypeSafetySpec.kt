@@ -1,5 +1,6 @@
 package argo.filters
 
+import argo.filters.*
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FreeSpec
 import io.kotest.engine.spec.tempdir
@@ -42,7 +43,6 @@ private val NO_SENSE = listOf(
 )
 
 private const val DECLARATIONS = """
-import argo.filters.*
 
 object Distance : PerceptType("distance") {
     val side by atom()

@@ -1,7 +1,7 @@
 package samples.documents
 
-import argo.filters.JsonFilters
-import argo.filters.XmlFilters
+import argo.filters.format.JsonFilters
+import argo.filters.format.XmlFilters
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -12,14 +12,14 @@ import io.kotest.matchers.shouldBe
 import jason.asSemantics.Agent
 import jason.asSyntax.parser.as2j
 import jason.util.Config
-import org.jetbrains.kotlin.cli.common.ExitCode
-import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.io.StringReader
 import java.nio.file.Path
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
+import org.jetbrains.kotlin.cli.common.ExitCode
+import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 
 /** No page shows what does not work, or leads nowhere. */
 class DocumentsSpec : FunSpec({

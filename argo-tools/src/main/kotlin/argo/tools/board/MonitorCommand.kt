@@ -1,12 +1,18 @@
 package argo.tools.board
 
-import argo.filters.perceptsOf
+import argo.filters.matching.perceptsOf
 import argo.tools.ExitStatus
 import argo.tools.ToolCommand
 import argo.tools.making
 import argo.tools.printable
 import argo.tools.requireNew
 import argo.tools.requireWithin
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.LockSupport
 import javino.Link
 import javino.PerceptsRequest
 import javino.PortException
@@ -23,12 +29,6 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
-import java.io.IOException
-import java.nio.file.Files
-import java.nio.file.Path
-import java.nio.file.StandardOpenOption
-import java.util.concurrent.TimeUnit
-import java.util.concurrent.locks.LockSupport
 
 /** `monitor`: shows percepts as they come. */
 @Command(

@@ -1,20 +1,20 @@
 package argo.tools.filter
 
-import argo.filters.JsonFilters
-import argo.filters.KotlinFilters
 import argo.filters.PerceptionFilter
-import argo.filters.XmlFilters
+import argo.filters.format.JsonFilters
+import argo.filters.format.KotlinFilters
+import argo.filters.format.XmlFilters
 import argo.tools.ExitStatus
 import argo.tools.ToolCommand
 import argo.tools.ToolException
 import argo.tools.making
 import argo.tools.requireNew
-import picocli.CommandLine.Command
-import picocli.CommandLine.Option
-import picocli.CommandLine.Parameters
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import kotlin.io.path.writeText
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+import picocli.CommandLine.Parameters
 
 /** `filter convert`: a filter in another form. */
 @Command(name = "convert", description = ["Writes the filter of a file in another form. The two are one filter to an agent; comments are not kept."])

@@ -1,12 +1,13 @@
 package argo.tools.filter
 
-import argo.filters.Explanation
-import argo.filters.Explanation.Outcome
-import argo.filters.matcher
-import argo.filters.perceptsOf
+import argo.filters.matching.Explanation
+import argo.filters.matching.Explanation.Outcome
+import argo.filters.matching.matcher
+import argo.filters.matching.perceptsOf
 import argo.tools.ExitStatus
 import argo.tools.ToolCommand
 import argo.tools.printable
+import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.buildJsonObject
@@ -14,7 +15,6 @@ import kotlinx.serialization.json.put
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
-import java.nio.file.Path
 
 /** `filter explain`: what a filter does with percepts. */
 @Command(name = "explain", description = ["Says of each percept what the filter does with it, and which of its rules decides. Rates are not tried, since they need time."])

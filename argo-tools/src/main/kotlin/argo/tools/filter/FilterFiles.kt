@@ -1,8 +1,8 @@
 package argo.tools.filter
 
-import argo.filters.JsonFilters
 import argo.filters.PerceptionFilter
-import argo.filters.XmlFilters
+import argo.filters.format.JsonFilters
+import argo.filters.format.XmlFilters
 import argo.tools.ToolException
 import argo.tools.requireFile
 import java.nio.file.Path

@@ -1,7 +1,7 @@
 package argo.tools.migration
 
 import argo.filters.FilterException
-import argo.filters.XmlFilters
+import argo.filters.format.XmlFilters
 import java.nio.file.Path
 import kotlin.io.path.inputStream
 import kotlin.io.path.readText

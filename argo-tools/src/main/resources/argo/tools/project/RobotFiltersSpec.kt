@@ -1,4 +1,4 @@
-import argo.filters.matcher
+import argo.filters.matching.matcher
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 

@@ -1,7 +1,7 @@
 package argo.tools.filter
 
-import argo.filters.JsonFilters
-import argo.filters.XmlFilters
+import argo.filters.format.JsonFilters
+import argo.filters.format.XmlFilters
 import argo.tools.Said
 import argo.tools.argo
 import io.kotest.core.spec.style.FunSpec

@@ -1,0 +1,77 @@
+package argo.filters.format
+
+import argo.filters.FilterException
+import argo.filters.FilterNotFoundException
+import argo.filters.FilterProvider
+import argo.filters.PerceptionFilter
+import java.nio.file.Path
+
+/**
+ * Finds filters by name: among those that [FilterProvider]s on the class path of [classLoader] offer, then for each of
+ * [projectDirectories] in its files and in those of `filters/` under it, and last in `filters/` on the class path, in this order.
+ *
+ * Safe for use by several threads at once.
+ *
+ * Files are XML (`.xml`) or JSON (`.json`), and a name may leave that off; then XML comes first. A name may hold folders (`night/dark`). It
+ * may not lead out of those places: no absolute paths, no `..`, no backslashes, no links that end elsewhere.
+ */
+class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
+    private val places: List<FilterPlace> =
+        listOf(ProvidedFilters(classLoader)) + projectDirectories.flatMap(::placesOf) + FilterResources(classLoader, FOLDER)
+
+    /** As the other form, with a single project directory. */
+    constructor(projectDirectory: Path, classLoader: ClassLoader) : this(listOf(projectDirectory), classLoader)
+
+    private fun placesOf(project: Path) = listOf(
+        FilterDirectory(project, project, foreignFiles = true),
+        FilterDirectory(project.resolve(FOLDER), project, foreignFiles = false),
+    )
+
+    /**
+     * The filter called [name], read anew at each call.
+     *
+     * @throws FilterNotFoundException if there is none, or more than one provider offers it; the message says where it was looked for and
+     * which filters there are
+     * @throws FilterException if its text is refused
+     * @throws java.io.IOException if its file cannot be read
+     * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
+     */
+    fun find(name: String): PerceptionFilter {
+        requireInside(name)
+        return places.firstNotNullOfOrNull { it.find(name) } ?: throw FilterNotFoundException(notFound(name))
+    }
+
+    /**
+     * The names of all filters there are, sorted; places that cannot be listed add none, and a file in the list may still be refused.
+     *
+     * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
+     */
+    fun names(): List<String> = places.flatMap(FilterPlace::names).distinct().sorted()
+
+    private fun requireInside(name: String) {
+        val bare = FilterFormat.bareName(name)
+        val problem = when {
+            bare.isBlank() -> "it is empty"
+            bare.any { it in FOREIGN || it.isISOControl() } -> "it holds a control character or one of $FOREIGN"
+            bare.startsWith('/') -> "it is an absolute path"
+            bare.split('/').any { it.isEmpty() || it == "." || it == ".." } -> "it holds '..', '.' or nothing between slashes"
+            else -> return
+        }
+        throw FilterNotFoundException("'$name' cannot be a filter's name: $problem. ${existing()}")
+    }
+
+    private fun notFound(name: String) =
+        "There is no filter '$name'. It was looked for in ${places.joinToString(", ")}. ${existing()}"
+
+    private fun existing(): String {
+        val names = names()
+        return if (names.isEmpty()) "There are no filters in these places." else "There are these filters: ${names.joinToString(", ")}."
+    }
+
+    private companion object {
+        const val FOLDER = "filters"
+
+        /** What file names cannot hold on one system or another. */
+        const val FOREIGN = "\\:*?\"<>|"
+    }
+}

@@ -1,0 +1,150 @@
+package argo.filters.format
+
+import argo.filters.FilterNotFoundException
+import argo.filters.FilterProvider
+import argo.filters.PerceptionFilter
+import java.io.IOException
+import java.net.JarURLConnection
+import java.net.URL
+import java.nio.file.FileVisitResult
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.SimpleFileVisitor
+import java.nio.file.attribute.BasicFileAttributes
+import java.util.ServiceConfigurationError
+import java.util.ServiceLoader
+import kotlin.io.path.inputStream
+import kotlin.io.path.invariantSeparatorsPathString
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.name
+import kotlin.io.path.readText
+import kotlin.io.path.toPath
+
+/** Somewhere filters may be. `toString` tells a person where. */
+internal interface FilterPlace {
+    /** The filter called [name], which does not lead out of the place, or null. */
+    fun find(name: String): PerceptionFilter?
+
+    /** The names of the filters that are there, for messages; a place that cannot be listed has none. */
+    fun names(): List<String>
+}
+
+/** The filters that services offer. */
+internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
+    /** Loaded anew each time, since a loader is not safe for several agents at once. */
+    private fun providers(): List<FilterProvider> = usable { ServiceLoader.load(FilterProvider::class.java, classLoader).toList() }
+
+    override fun find(name: String): PerceptionFilter? {
+        val found = providers().flatMap { provider -> filtersOf(provider).filter { it.name == name }.map { provider to it } }
+        if (found.map { it.second }.distinct().size > 1) {
+            val owners = found.joinToString(" and ") { it.first.javaClass.name }
+            throw FilterNotFoundException("The filter '$name' is offered by $owners, and not the same by both; give one of them another name.")
+        }
+        return found.firstOrNull()?.second
+    }
+
+    override fun names(): List<String> = providers().flatMap(::filtersOf).map(PerceptionFilter::name)
+
+    private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
+
+    /** What [load] gives; what it fails with says why, down to the filter that is refused. */
+    private fun <T> usable(words: String? = null, load: () -> T): T = try {
+        load()
+    } catch (broken: ServiceConfigurationError) {
+        throw unusable(words, broken)
+    } catch (broken: LinkageError) { // of a class whose values are made when it is first used
+        throw unusable(words, broken)
+    } catch (broken: RuntimeException) {
+        throw unusable(words, broken)
+    }
+
+    private fun unusable(words: String?, broken: Throwable): ServiceConfigurationError {
+        val causes = generateSequence(broken) { it.cause }.toList()
+        val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()
+        return ServiceConfigurationError(known.ifEmpty { listOf("$broken") }.joinToString(": "), broken)
+    }
+
+    override fun toString(): String = "the filters of ${FilterProvider::class.java.name} services"
+}
+
+/**
+ * A directory with filter files. Files that are links are followed as long as they stay inside [boundary].
+ *
+ * @param foreignFiles whether the directory is likely to hold files that are no filters, which [names] then leaves out
+ */
+internal class FilterDirectory(private val directory: Path, private val boundary: Path, private val foreignFiles: Boolean) : FilterPlace {
+
+    override fun find(name: String): PerceptionFilter? {
+        val (fileName, format) = FilterFormat.candidates(name).find { (it, _) -> directory.resolve(it).isRegularFile() } ?: return null
+        val file = directory.resolve(fileName)
+        val real = file.toRealPath()
+        if (!real.startsWith(boundary.toRealPath())) {
+            val problem = "is the file $file, which is a link that leads out of $boundary to $real"
+            throw FilterNotFoundException("The filter '$name' $problem; copy it there instead.")
+        }
+        return real.inputStream().use { format.read(it, file.toString(), FilterFormat.bareName(name)) }
+    }
+
+    override fun names(): List<String> =
+        filesUnder(directory, if (foreignFiles) 1 else DEPTH).filter { !foreignFiles || isFilter(it) }.map(FilterFormat::bareName)
+
+    /** Whether a file looks like a filter. One that cannot be read is left in the list, since it is not known to be anything else. */
+    private fun isFilter(fileName: String): Boolean = try {
+        FilterFormat.of(fileName)?.isLikely(directory.resolve(fileName).readText(Charsets.ISO_8859_1)) == true
+    } catch (_: IOException) {
+        true
+    }
+
+    override fun toString(): String = directory.toString()
+}
+
+/** A folder on the class path. */
+internal class FilterResources(private val classLoader: ClassLoader, private val folder: String) : FilterPlace {
+
+    override fun find(name: String): PerceptionFilter? = FilterFormat.candidates(name).firstNotNullOfOrNull { (fileName, format) ->
+        val url = classLoader.getResource("$folder/$fileName")
+        url?.let { open(it).use { input -> format.read(input, "$url", FilterFormat.bareName(name)) } }
+    }
+
+    override fun names(): List<String> = classLoader.getResources(folder).asSequence().flatMap(::names).map(FilterFormat::bareName).toList()
+
+    private fun names(url: URL): List<String> = when (url.protocol) {
+        "file" -> filesUnder(url.toURI().toPath(), DEPTH)
+        "jar" -> filesInJar(url)
+        else -> emptyList()
+    }
+
+    private fun filesInJar(url: URL): List<String> {
+        val connection = url.openConnection() as JarURLConnection
+        connection.useCaches = false
+        return connection.jarFile.use { jar ->
+            jar.entries().asSequence().map { it.name }
+                .filter { it.startsWith("$folder/") && FilterFormat.of(it) != null }
+                .map { it.removePrefix("$folder/") }
+                .toList()
+        }
+    }
+
+    /** Without the cache that URLs of jars have, so that no jar stays open. */
+    private fun open(url: URL) = url.openConnection().apply { useCaches = false }.getInputStream()
+
+    override fun toString(): String = "$folder/ on the class path"
+}
+
+/** How deep folders of filters are listed. */
+private const val DEPTH = 8
+
+/** The filter files under [directory], relative to it; none if it is no directory. */
+private fun filesUnder(directory: Path, depth: Int): List<String> {
+    val files = ArrayList<String>()
+    val collector = object : SimpleFileVisitor<Path>() {
+        override fun visitFile(file: Path, attributes: BasicFileAttributes): FileVisitResult {
+            if (FilterFormat.of(file.name) != null && file.isRegularFile()) files += directory.relativize(file).invariantSeparatorsPathString
+            return FileVisitResult.CONTINUE
+        }
+
+        override fun visitFileFailed(file: Path, cause: IOException) = FileVisitResult.CONTINUE
+    }
+    Files.walkFileTree(directory, emptySet(), depth, collector)
+    return files
+}

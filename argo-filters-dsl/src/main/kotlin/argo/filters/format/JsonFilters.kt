@@ -1,0 +1,29 @@
+package argo.filters.format
+
+import argo.filters.FilterException
+import argo.filters.PerceptionFilter
+import java.io.InputStream
+
+/** Filters in JSON files. */
+object JsonFilters {
+    internal const val EXTENSION = ".json"
+
+    /**
+     * Reads a filter.
+     *
+     * @param input the JSON document in UTF-8, with or without a byte-order mark. Not closed.
+     * @param source the file or other place it comes from, for messages
+     * @param name the filter's name; usually the last part of [source] without `.json`
+     * @throws FilterException with all problems of the text, if there are any
+     * @throws java.io.IOException if [input] cannot be read
+     */
+    fun read(input: InputStream, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
+        read(decodeStrictly(input.readBytes(), Charsets.UTF_8, source), source, name)
+
+    /** As the other form, from text that has been decoded. */
+    fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
+        JsonFilterReader(input.removePrefix("\uFEFF"), source, name).read()
+
+    /** The filter as a JSON document with LF line ends, which [read] reads back to an equal filter. */
+    fun write(filter: PerceptionFilter): String = JsonFilterWriter.write(filter)
+}

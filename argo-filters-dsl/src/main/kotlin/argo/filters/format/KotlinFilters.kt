@@ -1,0 +1,140 @@
+package argo.filters.format
+
+import argo.filters.Condition
+import argo.filters.Deadband
+import argo.filters.Operator
+import argo.filters.PerceptionFilter
+import argo.filters.Predicate
+import argo.filters.Rule
+import argo.filters.Test
+import argo.filters.Value
+
+/** Filters as Kotlin source. They are written only: reading one means compiling it. */
+object KotlinFilters {
+    /**
+     * The filter as a Kotlin file with LF line ends: a property that holds an equal filter of the same name.
+     *
+     * The property is called what the filter is called, in backquotes where Kotlin asks for them; what the name of a Java method or file cannot hold
+     * becomes `_`.
+     */
+    fun write(filter: PerceptionFilter): String = KotlinFilterWriter(filter).write()
+}
+
+/** Writes one filter in the words of the DSL. */
+internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
+    private val text = StringBuilder()
+
+    fun write(): String {
+        val freezes = filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE
+        line(0, "import argo.filters.*")
+        if (freezes) line(0, "import argo.filters.PerceptionFilter.OnSwitch")
+        line(0, "")
+        val (builder, verb) = when (filter.mode) {
+            PerceptionFilter.Mode.DROP -> "perceptionFilter" to "drop"
+            PerceptionFilter.Mode.KEEP -> "keepingFilter" to "keep"
+        }
+        val onSwitch = when (filter.onSwitch) {
+            PerceptionFilter.OnSwitch.FORGET -> ""
+            PerceptionFilter.OnSwitch.FREEZE -> ", OnSwitch.FREEZE"
+        }
+        line(0, "val ${kotlinName(filter.name)} = $builder(${kotlinString(filter.name)}$onSwitch) {")
+        filter.critical.forEach { critical -> rule("critical", critical.rule.predicate, saidOf(critical.rule) + saidOf(critical.reflex)) }
+        filter.rules.forEach { rule(verb, it.predicate, saidOf(it)) }
+        line(0, "}")
+        return text.toString()
+    }
+
+    private fun saidOf(rule: Rule): List<String> =
+        listOfNotNull(rule.arity?.let { "arity($it)" }, rule.rate?.everyMs?.let { "everyMs($it)" }) +
+            rule.rate?.deadbands.orEmpty().map(::deadband) + rule.conditions.map(::condition)
+
+    private fun saidOf(reflex: String?): List<String> = listOfNotNull(reflex?.let { "reflex(${kotlinString(it)})" })
+
+    private fun rule(verb: String, predicate: Predicate, said: List<String>) {
+        val head = "$verb(${kotlinString("$predicate")})"
+        when (said.size) {
+            0 -> line(1, head)
+            1 -> line(1, "$head { ${said.single()} }")
+            else -> {
+                line(1, "$head {")
+                said.forEach { line(2, it) }
+                line(1, "}")
+            }
+        }
+    }
+
+    private fun deadband(deadband: Deadband): String {
+        val width = number(deadband.width)
+        return if (deadband.argument == null) "deadband($width)" else "argument(${deadband.argument}) deadband $width"
+    }
+
+    private fun condition(condition: Condition): String = when (condition) {
+        is Condition.Argument -> "argument(${condition.index}) ${infix(condition.test)}"
+        is Condition.Annotation -> annotation(kotlinString("${condition.name}"), condition.tests)
+    }
+
+    private fun annotation(name: String, tests: List<Test>): String = when (tests.size) {
+        0 -> "hasAnnotation($name)"
+        1 -> "annotation($name) ${infix(tests.single())}"
+        else -> "annotation($name) { ${tests.joinToString("; ") { "${word(it)}(${value(it)})" }} }"
+    }
+
+    private fun infix(test: Test) = "${word(test)} ${value(test)}"
+
+    private fun word(test: Test): String = when (test) {
+        is Test.Compare -> when (test.operator) {
+            Operator.EQ -> "eq"
+            Operator.NE -> "ne"
+            Operator.GT -> "gt"
+            Operator.GE -> "ge"
+            Operator.LT -> "lt"
+            Operator.LE -> "le"
+        }
+        is Test.OneOf -> "isIn"
+        is Test.Matches -> "matches"
+    }
+
+    private fun value(test: Test): String = when (test) {
+        is Test.Compare -> value(test.value)
+        is Test.OneOf -> test.values.joinToString(", ", "listOf(", ")", transform = ::value)
+        is Test.Matches -> kotlinString(test.pattern)
+    }
+
+    private fun value(value: Value): String = when (value) {
+        is Value.Number -> number(value.value)
+        is Value.Text, is Value.Sequence, is Value.Structure -> kotlinString("$value")
+    }
+
+    private fun number(value: Double): String = when (value) {
+        Double.POSITIVE_INFINITY -> "Double.POSITIVE_INFINITY"
+        Double.NEGATIVE_INFINITY -> "Double.NEGATIVE_INFINITY"
+        else -> "${Value.Number(value)}"
+    }
+
+    private fun line(depth: Int, line: String) {
+        text.append("    ".repeat(depth)).append(line).append('\n')
+    }
+}
+
+/** [text] as a string literal of Kotlin. */
+internal fun kotlinString(text: String): String = text.toCharArray().joinToString("", "\"", "\"") { character ->
+    when (character) {
+        '"', '\\', '$' -> "\\$character"
+        '\n' -> "\\n"
+        '\r' -> "\\r"
+        '\t' -> "\\t"
+        else -> if (character.isISOControl() || character.isSurrogate()) "\\u%04X".format(character.code) else "$character"
+    }
+}
+
+private val WORD = Regex("[A-Za-z_][A-Za-z0-9_]*")
+private const val FOREIGN_TO_FILES = ".;[]/<>:\\`*?\"|"
+private val HARD_KEYWORDS = setOf(
+    "as", "break", "class", "continue", "do", "else", "false", "for", "fun", "if", "in", "interface", "is", "null", "object", "package", "return",
+    "super", "this", "throw", "true", "try", "typealias", "typeof", "val", "var", "when", "while",
+)
+
+private fun kotlinName(name: String): String {
+    val possible = name.map { if (it in FOREIGN_TO_FILES || it.isISOControl() || it.isSurrogate()) '_' else it }.joinToString("").ifBlank { "filter" }
+    return if (possible.matches(WORD) && possible !in HARD_KEYWORDS && possible.any { it != '_' }) possible else "`$possible`"
+}

@@ -1,0 +1,31 @@
+package argo.filters.format
+
+import argo.filters.FilterException
+import argo.filters.Problem
+
+/** Collects what is wrong with the document called [source], so that all of it is told at once. */
+internal class Problems(private val source: String) {
+    private val found = ArrayList<Problem>()
+
+    fun report(at: Position, message: String) {
+        report(Problem(source, at.line, at.column, message))
+    }
+
+    fun report(problem: Problem) {
+        found += problem
+    }
+
+    /** What [read] makes; null if it refuses with an [IllegalArgumentException], which is reported with the [expectation] behind it. */
+    fun <T> reporting(at: Position, expectation: String = "", read: () -> T): T? = try {
+        read()
+    } catch (e: IllegalArgumentException) {
+        report(at, listOf(e.message.orEmpty(), expectation).filter(String::isNotEmpty).joinToString("; "))
+        null
+    }
+
+    /** @throws FilterException with all problems, in the order of the text; [filter] is null only if there are some */
+    fun <T : Any> unlessAny(filter: T?): T {
+        if (filter == null || found.isNotEmpty()) throw FilterException(found.sortedBy { Position(it.line, it.column) })
+        return filter
+    }
+}

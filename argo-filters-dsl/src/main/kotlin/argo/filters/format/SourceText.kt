@@ -1,0 +1,47 @@
+package argo.filters.format
+
+import argo.filters.FilterException
+import argo.filters.Problem
+import java.nio.ByteBuffer
+import java.nio.CharBuffer
+import java.nio.charset.Charset
+import java.nio.charset.CodingErrorAction
+
+/** A position in a text: line and column, both counted from 1, the column in characters. */
+internal data class Position(val line: Int, val column: Int) : Comparable<Position> {
+    override fun compareTo(other: Position): Int = compareValuesBy(this, other, Position::line, Position::column)
+}
+
+/** A text that knows where its lines begin. Lines end with LF, CR or both. */
+internal class SourceText(val text: String) {
+    private val lineStarts: IntArray = buildList {
+        add(0)
+        for (i in text.indices) {
+            if (text[i] == '\n' || text[i] == '\r' && text.getOrNull(i + 1) != '\n') add(i + 1)
+        }
+    }.toIntArray()
+
+    val end: Position
+        get() = position(text.length)
+
+    fun position(offset: Int): Position {
+        val found = lineStarts.binarySearch(offset)
+        val line = if (found >= 0) found else -found - 2
+        return Position(line + 1, offset - lineStarts[line] + 1)
+    }
+}
+
+/**
+ * The text that [bytes] hold in [charset], without a byte-order mark.
+ *
+ * @throws FilterException if there is a byte that is not in the charset, with its position in [source]
+ */
+internal fun decodeStrictly(bytes: ByteArray, charset: Charset, source: String): String {
+    val chars = CharBuffer.allocate(bytes.size + 1)
+    val decoder = charset.newDecoder().onMalformedInput(CodingErrorAction.REPORT).onUnmappableCharacter(CodingErrorAction.REPORT)
+    val result = decoder.decode(ByteBuffer.wrap(bytes), chars, true)
+    val text = chars.flip().toString().removePrefix("\uFEFF")
+    if (!result.isError) return text
+    val at = SourceText(text).end
+    throw FilterException(listOf(Problem(source, at.line, at.column, "a byte that is not $charset, which the document's encoding is")))
+}

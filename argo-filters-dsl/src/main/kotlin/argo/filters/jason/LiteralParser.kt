@@ -1,0 +1,139 @@
+package argo.filters.jason
+
+import argo.filters.Syntax
+import argo.filters.Value
+import argo.filters.matching.NumberText
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.ArithExpr
+import jason.asSyntax.Atom
+import jason.asSyntax.ListTerm
+import jason.asSyntax.ListTermImpl
+import jason.asSyntax.Literal
+import jason.asSyntax.LiteralImpl
+import jason.asSyntax.NumberTerm
+import jason.asSyntax.NumberTermImpl
+import jason.asSyntax.SourceInfo
+import jason.asSyntax.StringTermImpl
+import jason.asSyntax.Term
+
+/**
+ * Reads one literal of the shapes that boards send. It gives up on everything that needs more of Jason's grammar: namespaces, variables,
+ * operators, comments, words that mean something to Jason.
+ */
+internal class LiteralParser(private val text: String) {
+    private val end = text.length
+    private var at = 0
+
+    /** Exactly the literal that Jason's parser reads, or null if the text is left to it. */
+    fun parse(): Literal? {
+        val literal = literal() ?: return null
+        return literal.takeIf { blanks() == end }
+    }
+
+    private fun literal(depth: Int = 0): Literal? {
+        if (blanks() >= end || depth > MAX_DEPTH) return null
+        val negated = text[at] == '~'
+        if (negated) {
+            at++
+            blanks()
+        }
+        val functor = functor() ?: return null
+        val literal = LiteralImpl(Literal.DefaultNS, !negated, functor)
+        literal.srcInfo = SOURCE
+        if (take('(')) literal.setTerms(terms(depth) ?: return null)
+        if (take('[')) literal.setAnnots(list(depth) ?: return null)
+        return literal
+    }
+
+    /** A word that is an atom and nothing else, or an atom in quotes. Internal actions and functions have a dot in their names. */
+    private fun functor(): String? {
+        val start = at
+        if (start >= end) return null
+        if (text[start] == '\'') {
+            at = Syntax.quotedAtomEnd(text, start, end)
+            return if (at < 0) null else text.substring(start, at).takeUnless { '\n' in it || '\r' in it }
+        }
+        if (text[start] !in 'a'..'z') return null
+        at = Syntax.wordEnd(text, start, end)
+        val isSpecial = at < end && (text[at] == '.' || text[at] == ':') || Syntax.isReserved(text, start, at) || Syntax.isTruthValue(text, start, at)
+        return if (isSpecial) null else text.substring(start, at)
+    }
+
+    private fun terms(depth: Int): ArrayList<Term>? {
+        val terms = ArrayList<Term>(USUAL_ARITY)
+        do terms.add(term(depth + 1) ?: return null) while (take(','))
+        return terms.takeIf { take(')') }
+    }
+
+    private fun list(depth: Int): ListTermImpl? {
+        val list = ListTermImpl()
+        if (take(']')) return list
+        var last: ListTerm = list
+        do last = last.append(term(depth + 1) ?: return null) while (take(','))
+        return list.takeIf { take(']') }
+    }
+
+    private fun term(depth: Int): Term? {
+        if (blanks() >= end || depth > MAX_DEPTH) return null
+        return when (text[at]) {
+            '"' -> string()
+            '[' -> {
+                at++
+                list(depth)
+            }
+            '-' -> {
+                at++
+                number()?.let { ArithExpr(ArithExpr.ArithmeticOp.minus, it) }
+            }
+            in '0'..'9' -> number()
+            else -> structure(depth)
+        }
+    }
+
+    private fun structure(depth: Int): Term? {
+        val literal = literal(depth) ?: return null
+        if (!literal.isAtom) return literal
+        return if (literal.functor in ATOMS_OF_JASON) null else Atom(literal)
+    }
+
+    private fun number(): NumberTerm? {
+        val start = blanks()
+        if (start >= end || text[start] !in '0'..'9') return null
+        at = Syntax.numberEnd(text, start, end)
+        val plain = NumberText.plain(text, start, at)
+        val number = NumberTermImpl(if (plain.isNaN()) text.substring(start, at).toDouble() else plain)
+        number.srcInfo = SOURCE
+        return number
+    }
+
+    private fun string(): Term? {
+        val start = at
+        at = Syntax.stringEnd(text, start, end)
+        if (at < 0) return null
+        val written = text.substring(start + 1, at - 1)
+        val string = StringTermImpl(if ('\\' in written) Value.Text.unescape(written) else written)
+        string.srcInfo = SOURCE
+        return string
+    }
+
+    private fun take(expected: Char): Boolean {
+        if (blanks() >= end || text[at] != expected) return false
+        at++
+        return true
+    }
+
+    /** Line breaks are left to Jason's parser, since terms remember their line, and so are comments. */
+    private fun blanks(): Int {
+        while (at < end && (text[at] == ' ' || text[at] == '\t')) at++
+        return at
+    }
+
+    private companion object {
+        const val MAX_DEPTH = 64
+        const val USUAL_ARITY = 4
+        val ATOMS_OF_JASON = setOf("default", "this_ns")
+
+        /** Where Jason's parser says that terms of a one-line text stand. */
+        val SOURCE: SourceInfo = ASSyntax.parseLiteral("a").srcInfo
+    }
+}

@@ -1,0 +1,72 @@
+package argo.filters.matching
+
+import argo.filters.CriticalRule
+import argo.filters.PerceptionFilter
+import argo.filters.PerceptionFilter.Mode
+import argo.filters.Rule
+
+/**
+ * Why a filter does with a percept what it does.
+ *
+ * @property percept the percept's text
+ * @property outcome what becomes of it
+ * @property rule the rule that decided; null if it was that no rule meets the percept
+ * @property reason the same in words, as in `rule 3 meets it: distance where argument 0 is not front`
+ */
+class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
+
+    /** What becomes of a percept. */
+    enum class Outcome(internal val words: String) {
+        KEPT("is kept"),
+        DROPPED("is dropped"),
+
+        /** It is kept back for a while; the one of its kind that was let through last stands for it. */
+        HELD_BACK("is held back"),
+    }
+
+    /** `distance(right,30) is dropped by filter frontDistance: rule 3 meets it: distance where argument 0 is not front`. */
+    override fun toString(): String = "$percept ${outcome.words}$reason"
+
+    internal companion object {
+        fun noFilter(percept: String) = Explanation(percept, Outcome.KEPT, null, ": there is no filter")
+
+        fun noPercept(percept: String, filter: PerceptionFilter) =
+            Explanation(percept, Outcome.KEPT, null, " by filter ${filter.name}: its text is not a percept, and filters leave that to the parser")
+
+        fun of(matcher: PerceptMatcher, percept: PerceptForm): Explanation {
+            val critical = matcher.criticalRules(percept).firstOrNull()
+            if (critical != null) return critical(matcher, percept, critical)
+            val met = matcher.rulesThatMeet(percept)
+            val rule = met.firstOrNull { matcher.filter.mode == Mode.KEEP || it.rate == null }
+            val outcome = if (matcher.drops(met)) Outcome.DROPPED else Outcome.KEPT
+            val reason = if (rule == null) notMet(matcher, percept, met) else met(matcher, rule)
+            return Explanation("$percept", outcome, rule?.rule, " by filter ${matcher.filter.name}: $reason")
+        }
+
+        private fun critical(matcher: PerceptMatcher, percept: PerceptForm, met: CriticalRule): Explanation {
+            val number = matcher.filter.critical.indexOfFirst { it === met } + 1
+            return Explanation("$percept", Outcome.KEPT, met.rule, " by filter ${matcher.filter.name}: critical rule $number meets it: $met")
+        }
+
+        fun heldBack(matcher: PerceptMatcher, percept: PerceptForm, hold: Hold<*>, nowMs: Long): Explanation {
+            val time = " for another ${hold.dueMs - nowMs} ms by filter ${matcher.filter.name}"
+            return Explanation("$percept", Outcome.HELD_BACK, hold.rule.rule, "$time: ${met(matcher, hold.rule)}; ${hold.lastPercept} stands for it")
+        }
+
+        private fun met(matcher: PerceptMatcher, rule: CompiledRule) = "${numbered(matcher, rule)} meets it: ${rule.rule}"
+
+        private fun notMet(matcher: PerceptMatcher, percept: PerceptForm, met: List<CompiledRule>): String {
+            val rules = matcher.rulesOn(percept)
+            if (rules.isEmpty()) return "it has no rule on ${percept.predicate} with ${percept.arity} arguments"
+            return rules.joinToString("; ") { rule ->
+                val verdict = if (rule in met) "holds nothing back now" else "does not meet it, since not: ${failing(rule, percept)}"
+                "${numbered(matcher, rule)} $verdict"
+            }
+        }
+
+        private fun failing(rule: CompiledRule, percept: PerceptForm) = rule.conditions.first { !percept.meets(it) }.condition
+
+        private fun numbered(matcher: PerceptMatcher, rule: CompiledRule) =
+            "rule ${matcher.filter.rules.indexOfFirst { it === rule.rule } + 1}"
+    }
+}

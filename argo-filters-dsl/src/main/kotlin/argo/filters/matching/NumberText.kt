@@ -1,0 +1,36 @@
+package argo.filters.matching
+
+import argo.filters.Syntax
+
+/** Reads numbers as boards write them, in place. */
+internal object NumberText {
+    /** Beyond as many digits the quotient of two exact doubles is no longer the nearest double. */
+    private const val MAX_DIGITS = 15
+    private val POWERS = DoubleArray(MAX_DIGITS + 1).also { powers ->
+        powers[0] = 1.0
+        for (i in 1..MAX_DIGITS) powers[i] = powers[i - 1] * 10
+    }
+
+    /**
+     * The number that fills the text from [start] to [end], blanks after it aside: an optional sign, digits, an optional fraction. NaN for
+     * anything else, be it another form of a number or none. Allocates nothing.
+     */
+    fun plain(text: CharSequence, start: Int, end: Int): Double {
+        val negative = text[start] == '-'
+        val unsigned = if (negative || text[start] == '+') start + 1 else start
+        var i = unsigned
+        var digits = 0L
+        var point = -1
+        while (i < end) {
+            val c = text[i]
+            if (c in '0'..'9') digits = digits * 10 + (c - '0')
+            else if (c == '.' && point < 0) point = i
+            else break
+            if (++i - unsigned > MAX_DIGITS) return Double.NaN
+        }
+        val decimals = if (point < 0) 0 else i - point - 1
+        if (i == unsigned || point >= 0 && decimals == 0 || Syntax.skipBlanks(text, i, end) != end) return Double.NaN
+        val value = digits / POWERS[decimals]
+        return if (negative) -value else value
+    }
+}

@@ -1,0 +1,90 @@
+package argo.filters.matching
+
+import argo.filters.Syntax
+
+/**
+ * The outline of a percept in its text: where its parts begin and end. Nothing here builds a term or allocates, and nothing throws,
+ * whatever the text.
+ *
+ * Quotes, brackets and comments are respected. Nesting beyond [MAX_DEPTH] is no percept.
+ */
+internal object Outline {
+    const val NONE = -1
+    private const val MAX_DEPTH = 256
+
+    /**
+     * What follows a functor that ends at [functorEnd]: the arity and where the annotations open, which [arity] and [annotations] take
+     * apart, or [NONE] if the text up to [end] is no percept.
+     */
+    fun tail(text: CharSequence, functorEnd: Int, end: Int): Long {
+        var arity = 0
+        var i = Syntax.skipBlanks(text, functorEnd, end)
+        if (i < end && text[i] == '(') {
+            do {
+                i = partEnd(text, Syntax.skipBlanks(text, i + 1, end), end, ')')
+                if (i < 0) return NONE.toLong()
+                arity++
+            } while (text[i] == ',')
+            i = Syntax.skipBlanks(text, i + 1, end)
+        }
+        val annotations = i
+        if (i < end && text[i] == '[') i = annotationsEnd(text, i, end)
+        return if (i == end) arity.toLong() shl Int.SIZE_BITS or annotations.toLong() else NONE.toLong()
+    }
+
+    fun arity(tail: Long): Int = (tail shr Int.SIZE_BITS).toInt()
+
+    /** Where the bracket of the annotations opens; the end of the text if there are none. */
+    fun annotations(tail: Long): Int = tail.toInt()
+
+    /** Where the argument at [index] starts, after blanks, given that the functor ends at [functorEnd] and that there is such an argument. */
+    fun argument(text: CharSequence, functorEnd: Int, end: Int, index: Int): Int {
+        var start = Syntax.skipBlanks(text, Syntax.skipBlanks(text, functorEnd, end) + 1, end)
+        repeat(index) { start = Syntax.skipBlanks(text, partEnd(text, start, end, ')') + 1, end) }
+        return start
+    }
+
+    /** The comma or [close] that ends the part which starts at [start], or [NONE] if there is none or the part is empty. */
+    fun partEnd(text: CharSequence, start: Int, end: Int, close: Char): Int {
+        var i = start
+        while (i in 0 until end) {
+            val c = text[i]
+            if (c == ',' || c == close) return if (i > start) i else NONE
+            i = next(text, i, end, 0)
+        }
+        return NONE
+    }
+
+    private fun annotationsEnd(text: CharSequence, open: Int, end: Int): Int {
+        var i = Syntax.skipBlanks(text, open + 1, end)
+        if (i < end && text[i] == ']') return Syntax.skipBlanks(text, i + 1, end)
+        while (true) {
+            i = partEnd(text, i, end, ']')
+            if (i < 0) return NONE
+            if (text[i] == ']') return Syntax.skipBlanks(text, i + 1, end)
+            i = Syntax.skipBlanks(text, i + 1, end)
+        }
+    }
+
+    /** The position after the character, string, comment or bracketed group at [i], or [NONE]. */
+    private fun next(text: CharSequence, i: Int, end: Int, depth: Int): Int = when (text[i]) {
+        '(' -> groupEnd(text, i + 1, end, ')', depth + 1)
+        '[' -> groupEnd(text, i + 1, end, ']', depth + 1)
+        '{' -> groupEnd(text, i + 1, end, '}', depth + 1)
+        ')', ']', '}' -> NONE
+        '"' -> Syntax.stringEnd(text, i, end)
+        '\'' -> Syntax.quotedAtomEnd(text, i, end)
+        '/' -> maxOf(Syntax.commentEnd(text, i, end), i + 1)
+        else -> i + 1
+    }
+
+    private fun groupEnd(text: CharSequence, start: Int, end: Int, close: Char, depth: Int): Int {
+        if (depth > MAX_DEPTH) return NONE
+        var i = start
+        while (i in 0 until end) {
+            if (text[i] == close) return i + 1
+            i = next(text, i, end, depth)
+        }
+        return NONE
+    }
+}

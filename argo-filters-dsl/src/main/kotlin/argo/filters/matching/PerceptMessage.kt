@@ -1,0 +1,55 @@
+package argo.filters.matching
+
+/**
+ * The percepts of one Javino message, in their order: the pieces between the `;` that stand outside strings, quoted
+ * atoms and brackets, trimmed, empty ones left out.
+ *
+ * A percept whose brackets or quotes do not match ends at the next `;` of any kind, so that it costs itself and not
+ * the percepts after it.
+ */
+fun perceptsOf(message: String): List<String> {
+    val percepts = ArrayList<String>()
+    var start = 0
+    while (start < message.length) {
+        val end = balancedEnd(message, start) ?: rawEnd(message, start)
+        message.substring(start, end).trim().let { if (it.isNotEmpty()) percepts += it }
+        start = end + 1
+    }
+    return percepts
+}
+
+/** The pieces of [percept] between any `;`, wherever it stands: the second reading of a percept that Jason cannot read. */
+fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
+
+private fun rawEnd(text: String, start: Int): Int = text.indexOf(';', start).let { if (it < 0) text.length else it }
+
+/** Where the percept that begins at [start] ends, or null if its brackets or quotes do not match. */
+private fun balancedEnd(text: String, start: Int): Int? {
+    val open = ArrayDeque<Char>()
+    var i = start
+    while (i < text.length) {
+        when (val c = text[i]) {
+            '"', '\'' -> i = endOfQuoted(text, i) ?: return null
+            '(', '[', '{' -> open.addLast(c)
+            ')', ']', '}' -> if (open.removeLastOrNull() != OPENING[c]) return null
+            ';' -> if (open.isEmpty()) return i
+        }
+        i++
+    }
+    return if (open.isEmpty()) text.length else null
+}
+
+private val OPENING = mapOf(')' to '(', ']' to '[', '}' to '{')
+
+/** The index of the quote that closes the one at [opening], or null if there is none. Strings have escapes, quoted atoms have none. */
+private fun endOfQuoted(text: String, opening: Int): Int? {
+    var i = opening + 1
+    while (i < text.length) {
+        when (text[i]) {
+            '\\' -> if (text[opening] == '"') i++
+            text[opening] -> return i
+        }
+        i++
+    }
+    return null
+}

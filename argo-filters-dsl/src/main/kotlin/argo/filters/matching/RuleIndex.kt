@@ -1,0 +1,47 @@
+package argo.filters.matching
+
+import argo.filters.Syntax
+
+/** Finds rules by the functor of a percept, in its text and without allocating: a hash table with open addressing. */
+internal class RuleIndex(rules: List<CompiledRule>) {
+    private val functors: Array<String?>
+    private val rulesOf: Array<Array<CompiledRule>>
+    private val mask: Int
+    private val shift: Int
+
+    init {
+        val byFunctor = rules.groupBy { it.rule.predicate.functor }
+        val size = Integer.highestOneBit(maxOf(byFunctor.size, 1)) * SPACE
+        functors = arrayOfNulls(size)
+        rulesOf = Array(size) { emptyArray() }
+        mask = size - 1
+        shift = Integer.numberOfLeadingZeros(mask)
+        byFunctor.forEach { (functor, rules) ->
+            var slot = slot(functor.hashCode())
+            while (functors[slot] != null) slot = slot + 1 and mask
+            functors[slot] = functor
+            rulesOf[slot] = rules.toTypedArray()
+        }
+    }
+
+    /** The rules on the functor that stands in [text] from [start] to [end], in the order of the filter. */
+    fun find(text: CharSequence, start: Int, end: Int): Array<CompiledRule> {
+        var hash = 0
+        for (i in start until end) hash = 31 * hash + text[i].code
+        var slot = slot(hash)
+        while (true) {
+            val functor = functors[slot] ?: return NO_RULES
+            if (functor.length == end - start && Syntax.isAt(text, start, functor)) return rulesOf[slot]
+            slot = slot + 1 and mask
+        }
+    }
+
+    /** The high bits of a product with the golden ratio: names that are numbered one after the other spread over the whole table. */
+    private fun slot(hash: Int) = (hash * GOLDEN_RATIO) ushr shift
+
+    private companion object {
+        const val SPACE = 4
+        const val GOLDEN_RATIO = -0x61c88647
+        val NO_RULES = emptyArray<CompiledRule>()
+    }
+}

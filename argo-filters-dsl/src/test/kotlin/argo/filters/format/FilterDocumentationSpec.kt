@@ -1,0 +1,64 @@
+package argo.filters.format
+
+import argo.filters.Compilation
+import argo.filters.matching.matcher
+import argo.filters.perceptionFilter
+import argo.filters.xml
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.StringSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+import org.jetbrains.kotlin.cli.common.ExitCode
+
+/** The page on filters shows nothing that does not work. */
+class FilterDocumentationSpec : StringSpec({
+    val page = generateSequence(File("").absoluteFile) { it.parentFile }.map { it.resolve("docs/filters.md") }.first { it.exists() }.readText()
+    fun blocks(language: String) = Regex("```$language\\n(.*?)```", RegexOption.DOT_MATCHES_ALL).findAll(page).map { it.groupValues[1] }.toList().also { it.shouldNotBeEmpty() }
+    val frontDistance = perceptionFilter("frontDistance") {
+        drop("temperature")
+        drop("light")
+        drop("distance") { argument(0) ne "front" }
+    }
+
+    "its example is one filter in all forms" {
+        XmlFilters.read(blocks("xml").first(), "page.xml") shouldBe frontDistance
+        JsonFilters.read(blocks("json").first(), "page.json") shouldBe frontDistance
+    }
+
+    "its XML and JSON can be read" {
+        blocks("xml").forEach { XmlFilters.read(it, "page.xml") }
+        blocks("json").forEach { JsonFilters.read(it, "page.json") }
+    }
+
+    "its Kotlin compiles" {
+        // one file of all blocks, the imports that they show before what needs them
+        val (imports, code) = blocks("kotlin").flatMap { it.lines() }.partition { it.startsWith("import ") }
+        val compilation = Compilation(tempdir(), emptyList(), (imports.distinct() + code).joinToString("\n"))
+        withClue(compilation) { compilation.exit shouldBe ExitCode.OK }
+    }
+
+    "its table of rules says the same in all columns" {
+        val row = Regex("""\| `(<parameter.*?>|<annotation.*?>)` \| `(\{.*?})` \| `(.*?)` \|""")
+        val rows = row.findAll(page).toList()
+        rows.size shouldBe 5
+        val kotlin = listOf(
+            perceptionFilter("f") { drop("d") { argument(0) ne "front" } },
+            perceptionFilter("f") { drop("d") { annotation("q") lt 0.5 } },
+            perceptionFilter("f") { drop("d") { hasAnnotation("urgent") } },
+            perceptionFilter("f") { drop("d") { annotation("q") { gt(0); lt(1) } } },
+            perceptionFilter("f") { drop("d") { argument(1) deadband 5 } },
+        )
+        rows.zip(kotlin).forEach { (row, expected) ->
+            val (inXml, inJson) = row.destructured
+            xml("<filter><predicate>d</predicate>$inXml</filter>") shouldBe expected
+            JsonFilters.read("""{"rules": [{"predicate": "d", "conditions": [$inJson]}]}""", "f.json") shouldBe expected
+        }
+    }
+
+    "its explanations are those that are given" {
+        for (percept in listOf("distance(right,30)", "distance(front,227)")) page shouldContain frontDistance.matcher().explain(percept).toString()
+    }
+})

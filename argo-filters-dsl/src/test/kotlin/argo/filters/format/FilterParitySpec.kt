@@ -1,0 +1,148 @@
+package argo.filters.format
+
+import argo.filters.AnyTerm
+import argo.filters.Condition
+import argo.filters.CriticalRule
+import argo.filters.Operator
+import argo.filters.PerceptionFilter
+import argo.filters.Rule
+import argo.filters.RuleConditions
+import argo.filters.RuleList
+import argo.filters.Test
+import argo.filters.Value
+import argo.filters.filters
+import argo.filters.jason.drops
+import argo.filters.keepingFilter
+import argo.filters.matching.FilterSession
+import argo.filters.matching.matcher
+import argo.filters.perceptTexts
+import argo.filters.perceptionFilter
+import io.kotest.core.spec.style.StringSpec
+import io.kotest.core.spec.style.stringSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+import jason.asSyntax.ASSyntax
+
+/** Brings a filter into one form and back. */
+private typealias Form = (PerceptionFilter) -> PerceptionFilter
+
+/** What every form of filters must do alike; [form] is what a form makes of a filter that is written in it. */
+private fun parity(form: Form) = stringSpec {
+    "a filter comes back equal" { checkAll(1_000, filters) { form(it) shouldBe it } }
+
+    "a filter that came back drops exactly what it dropped, as text and as literals" {
+        checkAll(500, filters, Arb.list(perceptTexts, 0..12)) { filter, percepts ->
+            val expected = percepts.filterNot(filter.matcher()::drops)
+            val matcher = form(filter).matcher()
+            percepts.filterNot(matcher::drops) shouldContainExactly expected
+            percepts.filterNot { matcher.drops(ASSyntax.parseLiteral(it)) } shouldContainExactly expected
+        }
+    }
+
+    "a filter that came back holds back exactly what it held back" {
+        checkAll(200, filters, Arb.list(Arb.list(perceptTexts, 0..5), 1..6)) { filter, snapshots ->
+            fun run(filter: PerceptionFilter) = FilterSession.ofTexts().let { session ->
+                session.switchTo(filter)
+                snapshots.mapIndexed { number, percepts -> Triple(session.perceive(percepts, number * 300L), session.nextDueMs, session.critical) }
+            }
+            run(form(filter)) shouldBe run(filter)
+        }
+    }
+}
+
+/** A filter rewritten in Kotlin's words, as a person would write it. */
+private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
+    fun AnyTerm.say(test: Test) = when (test) {
+        is Test.Compare -> compare(test)
+        is Test.OneOf -> isIn(test.values)
+        is Test.Matches -> matches(test.pattern)
+    }
+    fun RuleConditions.say(rule: Rule) {
+        rule.arity?.let(::arity)
+        rule.rate?.everyMs?.let(::everyMs)
+        rule.rate?.deadbands?.forEach { deadband -> deadband.argument?.let { argument(it) deadband deadband.width } ?: deadband(deadband.width) }
+        rule.conditions.forEach { condition ->
+            when (condition) {
+                is Condition.Argument -> argument(condition.index).say(condition.test)
+                is Condition.Annotation -> annotation("${condition.name}") { condition.tests.forEach { say(it) } }
+            }
+        }
+    }
+    fun RuleList.sayCritical() = filter.critical.forEach { critical ->
+        critical("${critical.rule.predicate}") {
+            say(critical.rule)
+            critical.reflex?.let(::reflex)
+        }
+    }
+    return when (filter.mode) {
+        PerceptionFilter.Mode.DROP -> perceptionFilter(filter.name, filter.onSwitch) {
+            filter.rules.forEach { rule -> drop("${rule.predicate}") { say(rule) } }
+            sayCritical()
+        }
+        PerceptionFilter.Mode.KEEP -> keepingFilter(filter.name, filter.onSwitch) {
+            filter.rules.forEach { rule -> keep("${rule.predicate}") { say(rule) } }
+            sayCritical()
+        }
+    }
+}
+
+private fun AnyTerm.compare(test: Test.Compare) {
+    val number = (test.value as? Value.Number)?.value
+    when (test.operator) {
+        Operator.EQ -> if (number != null) eq(number) else eq("${test.value}")
+        Operator.NE -> if (number != null) ne(number) else ne("${test.value}")
+        Operator.GT -> gt(number!!)
+        Operator.GE -> ge(number!!)
+        Operator.LT -> lt(number!!)
+        Operator.LE -> le(number!!)
+    }
+}
+
+class FilterParitySpec : StringSpec({
+    include("XML: ", parity { XmlFilters.read(XmlFilters.write(it), "f.xml") })
+    include("JSON: ", parity { JsonFilters.read(JsonFilters.write(it), "f.json") })
+    include("Kotlin: ", parity(::inKotlin))
+    include("all three in turn: ", parity { inKotlin(JsonFilters.read(JsonFilters.write(XmlFilters.read(XmlFilters.write(it), "f.xml")), "f.json")) })
+
+    "filters that differ in anything but their names are not equal" {
+        val rules = listOf(Rule("dist"))
+        val filter = PerceptionFilter("a", rules)
+        PerceptionFilter("b", rules) shouldBe filter
+        for (other in listOf(
+            PerceptionFilter("a"),
+            PerceptionFilter("a", rules, PerceptionFilter.Mode.KEEP),
+            PerceptionFilter("a", rules, onSwitch = PerceptionFilter.OnSwitch.FREEZE),
+            PerceptionFilter("a", rules, critical = listOf(CriticalRule(Rule("dist")))),
+        )) other shouldNotBe filter
+    }
+
+    "the paper's filter is one filter in all forms" {
+        val kotlin = perceptionFilter("frontDistance") {
+            drop("temperature")
+            drop("light")
+            drop("distance") { argument(0) ne "front" }
+        }
+        val xml = """
+            <?xml version="1.0"?>
+            <PerceptionFilter>
+              <filter><predicate>temperature</predicate></filter>
+              <filter><predicate>light</predicate></filter>
+              <filter><predicate>distance</predicate><parameter operator="NE" id="0">front</parameter></filter>
+            </PerceptionFilter>
+        """.trimIndent()
+        val json = """
+            {"rules": [
+              {"predicate": "temperature"},
+              {"predicate": "light"},
+              {"predicate": "distance", "conditions": [{"argument": 0, "operator": "NE", "value": "front"}]}
+            ]}
+        """
+        XmlFilters.read(xml, "frontDistance.xml") shouldBe kotlin
+        JsonFilters.read(json, "frontDistance.json") shouldBe kotlin
+        XmlFilters.read(xml, "frontDistance.xml").hashCode() shouldBe kotlin.hashCode()
+    }
+})

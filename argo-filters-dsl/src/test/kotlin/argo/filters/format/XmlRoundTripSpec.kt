@@ -1,0 +1,48 @@
+package argo.filters.format
+
+import argo.filters.Condition
+import argo.filters.Operator
+import argo.filters.PerceptionFilter
+import argo.filters.Rule
+import argo.filters.Test
+import argo.filters.Value
+import argo.filters.filters
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.StringSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.property.checkAll
+
+class XmlRoundTripSpec : StringSpec({
+    "what is written is read back to an equal filter" {
+        checkAll(2_000, filters) { XmlFilters.read(XmlFilters.write(it), "generated.xml") shouldBe it }
+    }
+
+    "what is written does not depend on how it was read" {
+        checkAll(500, filters) {
+            val text = XmlFilters.write(it)
+            XmlFilters.write(XmlFilters.read(text, "generated.xml")) shouldBe text
+        }
+    }
+
+    "a character that XML cannot hold is refused" {
+        val filter = PerceptionFilter("f", Rule("d", Condition.Argument(0, Test.Compare(Operator.EQ, Value.Text("\u0001")))))
+        shouldThrow<IllegalArgumentException> { XmlFilters.write(filter) }.message shouldContain "U+0001"
+    }
+
+    "it is written as the paper writes it" {
+        val filter = PerceptionFilter("frontDistance", Rule("temperature"), Rule("distance", Condition.Argument(0, Test.Compare(Operator.NE, Value.of("front")))))
+        XmlFilters.write(filter) shouldBe """
+            <?xml version="1.0"?>
+            <PerceptionFilter>
+              <filter>
+                <predicate>temperature</predicate>
+              </filter>
+              <filter>
+                <predicate>distance</predicate>
+                <parameter operator="NE" id="0">front</parameter>
+              </filter>
+            </PerceptionFilter>
+        """.trimIndent() + "\n"
+    }
+})

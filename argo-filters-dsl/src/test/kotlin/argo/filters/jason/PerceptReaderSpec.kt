@@ -1,0 +1,124 @@
+package argo.filters.jason
+
+import argo.filters.matching.NumberText
+import argo.filters.perceptTexts
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.StringSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.types.shouldBeSameInstanceAs
+import io.kotest.matchers.types.shouldNotBeSameInstanceAs
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.map
+import io.kotest.property.arbitrary.numericDouble
+import io.kotest.property.checkAll
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Literal
+import jason.asSyntax.Structure
+import jason.asSyntax.Term
+
+/** Everything that can be asked of a term: its class, text, hash code, place in the source, and the same of its parts. */
+private fun anatomy(term: Term): String = buildString {
+    append(term.javaClass.name).append('«').append(term).append('»').append(term.hashCode())
+    append('@').append(term.srcInfo?.let { "${it.srcFile}:${it.beginSrcLine}-${it.endSrcLine}" })
+    append(listOf(term.isAtom, term.isLiteral, term.isStructure, term.isList, term.isString, term.isNumeric, term.isArithExpr, term.isGround, term.isPred, term.isVar))
+    if (term is Literal) append(term.ns).append(term.negated()).append(term.predicateIndicator).append(term.canBeAddedInBB())
+    when {
+        term.isVar -> Unit
+        term is ListTerm -> term.forEach { append(anatomy(it)) }
+        term is Structure -> (0 until term.arity).forEach { append(anatomy(term.getTerm(it))) }
+    }
+    if (term is Literal && !term.isVar && term !is ListTerm && term.hasAnnot()) append(anatomy(term.annots))
+}
+
+private fun shouldReadAsJason(text: String) = withClue(text) {
+    val expected = ASSyntax.parseLiteral(text)
+    val found = PerceptReader().read(text)
+    anatomy(found) shouldBe anatomy(expected)
+    // two readings of one text are not always equal to Jason: [-1] is an expression, and annotations are compared as if they were ordered
+    val again = ASSyntax.parseLiteral(text)
+    (found == expected) shouldBe (again == expected)
+    (expected == found) shouldBe (expected == again)
+}
+
+class PerceptReaderSpec : StringSpec({
+    "it reads every percept exactly as Jason's parser does" {
+        var fast = 0
+        checkAll(10_000, perceptTexts) {
+            shouldReadAsJason(it)
+            if (LiteralParser(it).parse() != null) fast++
+        }
+        fast shouldBeGreaterThan 1_000
+    }
+
+    "it reads what boards send without Jason's parser, and exactly as it does" {
+        val texts = listOf(
+            "dist(f,123)", "light(b,40)", "open", "~open(door)", "temp(left,-5)", "temp(left,- 5.25)", "gps(-22.9,-43.2,1e3)", "d(0)", "d(007)", "d(0.10)", "d(123456789012345678)", "d(1.5e-7)",
+            "say(\"hi; you\")", "say(\"a \\\"b\\\" \\n c\\\\ \")", "pos(p(1,2),[a,b(3),\"c\",[]])", "'Left wheel'(1)", "d(f,3)[q(0.5),source(x),a,\"s\",3]", "d [ b , a ]", " d( f , 3 ) ",
+            "d(~a)", "d(a[x])", "begin", "end(1)", "d(begin)", "d(source(x),self,percept)", "d[]", "d([])", "d(é_in_string(\"é漢\uD83D\uDE00\"))".replace("é_in", "e_in"), "abs(1)", "d(x_Y1)",
+        )
+        for (text in texts) {
+            withClue(text) { LiteralParser(text).parse() shouldNotBe null }
+            shouldReadAsJason(text)
+        }
+    }
+
+    "it leaves the rest to Jason's parser" {
+        val texts = listOf(
+            "house::dist(1)", "default::d", "true", "false", "d(true,default,this_ns)", "d(X)", "d(1+2)", "d(+1)", "d(.5)", "d((a))", "d(-(5))", "d([a|[b]])", "d([H|T])", "d(a & b)", "d(not a)",
+            "d({+!g})", "d(\n1)", "d(1) // comment", "d(/* c */1)", "d(house::a)", "d(math.abs(-1))", "X", "d(1)[a|[b]]",
+        )
+        for (text in texts) {
+            withClue(text) { LiteralParser(text).parse() shouldBe null }
+            shouldReadAsJason(text)
+        }
+    }
+
+    "it reads every number to the same double" {
+        checkAll(5_000, Arb.numericDouble()) { shouldReadAsJason("d(${it.toBigDecimal().toPlainString()},$it)") }
+        checkAll(5_000, Arb.list(Arb.element("0", "1", "9", "5", "."), 1..18).map { it.joinToString("") }) { text ->
+            val value = NumberText.plain(text, 0, text.length)
+            if (!value.isNaN()) value shouldBe text.toDouble()
+        }
+    }
+
+    "it refuses exactly what Jason's parser refuses" {
+        val tokens = Arb.list(Arb.element("d", "(", ")", "[", "]", ",", "|", "\"", "'", "\\", "~", ":", ".", "-", "+", "1", "1.5e", "X", " ", "\n", "/", "true", "not", "a", "é", "&", "_9999999999", "{", "}", "!", ";", "<", "=", "*"), 0..10)
+        checkAll(20_000, tokens.map { it.joinToString("") }) { text ->
+            val expected = try { ASSyntax.parseLiteral(text) } catch (_: Exception) { null } catch (_: Error) { null }
+            if (expected == null) withClue(text) { shouldThrow<PerceptSyntaxException> { PerceptReader().read(text) } } else shouldReadAsJason(text)
+        }
+    }
+
+    "what is no literal is refused with its text and the cause" {
+        shouldThrow<PerceptSyntaxException> { PerceptReader().read("dist(f 3)") }.message shouldContain "'dist(f 3)' is not a literal that Jason can read: "
+        shouldThrow<PerceptSyntaxException> { PerceptReader().read("x".repeat(500) + "(") }.message!!.length shouldBe shouldThrow<PerceptSyntaxException> { PerceptReader().read("x".repeat(501) + "(") }.message!!.length
+    }
+
+    "nesting without end is refused, not a stack overflow" {
+        shouldThrow<PerceptSyntaxException> { PerceptReader().read("d(" + "(".repeat(100_000) + "1" + ")".repeat(100_000) + ")") }.message shouldContain "nested too deep"
+        shouldThrow<PerceptSyntaxException> { PerceptReader().read("d(" + "[".repeat(100_000)) }
+    }
+
+    "the literal of unchanged text is given again, as long as it is kept" {
+        val reader = PerceptReader(kept = 2)
+        val first = reader.read("a(1)")
+        reader.read("a(1)") shouldBeSameInstanceAs first
+        reader.read("b")
+        reader.read("a(1)") shouldBeSameInstanceAs first
+        reader.read("c")
+        reader.read("a(1)") shouldBeSameInstanceAs first
+        val second = reader.read("b")
+        reader.read("c")
+        reader.read("d")
+        reader.read("b") shouldNotBeSameInstanceAs second
+        shouldThrow<IllegalArgumentException> { PerceptReader(-1) }
+        PerceptReader(0).read("a") shouldBe ASSyntax.parseLiteral("a")
+    }
+})

@@ -1,0 +1,62 @@
+package argo.filters.matching
+
+import argo.filters.Condition
+import argo.filters.Deadband
+import argo.filters.Operator
+import argo.filters.PerceptionFilter
+import argo.filters.Predicate
+import argo.filters.Rate
+import argo.filters.Rule
+import argo.filters.Test
+import argo.filters.Value
+import argo.filters.filters
+import argo.filters.jason.explain
+import argo.filters.matching.Explanation.Outcome
+import argo.filters.perceptTexts
+import io.kotest.core.spec.style.StringSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.checkAll
+import jason.asSyntax.ASSyntax
+
+class ExplanationSpec : StringSpec({
+    val rules = listOf(Rule("light"), Rule("dist", Condition.Argument(0, Test.Compare(Operator.NE, Value.of("f")))))
+    val dropping = PerceptionFilter("front", rules).matcher()
+    val keeping = PerceptionFilter("others", rules, PerceptionFilter.Mode.KEEP).matcher()
+
+    "it tells which rule dropped a percept" {
+        val explanation = dropping.explain("dist(b,1)")
+        explanation.toString() shouldBe "dist(b,1) is dropped by filter front: rule 2 meets it: dist where argument 0 is not f"
+        explanation.outcome shouldBe Outcome.DROPPED
+        explanation.rule shouldBe rules[1]
+    }
+
+    "it tells why a percept was kept" {
+        dropping.explain("dist(f,1)").toString() shouldBe "dist(f,1) is kept by filter front: rule 2 does not meet it, since not: argument 0 is not f"
+        dropping.explain("~light").toString() shouldBe "~light is kept by filter front: it has no rule on ~light with 0 arguments"
+        dropping.explain("dist(").toString() shouldBe "dist( is kept by filter front: its text is not a percept, and filters leave that to the parser"
+    }
+
+    "it tells the same of a filter that keeps" {
+        keeping.explain("dist(b,1)").toString() shouldBe "dist(b,1) is kept by filter others: rule 2 meets it: dist where argument 0 is not f"
+        keeping.explain("dist(f,1)").toString() shouldBe "dist(f,1) is dropped by filter others: rule 2 does not meet it, since not: argument 0 is not f"
+    }
+
+    "it explains literals as texts" {
+        dropping.explain(ASSyntax.parseLiteral("dist(b,1)")).toString() shouldBe dropping.explain("dist(b,1)").toString()
+    }
+
+    "it agrees with what the matcher does" {
+        checkAll(2_000, filters, perceptTexts) { filter, text ->
+            val matcher = filter.matcher()
+            (matcher.explain(text).outcome == Outcome.DROPPED) shouldBe matcher.drops(text)
+        }
+    }
+
+    "filters say what they do" {
+        val keep = PerceptionFilter("k", listOf(Rule(Predicate("d"), emptyList(), 2, Rate(500, setOf(Deadband(1, 0.5))))), PerceptionFilter.Mode.KEEP, PerceptionFilter.OnSwitch.FREEZE)
+        "$keep" shouldBe "filter k keeps only d where there are 2 arguments and the last one was less than 500 ms ago and argument 1 has not moved by 0.5, and freezes what it hides"
+        "${PerceptionFilter("none")}" shouldBe "filter none drops nothing"
+        "${Rule("d", Condition.Annotation("q", Test.OneOf(setOf(Value.of("a"), Value.of("1"))), Test.Matches("a.*")))}" shouldBe
+            "d where annotation q is one of a, 1 and matches a.*"
+    }
+})
