@@ -5,12 +5,12 @@ import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
-import javino.FakeBoard
 import javino.Link
 import javino.LinkSettings
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
+import javino.sim.FakeBoard
 import java.io.IOException
 import java.util.concurrent.TimeUnit
 

@@ -1,7 +1,7 @@
 package argo
 
-import javino.UsbPort
-import javino.UsbPorts
+import javino.serial.UsbPort
+import javino.serial.UsbPorts
 import java.util.concurrent.CopyOnWriteArrayList
 
 /** What the tests say is on USB, beside what is. */

@@ -10,13 +10,13 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeSameInstanceAs
 import jason.asSyntax.ASSyntax
-import javino.FakeBoard
 import javino.Link
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortFaultException
 import javino.PortPermissionException
 import javino.PortTimeoutException
+import javino.sim.FakeBoard
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.CountDownLatch

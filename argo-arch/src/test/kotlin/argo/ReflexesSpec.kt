@@ -8,11 +8,11 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax
-import javino.FakeBoard
 import javino.Link
 import javino.LinkSettings
 import javino.PortException
 import javino.PortTimeoutException
+import javino.sim.FakeBoard
 
 class ReflexesSpec : FunSpec({
     val near = CriticalRule(Rule("near"), "stop")

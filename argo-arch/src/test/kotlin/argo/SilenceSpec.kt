@@ -5,12 +5,12 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import javino.FakeBoard
 import javino.Link
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
+import javino.sim.FakeBoard
 
 /** What sensing makes of a board that does not answer any more. */
 class SilenceSpec : FunSpec({

@@ -1,7 +1,7 @@
 package benchmarks
 
 import javino.Protocol
-import javino.SimulatedBoards
+import javino.sim.SimulatedBoards
 import java.io.File
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong

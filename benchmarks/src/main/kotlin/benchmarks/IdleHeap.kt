@@ -2,8 +2,8 @@ package benchmarks
 
 import javino.LineSettings
 import javino.Protocol
-import javino.SimulatedBoards
 import javino.Transports
+import javino.sim.SimulatedBoards
 import java.lang.ref.Reference
 
 /** Bytes of heap of an agent that has nothing to do. */

@@ -4,9 +4,9 @@ import javino.Frame
 import javino.FrameDecoder
 import javino.LineSettings
 import javino.PerceptsRequest
-import javino.PseudoTerminals
 import javino.Transport
 import javino.Transports
+import javino.sim.PseudoTerminals
 import java.util.Locale
 import kotlin.concurrent.thread
 

@@ -4,8 +4,8 @@ import com.sun.management.OperatingSystemMXBean
 import javino.LineSettings
 import javino.PortException
 import javino.Protocol
-import javino.PseudoTerminals
 import javino.Transports
+import javino.sim.PseudoTerminals
 import java.lang.management.ManagementFactory
 import kotlin.concurrent.thread
 

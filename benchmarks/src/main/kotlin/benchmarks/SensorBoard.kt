@@ -4,8 +4,8 @@ import javino.Frame
 import javino.FrameDecoder
 import javino.PerceptsRequest
 import javino.Protocol
-import javino.SimulatedBoard
 import javino.Transport
+import javino.sim.SimulatedBoard
 
 /**
  * A board that answers requests at once, in the version in which it is asked, and acknowledges actions.

@@ -1,7 +1,7 @@
 package benchmarks
 
 import javino.Protocol
-import javino.SimulatedBoards
+import javino.sim.SimulatedBoards
 import java.util.concurrent.atomic.AtomicLongArray
 import kotlin.math.min
 

@@ -165,7 +165,8 @@ public final class Frame {
         return sequence;
     }
 
-    boolean has(int flag) {
+    /** Whether the flag is set: one of {@link #MORE}, {@link #ACK_WANTED}, {@link #ACK} and {@link #REFUSAL}. */
+    public boolean has(int flag) {
         return (flags & flag) != 0;
     }
 

@@ -95,7 +95,7 @@ public final class FrameDecoder {
     /**
      * Takes bytes that may have arrived any time before {@code nowNanos}: a reader that was held up does not know of a silence before them.
      */
-    void acceptUnbroken(byte[] b, int off, int len, long nowNanos) {
+    public void acceptUnbroken(byte[] b, int off, int len, long nowNanos) {
         lastByteNanos = nowNanos;
         for (int i = off; i < off + len; i++) {
             append(b[i]);

@@ -9,7 +9,7 @@ public final class PortInterruptedException extends PortException {
     }
 
     /** What to throw in place of an {@link InterruptedException}, which has unmarked the calling thread: marks it again. */
-    static PortInterruptedException remarking(String port) {
+    public static PortInterruptedException remarking(String port) {
         Thread.currentThread().interrupt();
         return new PortInterruptedException(port);
     }

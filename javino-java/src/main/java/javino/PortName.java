@@ -12,8 +12,6 @@ import java.util.regex.Pattern;
  * since nothing in front of a scheme's colon is a slash; and {@code COM8:}, as DOS writes it, is {@code COM8}.
  */
 record PortName(String scheme, String address) {
-    static final String SERIAL = "serial";
-
     private static final Pattern WITH_SCHEME = Pattern.compile("([A-Za-z][A-Za-z0-9+.-]+):(.*)", Pattern.DOTALL);
     private static final Pattern DOS_DEVICE = Pattern.compile("([A-Za-z]+[0-9]+):");
 
@@ -21,9 +19,9 @@ record PortName(String scheme, String address) {
         String name = port.strip();
         Matcher dos = DOS_DEVICE.matcher(name);
         Matcher scheme = WITH_SCHEME.matcher(name);
-        PortName parsed = dos.matches() ? new PortName(SERIAL, dos.group(1))
+        PortName parsed = dos.matches() ? new PortName(Transports.SERIAL, dos.group(1))
                 : scheme.matches() ? new PortName(scheme.group(1).toLowerCase(Locale.ROOT), scheme.group(2).strip())
-                : new PortName(SERIAL, name);
+                : new PortName(Transports.SERIAL, name);
         if (parsed.address.isEmpty()) {
             throw new NoSuchPortException(port, "\"" + port + "\" names no port: an address is missing");
         }

@@ -12,7 +12,7 @@ import java.util.concurrent.ConcurrentHashMap;
  * Finds services as the calling thread sees them, and as this library does: in a Jason project the two may differ. A service that cannot be
  * loaded costs one warning and leaves the others.
  */
-final class Services {
+public final class Services {
     private static final System.Logger LOG = System.getLogger(Services.class.getName());
 
     /** Services are looked for again and again; what cannot be used is said once. */
@@ -21,7 +21,7 @@ final class Services {
     private Services() {}
 
     /** The providers of {@code service}, without making any; one that both class loaders see comes twice. */
-    static <T> List<ServiceLoader.Provider<T>> providers(Class<T> service) {
+    public static <T> List<ServiceLoader.Provider<T>> providers(Class<T> service) {
         List<ServiceLoader.Provider<T>> found = new ArrayList<>();
         addAll(found, ServiceLoader.load(service), service);
         addAll(found, ServiceLoader.load(service, service.getClassLoader()), service);
@@ -44,7 +44,7 @@ final class Services {
     }
 
     /** Makes what {@code provider} provides; null if that fails. */
-    static <T> T make(ServiceLoader.Provider<T> provider) {
+    public static <T> T make(ServiceLoader.Provider<T> provider) {
         try {
             return provider.get();
         } catch (ServiceConfigurationError e) {

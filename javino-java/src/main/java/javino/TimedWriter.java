@@ -11,9 +11,9 @@ import java.util.concurrent.locks.ReentrantLock;
  *
  * <p>Safe on any thread; writes go out in the order in which they are called, each as a whole.
  */
-final class TimedWriter {
+public final class TimedWriter {
     /** The write that has no time limit. */
-    interface Target {
+    public interface Target {
         /** Writes all the bytes; returns how many were written, fewer or -1 on an error. */
         int write(byte[] bytes);
     }
@@ -21,7 +21,7 @@ final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
 
     /** How a write ended. */
-    enum Outcome { WRITTEN, FAILED, TOO_LATE, CLOSED }
+    public enum Outcome { WRITTEN, FAILED, TOO_LATE, CLOSED }
 
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
@@ -30,13 +30,13 @@ final class TimedWriter {
     private Job waiting; // the next to be written
     private boolean closed;
 
-    TimedWriter(String port, Target target) {
+    public TimedWriter(String port, Target target) {
         this.target = target;
         thread = new Thread(this::work, "write " + port);
         thread.setDaemon(true);
     }
 
-    void start() {
+    public void start() {
         thread.start();
     }
 
@@ -44,7 +44,7 @@ final class TimedWriter {
      * Writes the bytes, waiting at most until {@code deadlineNanos} of {@link System#nanoTime}. After {@link Outcome#TOO_LATE} they have
      * not left, or are still on their way out.
      */
-    Outcome write(byte[] b, int off, int len, long deadlineNanos) throws InterruptedException {
+    public Outcome write(byte[] b, int off, int len, long deadlineNanos) throws InterruptedException {
         Job job = new Job(Arrays.copyOfRange(b, off, off + len));
         lock.lockInterruptibly();
         try {
@@ -76,7 +76,7 @@ final class TimedWriter {
     }
 
     /** Ends the thread as soon as its write returns. Calls that wait get {@link Outcome#CLOSED}. */
-    void close() {
+    public void close() {
         lock.lock();
         try {
             closed = true;

@@ -1,6 +1,7 @@
 package javino;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,13 +11,14 @@ import java.util.function.BiFunction;
 /**
  * Opens ports by name: {@code scheme:address} through the {@link TransportProvider} of that scheme, anything else as a serial device.
  *
- * <p>{@code serial}, {@code usb}, {@code tcp}, {@code sim} and {@code replay} (a {@link ReplayBoard}) are built in. Providers found through
- * {@link ServiceLoader} add schemes, but do not replace these. All methods are safe on any thread.
+ * <p>Providers are found through {@link ServiceLoader}: {@code serial}, {@code usb}, {@code tcp}, {@code sim} and {@code replay} of this
+ * library, and those that programs add, which do not replace these. All methods are safe on any thread.
  */
 public final class Transports {
-    private static final List<TransportProvider> BUILT_IN = List.of(
-            new SerialTransportProvider(), new UsbTransportProvider(), new TcpTransportProvider(), new SimTransportProvider(),
-            new ReplayTransportProvider());
+    /** The scheme of a name without one: serial devices. */
+    public static final String SERIAL = "serial";
+
+    private static final String OWN_PACKAGES = Transports.class.getPackageName() + '.';
 
     private Transports() {}
 
@@ -78,11 +80,10 @@ public final class Transports {
     }
 
     private static Map<String, TransportProvider> providers() {
+        List<ServiceLoader.Provider<TransportProvider>> services = new ArrayList<>(Services.providers(TransportProvider.class));
+        services.sort(Comparator.comparing(service -> !service.type().getName().startsWith(OWN_PACKAGES))); // this library's come first
         Map<String, TransportProvider> providers = new LinkedHashMap<>();
-        for (TransportProvider builtIn : BUILT_IN) {
-            providers.put(builtIn.scheme(), builtIn);
-        }
-        for (ServiceLoader.Provider<TransportProvider> service : Services.providers(TransportProvider.class)) {
+        for (ServiceLoader.Provider<TransportProvider> service : services) {
             TransportProvider found = Services.make(service);
             if (found != null) {
                 providers.putIfAbsent(found.scheme(), found);

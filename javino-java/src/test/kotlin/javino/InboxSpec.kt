@@ -9,6 +9,7 @@ import io.kotest.matchers.string.shouldContain
 import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
+import javino.sim.MemoryLine
 
 private const val PAST = Long.MIN_VALUE / 4
 

@@ -4,6 +4,9 @@ import io.kotest.core.test.Enabled
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
+import javino.serial.Terminals
+import javino.sim.FakeBoard
+import javino.tcp.Loopback
 
 private val boards = AtomicInteger()
 
@@ -16,7 +19,7 @@ internal class SimulatedLinkSpec : LinkContract(Enabled.enabled, {
 internal class SerialLinkSpec : LinkContract(Terminals.available, {
     val terminals = Terminals.open()
     val board = FakeBoard.plugIn("contract${boards.incrementAndGet()}").lenient()
-    val end = SerialTransport.open(terminals.board, Bench.FAST.line())
+    val end = Transports.open(terminals.board, Bench.FAST.line())
     val running = async { board.program().run(end) }
     board.awaitOpen(10_000)
     Bench(terminals.computer, board, terminals::unplug) {
@@ -33,7 +36,7 @@ internal class TcpLinkSpec : LinkContract(Enabled.enabled, {
     val board = FakeBoard.plugIn("contract${boards.incrementAndGet()}").lenient()
     val ends = ConcurrentLinkedQueue<Transport>()
     val running = async {
-        while (true) TcpTransport.over(server.accept(), "the board's end", Bench.FAST.line()).use { end ->
+        while (true) server.accepted(Bench.FAST.line()).use { end ->
             ends += end
             try {
                 board.program().run(end)

@@ -6,6 +6,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.types.shouldBeInstanceOf
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
+import javino.sim.FakeBoard
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 

@@ -8,6 +8,9 @@ import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.net.URLClassLoader
 import java.nio.file.Files
+import javino.sim.MemoryLine
+import javino.sim.SimulatedBoard
+import javino.sim.SimulatedBoards
 
 /** A scheme that a program adds: its lines lead nowhere. */
 class NowhereProvider : TransportProvider {

@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import javino.FakeBoard
+import javino.sim.FakeBoard
 
 private const val LIMIT_MS = 20_000
 

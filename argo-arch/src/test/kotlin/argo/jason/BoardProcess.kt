@@ -1,9 +1,9 @@
 package argo.jason
 
-import javino.FakeBoard
 import javino.LineSettings
 import javino.PortException
 import javino.Transports
+import javino.sim.FakeBoard
 import java.util.concurrent.TimeUnit
 
 /** A board as a process of its own, at the far end of a pseudo-terminal: it counts how often it was asked for its percepts. */

@@ -5,7 +5,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import javino.FakeBoard
+import javino.sim.FakeBoard
 
 private const val LIMIT_MS = 20_000
 

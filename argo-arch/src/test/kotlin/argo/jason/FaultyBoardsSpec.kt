@@ -6,11 +6,11 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
-import javino.FakeBoard
 import javino.Link
-import javino.PseudoTerminals
-import javino.SimulatedBoard
-import javino.SimulatedBoards
+import javino.sim.FakeBoard
+import javino.sim.PseudoTerminals
+import javino.sim.SimulatedBoard
+import javino.sim.SimulatedBoards
 import java.io.DataInputStream
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random

@@ -6,7 +6,7 @@ import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import javino.FakeBoard
+import javino.sim.FakeBoard
 import java.util.logging.Level
 import java.util.logging.Logger
 

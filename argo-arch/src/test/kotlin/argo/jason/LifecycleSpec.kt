@@ -6,8 +6,8 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.architecture.AgArch
-import javino.FakeBoard
 import javino.Link
+import javino.sim.FakeBoard
 import java.util.concurrent.CopyOnWriteArrayList
 
 private const val LIMIT_MS = 20_000

@@ -5,8 +5,8 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
-import javino.FakeBoard
-import javino.UsbPort
+import javino.serial.UsbPort
+import javino.sim.FakeBoard
 import java.nio.file.Files
 import java.nio.file.Path
 

@@ -1,11 +1,11 @@
 package argo.jason
 
 import io.kotest.core.test.Enabled
-import javino.FakeBoard
 import javino.LineSettings
 import javino.PortException
-import javino.PseudoTerminals
 import javino.Transports
+import javino.sim.FakeBoard
+import javino.sim.PseudoTerminals
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit

@@ -2,7 +2,7 @@ package argo.jason
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
-import javino.FakeBoard
+import javino.sim.FakeBoard
 
 private const val LIMIT_MS = 20_000
 

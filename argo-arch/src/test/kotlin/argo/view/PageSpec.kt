@@ -8,7 +8,7 @@ import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import javino.FakeBoard
+import javino.sim.FakeBoard
 import org.openqa.selenium.Keys
 
 private const val AGENT = """

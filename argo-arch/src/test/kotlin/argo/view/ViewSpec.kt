@@ -9,7 +9,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import javino.FakeBoard
+import javino.sim.FakeBoard
 import java.net.InetAddress
 import java.net.ServerSocket
 import java.net.URI

@@ -1,18 +1,18 @@
 package argo.testkit
 
-import javino.FakeBoard
 import javino.Frame
 import javino.LineSettings
-import javino.MemoryLine
 import javino.NoSuchPortException
 import javino.PerceptsRequest
 import javino.PortBusyException
 import javino.PortException
 import javino.PortGoneException
 import javino.PortPermissionException
-import javino.Recording
-import javino.ReplayBoard
 import javino.Transport
+import javino.sim.FakeBoard
+import javino.sim.MemoryLine
+import javino.sim.Recording
+import javino.sim.ReplayBoard
 import java.nio.file.Path
 import kotlin.time.Duration
 

@@ -6,7 +6,7 @@ import jason.asSyntax.ASSyntax.createLiteral
 import jason.asSyntax.ASSyntax.createNumber
 import jason.asSyntax.ASSyntax.createString
 import javino.LineClock
-import javino.SimulatedBoards
+import javino.sim.SimulatedBoards
 import samples.project.MasRun
 import samples.project.Progress
 import samples.project.SampleProject

@@ -1,8 +1,8 @@
 package samples.experiment
 
 import javino.LineClock
-import javino.SimulatedBoard
-import javino.SimulatedBoards
+import javino.sim.SimulatedBoard
+import javino.sim.SimulatedBoards
 import samples.board.FieldBoard
 import samples.board.LibraryBoard
 import samples.board.Sketch

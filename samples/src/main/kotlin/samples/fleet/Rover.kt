@@ -1,8 +1,8 @@
 package samples.fleet
 
 import javino.LineClock
-import javino.SimulatedBoard
 import javino.Transport
+import javino.sim.SimulatedBoard
 import samples.board.FieldBoard
 import samples.board.Sketch
 

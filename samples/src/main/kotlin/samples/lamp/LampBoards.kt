@@ -1,7 +1,7 @@
 package samples.lamp
 
-import javino.SimulatedBoard
 import javino.Transport
+import javino.sim.SimulatedBoard
 import samples.board.FieldBoard
 
 /** A simulated board with a [Lamp], which logs what the lamp does. */

@@ -6,7 +6,7 @@ import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeInRange
 import jason.asSemantics.Agent
-import javino.PseudoTerminals
+import javino.sim.PseudoTerminals
 import java.io.File
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit

@@ -8,7 +8,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import javino.PseudoTerminals
+import javino.sim.PseudoTerminals
 import java.io.File
 import java.nio.file.Path
 

@@ -4,9 +4,9 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import javino.Frame
 import javino.LineSettings
-import javino.MemoryLine
 import javino.PortGoneException
 import javino.Transport
+import javino.sim.MemoryLine
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread

@@ -4,8 +4,8 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import javino.Frame
 import javino.LineSettings
-import javino.MemoryLine
 import javino.PortGoneException
+import javino.sim.MemoryLine
 import java.util.concurrent.CopyOnWriteArrayList
 import kotlin.concurrent.thread
 

@@ -9,7 +9,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import javino.PseudoTerminals
+import javino.sim.PseudoTerminals
 import samples.Program
 import java.nio.file.Files
 import java.nio.file.Path

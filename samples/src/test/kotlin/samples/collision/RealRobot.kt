@@ -3,8 +3,8 @@ package samples.collision
 import javino.LineClock
 import javino.LineSettings
 import javino.PortGoneException
-import javino.PseudoTerminals
 import javino.Transports
+import javino.sim.PseudoTerminals
 import samples.board.FieldBoard
 import kotlin.concurrent.thread
 import kotlin.random.Random

@@ -8,7 +8,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.LineClock
-import javino.SimulatedBoards
+import javino.sim.SimulatedBoards
 import samples.board.FieldBoard
 import samples.collision.Course
 import samples.collision.Robot

@@ -18,8 +18,8 @@ import javino.PerceptsRequest
 import javino.PortException
 import javino.PortInterruptedException
 import javino.PortTimeoutException
-import javino.Recording.Direction
-import javino.RecordingWriter
+import javino.sim.Recording.Direction
+import javino.sim.RecordingWriter
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive

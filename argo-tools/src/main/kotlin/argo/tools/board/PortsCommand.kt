@@ -11,8 +11,8 @@ import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
-import javino.SerialPortInfo
-import javino.SerialPorts
+import javino.serial.SerialPortInfo
+import javino.serial.SerialPorts
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive

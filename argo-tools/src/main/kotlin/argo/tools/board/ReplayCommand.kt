@@ -8,11 +8,11 @@ import argo.tools.requireFile
 import javino.LineSettings
 import javino.PortException
 import javino.PortInterruptedException
-import javino.PseudoTerminals
-import javino.Recording
-import javino.ReplayBoard
-import javino.SerialPorts
 import javino.Transports
+import javino.serial.SerialPorts
+import javino.sim.PseudoTerminals
+import javino.sim.Recording
+import javino.sim.ReplayBoard
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters

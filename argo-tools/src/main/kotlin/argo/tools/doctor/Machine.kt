@@ -1,8 +1,8 @@
 package argo.tools.doctor
 
 import javino.PortException
-import javino.PseudoTerminals
-import javino.SerialPorts
+import javino.serial.SerialPorts
+import javino.sim.PseudoTerminals
 import java.io.IOException
 import java.util.concurrent.TimeUnit
 

@@ -13,11 +13,11 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import javino.FakeBoard
 import javino.Link
 import javino.LinkSettings
-import javino.PseudoTerminals
-import javino.Recording
+import javino.sim.FakeBoard
+import javino.sim.PseudoTerminals
+import javino.sim.Recording
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject

@@ -6,8 +6,8 @@ import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import javino.PseudoTerminals
-import javino.Recording
+import javino.sim.PseudoTerminals
+import javino.sim.Recording
 import java.io.BufferedReader
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit

@@ -11,7 +11,7 @@ import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import javino.Recording
+import javino.sim.Recording
 import java.io.StringReader
 import java.nio.file.Path
 import kotlin.io.path.createDirectory

@@ -1,0 +1,57 @@
+package javino.serial;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/**
+ * Where a serial device of a given name is. A name without a slash is {@code /dev/NAME} on Linux and macOS, and the device's own name on
+ * Windows.
+ *
+ * @param name as it was given
+ * @param path what the driver is to open
+ */
+record SerialDevice(String name, String path) {
+    private static final String DOS_NAMESPACE = "\\\\.\\";
+
+    static SerialDevice of(String name) {
+        return of(name, System.getProperty("os.name", ""));
+    }
+
+    static SerialDevice of(String name, String operatingSystem) {
+        if (operatingSystem.startsWith("Windows")) {
+            return new SerialDevice(name, name.startsWith(DOS_NAMESPACE) ? name.substring(DOS_NAMESPACE.length()) : name);
+        }
+        return new SerialDevice(name, name.contains("/") ? name : "/dev/" + name);
+    }
+
+    /** One address for all names of this device: the path with symbolic links followed, as far as it exists. */
+    String canonicalAddress() {
+        if (!hasNode()) {
+            return path.toUpperCase(Locale.ROOT); // COM8 and com8 are one port
+        }
+        try {
+            return Path.of(path).toRealPath().toString();
+        } catch (IOException | InvalidPathException e) {
+            return path; // nothing is there, so it has no other name
+        }
+    }
+
+    boolean exists() {
+        if (!hasNode()) {
+            return true; // only the driver knows
+        }
+        try {
+            return Files.exists(Path.of(path));
+        } catch (InvalidPathException e) {
+            return false;
+        }
+    }
+
+    /** Whether the device shows in the file system, as it does everywhere but on Windows. */
+    boolean hasNode() {
+        return path.contains("/");
+    }
+}

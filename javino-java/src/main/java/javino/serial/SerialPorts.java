@@ -1,0 +1,66 @@
+package javino.serial;
+
+import com.fazecast.jSerialComm.SerialPort;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import javino.PortFaultException;
+
+/** What can be found out about serial devices without opening them, which would reset most boards. Safe on any thread. */
+public final class SerialPorts {
+    private static final String UNKNOWN = "Unknown"; // jSerialComm's word
+
+    private SerialPorts() {}
+
+    /**
+     * The serial devices there are now, in alphabetical order of their names.
+     *
+     * @throws PortFaultException if the driver's native library cannot be loaded; the message says what to do
+     */
+    public static List<SerialPortInfo> list() throws PortFaultException {
+        try {
+            return Arrays.stream(SerialPort.getCommPorts()).map(SerialPorts::info).sorted(Comparator.comparing(SerialPortInfo::name)).toList();
+        } catch (LinkageError e) {
+            throw SerialPortErrors.noNativeLibrary("of any name", e);
+        }
+    }
+
+    private static SerialPortInfo info(SerialPort port) {
+        String name = SerialTransport.nameOf(port);
+        return new SerialPortInfo(name, SerialDevice.of(name).path(), known(port.getPortDescription()), known(port.getManufacturer()),
+                known(port.getVendorID()), known(port.getProductID()), known(port.getSerialNumber()));
+    }
+
+    private static Optional<String> known(String text) {
+        return Optional.ofNullable(text).filter(it -> !it.isBlank() && !it.equals(UNKNOWN));
+    }
+
+    private static OptionalInt known(int number) {
+        return number < 0 ? OptionalInt.empty() : OptionalInt.of(number);
+    }
+
+    /**
+     * The other processes that have a serial device open, in words: {@code process 4711 (minicom)}. Empty when there are none, or when none
+     * can be seen: on systems without {@code /proc}, and for other users' processes.
+     */
+    public static List<String> holders(String port) {
+        SerialDevice device = SerialDevice.of(port);
+        return device.hasNode() ? DeviceHolders.of(Path.of(device.canonicalAddress())) : List.of();
+    }
+
+    /**
+     * What this user can do to be allowed to open a serial device; empty if that is allowed, or if only opening it would tell.
+     */
+    public static Optional<String> permissionRemedy(String port) {
+        SerialDevice device = SerialDevice.of(port);
+        if (!device.hasNode() || !device.exists()) {
+            return Optional.empty();
+        }
+        Path node = Path.of(device.path());
+        return Files.isReadable(node) && Files.isWritable(node) ? Optional.empty() : Optional.of(SerialPortErrors.permissionRemedy(device));
+    }
+}

@@ -1,0 +1,36 @@
+package javino.serial;
+
+import java.util.List;
+import javino.LineSettings;
+import javino.PortException;
+import javino.Transports;
+import javino.Transport;
+import javino.TransportProvider;
+
+/** Serial devices. */
+public final class SerialTransportProvider implements TransportProvider {
+    @Override
+    public String scheme() {
+        return Transports.SERIAL;
+    }
+
+    @Override
+    public Transport open(String address, LineSettings line) throws PortException {
+        return SerialTransport.open(SerialDevice.of(address), line);
+    }
+
+    @Override
+    public List<String> ports() {
+        return SerialTransport.ports();
+    }
+
+    @Override
+    public String canonicalAddress(String address) {
+        return SerialDevice.of(address).canonicalAddress();
+    }
+
+    @Override
+    public boolean isPresent(String address) {
+        return SerialDevice.of(address).exists();
+    }
+}

@@ -1,0 +1,33 @@
+package javino.serial;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javino.NoSuchPortException;
+
+/**
+ * What a device on USB is known by, whatever name the system gives it: {@code 2341:0043}, or {@code 2341:0043:SERIAL}.
+ *
+ * @param serialNumber upper and lower case are the same, as Windows changes them; empty: any
+ */
+record UsbIdentity(int vendor, int product, String serialNumber) {
+    private static final Pattern FORM = Pattern.compile("([0-9A-Fa-f]{1,4}):([0-9A-Fa-f]{1,4})(?::(.+))?");
+    private static final int HEX = 16;
+
+    /**
+     * @param port as it was given, for messages
+     * @param address what stands behind the scheme
+     */
+    static UsbIdentity of(String port, String address) throws NoSuchPortException {
+        Matcher form = FORM.matcher(address);
+        if (!form.matches()) {
+            throw new NoSuchPortException(port, "\"" + port + "\" is no USB identity; that is usb:VENDOR:PRODUCT or usb:VENDOR:PRODUCT:SERIAL, the "
+                    + "first two in hexadecimal digits, as usb:2341:0043");
+        }
+        return new UsbIdentity(Integer.parseInt(form.group(1), HEX), Integer.parseInt(form.group(2), HEX),
+                form.group(3) == null ? "" : form.group(3));
+    }
+
+    boolean fits(UsbPort port) {
+        return port.vendor() == vendor && port.product() == product && (serialNumber.isEmpty() || serialNumber.equalsIgnoreCase(port.serialNumber()));
+    }
+}

@@ -1,0 +1,92 @@
+package javino.sim;
+
+import java.util.concurrent.locks.ReentrantLock;
+import javino.LineSettings;
+import javino.PortBusyException;
+import javino.PortException;
+import javino.PortGoneException;
+import javino.PortInterruptedException;
+import javino.Transport;
+
+/** What a simulated board is plugged into: runs it while its port is open, one run at a time. */
+final class BoardSocket {
+    private static final System.Logger LOG = System.getLogger(BoardSocket.class.getName());
+    private static final long LAST_RUN_MILLIS = 2_000;
+
+    private final ReentrantLock opening = new ReentrantLock();
+    private final String port;
+    private final SimulatedBoard board;
+    private volatile Run current; // the latest, over or not
+
+    BoardSocket(String port, SimulatedBoard board) {
+        this.port = port;
+        this.board = board;
+    }
+
+    /** Starts the board on a line of its own and returns the computer's end. */
+    Transport open(LineSettings settings) throws PortException {
+        opening.lock();
+        try {
+            if (current != null) {
+                current.requireOver();
+            }
+            current = new Run(MemoryLine.paced(port, settings));
+            current.thread.start();
+            return current.line.computer();
+        } finally {
+            opening.unlock();
+        }
+    }
+
+    /** Takes the line away from a board that is running. */
+    void unplug() {
+        Run run = current;
+        if (run != null) {
+            run.line.unplug();
+            run.thread.interrupt();
+        }
+    }
+
+    private final class Run implements Runnable {
+        private final MemoryLine line;
+        private final Thread thread;
+
+        Run(MemoryLine line) {
+            this.line = line;
+            thread = new Thread(this, "board " + port);
+            thread.setDaemon(true);
+        }
+
+        @Override
+        public void run() {
+            String end = "the board's program ended";
+            try {
+                board.run(line.board());
+            } catch (PortGoneException | InterruptedException e) {
+                end = "the board's program ended with its line"; // the usual way
+            } catch (PortException | RuntimeException | Error e) {
+                LOG.log(System.Logger.Level.ERROR, "the program of " + port + " failed", e);
+                end = "the board's program failed with " + e;
+            } finally {
+                line.closeBoard(end);
+            }
+        }
+
+        /** Gives a run whose line is gone a moment to end. */
+        void requireOver() throws PortException {
+            if (!line.isGone()) {
+                throw new PortBusyException(port, "another part of this program");
+            }
+            thread.interrupt(); // it has had its time to read what was sent before the port was closed
+            try {
+                thread.join(LAST_RUN_MILLIS);
+            } catch (InterruptedException e) {
+                throw PortInterruptedException.remarking(port);
+            }
+            if (thread.isAlive()) {
+                throw new PortBusyException(port, "the board's own program, which still runs " + LAST_RUN_MILLIS
+                        + " ms after its port was closed (it must end when its line is gone)");
+            }
+        }
+    }
+}

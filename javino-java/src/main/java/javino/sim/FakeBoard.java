@@ -1,0 +1,281 @@
+package javino.sim;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
+import javino.LineClock;
+import javino.PerceptsRequest;
+import javino.PortException;
+
+/**
+ * A board for tests. It is plugged in as {@code sim:name}, answers as it is told, and keeps what it received:
+ *
+ * <pre>{@code
+ * try (FakeBoard board = FakeBoard.plugIn("robot")) {
+ *     board.whenAsked("getPercepts").answer("dist(f,10);");
+ *     startTheAgent(); // whose port is sim:robot
+ *     board.awaitMessage("stop", 10_000);
+ * }
+ * }</pre>
+ *
+ * <p>It is strict: {@link #verify} and {@link #close} fail if a message came that no rule covers, that was not {@linkplain #expect expected}
+ * and that the test did not take with {@code awaitMessage}; if an expected one did not come; and if the board lost one, see
+ * {@link #queueSize}. {@link #lenient} turns that off.
+ *
+ * <p>Unless told otherwise it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, as a board
+ * without sensors does. The line has the rate that the port is opened with. All methods are safe on any thread; rules may be changed while
+ * the board runs.
+ */
+public final class FakeBoard implements AutoCloseable {
+    private final String name;
+    private final FakeBoardScript script = new FakeBoardScript();
+    private final FakeBoardRecord record;
+    private final FakeBoardSketch sketch;
+    private volatile boolean strict = true;
+
+    private FakeBoard(String name, LineClock clock) {
+        this.name = name;
+        record = new FakeBoardRecord(port(), clock);
+        sketch = new FakeBoardSketch(script, record, clock);
+        whenAsked(PerceptsRequest.ALL).answer("");
+    }
+
+    /**
+     * A new board, plugged in as {@code sim:name}.
+     *
+     * @throws IllegalStateException if a board of that name is plugged in
+     */
+    public static FakeBoard plugIn(String name) {
+        FakeBoard board = new FakeBoard(name, LineClock.system());
+        SimulatedBoards.plugIn(name, board.sketch);
+        return board;
+    }
+
+    /**
+     * A new board that is not plugged in and goes by {@code clock}: its {@link #program} is run by who made it, on a line of the same clock.
+     *
+     * @param name what messages call it
+     */
+    public static FakeBoard unplugged(String name, LineClock clock) {
+        return new FakeBoard(name, clock);
+    }
+
+    /** The port to open: {@code sim:name}. */
+    public String port() {
+        return SimulatedBoards.SCHEME + ':' + name;
+    }
+
+    /** What runs on the board, for a test that wants it at the end of another line: a pseudo-terminal, say. */
+    public SimulatedBoard program() {
+        return sketch;
+    }
+
+    /** Says how the board handles a message; replaces what was said about the same message before. */
+    public Rule whenAsked(String message) {
+        return script.rule(message, message::equals);
+    }
+
+    /** Says how the board handles messages of a kind. A rule for one message comes before this; among several of these the first counts. */
+    public Rule whenAsked(Predicate<String> kind) {
+        return script.rule(null, kind);
+    }
+
+    /** Says that a message will come, once; call it twice for two. */
+    public FakeBoard expect(String message) {
+        record.expect(message);
+        return this;
+    }
+
+    /** Lets any message come, and expected ones not. */
+    public FakeBoard lenient() {
+        strict = false;
+        return this;
+    }
+
+    /**
+     * Says how many received messages the board holds while it is busy; one more overwrites the oldest, which is then {@link #overwritten}.
+     * Boards in the field hold one.
+     */
+    public FakeBoard queueSize(int messages) {
+        if (messages < 1) {
+            throw new IllegalArgumentException("a board holds at least 1 message, but a queue of " + messages + " was asked for");
+        }
+        sketch.queueSize(messages);
+        return this;
+    }
+
+    /**
+     * Lets the board speak version 2 of the protocol with those who speak it, and version 1 with others. In version 2 it acknowledges
+     * actions once it has handled them, and handles an action that is repeated once; answers may be longer than a frame. To be
+     * called before the port is opened.
+     */
+    public FakeBoard version2() {
+        sketch.version2();
+        return this;
+    }
+
+    /** Says how many milliseconds the board does something else between two messages, as a sketch's {@code loop()} does. */
+    public FakeBoard loopTakes(int millis) {
+        sketch.loopTakes(millis);
+        return this;
+    }
+
+    /** Says how many milliseconds the board takes to start when its port is opened; what comes in that time is lost. */
+    public FakeBoard bootTakes(int millis) {
+        sketch.bootTakes(millis);
+        return this;
+    }
+
+    /** From now on the board does not read: what comes waits until {@link #resume}. */
+    public void stall() {
+        sketch.stall(true);
+    }
+
+    /** The board goes on where it {@linkplain #stall stopped}. */
+    public void resume() {
+        sketch.stall(false);
+    }
+
+    /**
+     * Sends a message that nobody asked for, in the version of the protocol that it was spoken to last.
+     *
+     * @throws IllegalStateException if nobody has the port open
+     */
+    public void send(String message) throws PortException {
+        sketch.send(message);
+    }
+
+    /**
+     * Puts bytes on the line as they are: noise, half a frame.
+     *
+     * @throws IllegalStateException if nobody has the port open
+     */
+    public void noise(byte... bytes) throws PortException {
+        sketch.write(bytes);
+    }
+
+    /** Pulls the plug: the port is gone for who has it open, and cannot be opened. */
+    public void unplug() {
+        SimulatedBoards.unplug(name);
+    }
+
+    /**
+     * Plugs the board in again.
+     *
+     * @throws IllegalStateException if a board of that name is plugged in
+     */
+    public void replug() {
+        SimulatedBoards.plugIn(name, sketch);
+    }
+
+    /** Waits until somebody has the port open; fails after {@code timeoutMillis}. */
+    public void awaitOpen(int timeoutMillis) {
+        sketch.awaitOpen(port(), timeoutMillis);
+    }
+
+    /** All messages the board has handled so far, in their order. */
+    public List<String> received() {
+        return record.received();
+    }
+
+    /** The messages that came but were overwritten by later ones before the board got to them. */
+    public List<String> overwritten() {
+        return record.overwritten();
+    }
+
+    /**
+     * Takes the next message that no rule covers, waiting for it if need be.
+     *
+     * @param timeoutMillis milliseconds to wait at most
+     * @throws AssertionError if none came; the message lists those that did
+     */
+    public String awaitMessage(int timeoutMillis) {
+        return record.take(message -> true, "a message", timeoutMillis);
+    }
+
+    /** Takes {@code message}, waiting for it if need be, and leaves others; as {@link #awaitMessage(int)}. */
+    public void awaitMessage(String message, int timeoutMillis) {
+        record.take(message::equals, '"' + message + '"', timeoutMillis);
+    }
+
+    /**
+     * Fails if something came that was not to come, or did not come that was, unless the board is lenient.
+     *
+     * @throws AssertionError that lists what was amiss and all that came
+     */
+    public void verify() {
+        if (strict) {
+            record.verify();
+        }
+    }
+
+    /** Unplugs the board, and then does as {@link #verify}. */
+    @Override
+    public void close() {
+        unplug();
+        verify();
+    }
+
+    /** How a board handles a message: after a delay it answers, or does not. Without an answer it stays silent. */
+    public static final class Rule {
+        private volatile int delayMillis;
+        private volatile boolean refused;
+        private volatile FakeBoardScript.Reply reply = (message, framed) -> null;
+
+        Rule() {}
+
+        /** Lets the board take {@code millis} milliseconds before it answers; it does nothing else meanwhile. */
+        public Rule after(int millis) {
+            delayMillis = millis;
+            return this;
+        }
+
+        /** Answers with these messages, one each time, and with the last of them from then on. */
+        public Rule answer(String first, String... next) {
+            reply = FakeBoardScript.inTurn(first, next);
+            return this;
+        }
+
+        /** Answers with what {@code answer} makes of the message; null: no answer. It is called on the board's thread. */
+        public Rule answer(UnaryOperator<String> answer) {
+            reply = (message, framed) -> {
+                String text = answer.apply(message);
+                return text == null ? null : framed.apply(text);
+            };
+            return this;
+        }
+
+        /** Answers with bytes as they are: a damaged frame, half of one, two at once. Characters are bytes (ISO-8859-1). */
+        public Rule answerRaw(String bytes) {
+            byte[] raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
+            reply = (message, framed) -> raw.clone();
+            return this;
+        }
+
+        /** Gives no answer. */
+        public Rule staySilent() {
+            reply = (message, framed) -> null;
+            return this;
+        }
+
+        /** Refuses the message as one that the board does not know; in version 1 it stays silent. */
+        public Rule refuse() {
+            refused = true;
+            return this;
+        }
+
+        int delayMillis() {
+            return delayMillis;
+        }
+
+        byte[] reply(String message, Function<String, byte[]> framed) {
+            return reply.to(message, framed);
+        }
+
+        boolean isRefused() {
+            return refused;
+        }
+    }
+}

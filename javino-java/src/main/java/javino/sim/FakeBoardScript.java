@@ -1,0 +1,51 @@
+package javino.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import javino.Frame;
+
+/** The rules of a {@link FakeBoard}. Safe on any thread. */
+final class FakeBoardScript {
+    /** The bytes that answer a message, or null; {@code framed} makes them of a text. */
+    interface Reply {
+        byte[] to(String message, Function<String, byte[]> framed);
+    }
+
+    private record Entry(String message, Predicate<String> kind, FakeBoard.Rule rule) {}
+
+    private volatile List<Entry> entries = List.of(); // those for one message first
+
+    /**
+     * Adds a rule.
+     *
+     * @param message the one message it is for, or null
+     */
+    synchronized FakeBoard.Rule rule(String message, Predicate<String> kind) {
+        Entry entry = new Entry(message, kind, new FakeBoard.Rule());
+        List<Entry> changed = new ArrayList<>(entries);
+        if (message != null) {
+            changed.removeIf(other -> message.equals(other.message()));
+            changed.add(0, entry);
+        } else {
+            changed.add(entry);
+        }
+        entries = List.copyOf(changed);
+        return entry.rule();
+    }
+
+    Optional<FakeBoard.Rule> ruleFor(String message) {
+        return entries.stream().filter(entry -> entry.kind().test(message)).map(Entry::rule).findFirst();
+    }
+
+    static Reply inTurn(String first, String... next) {
+        List<String> answers = new ArrayList<>(List.of(first));
+        answers.addAll(List.of(next));
+        answers.stream().filter(text -> text.length() <= Frame.MAX_PAYLOAD).forEach(Frame::of); // else the test would learn too late
+        AtomicInteger turn = new AtomicInteger();
+        return (message, framed) -> framed.apply(answers.get(turn.getAndUpdate(i -> Math.min(i + 1, answers.size() - 1))));
+    }
+}

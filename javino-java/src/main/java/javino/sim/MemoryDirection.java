@@ -1,0 +1,70 @@
+package javino.sim;
+
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.Lock;
+
+/** One direction of a {@link MemoryLine}: bytes, each with the time at which it has arrived. Guarded by the line's lock. */
+final class MemoryDirection {
+    /** Signalled when bytes have been put on it. */
+    final Condition arrived;
+    /** Signalled when bytes have been taken from it. */
+    final Condition room;
+    private final byte[] bytes;
+    private final long[] readyAt;
+    private final long byteNanos;
+    private int first;
+    private int count;
+    private long lineFreeAt;
+    private boolean used;
+
+    MemoryDirection(int capacity, long byteNanos, Lock lock) {
+        bytes = new byte[capacity];
+        readyAt = new long[capacity];
+        this.byteNanos = byteNanos;
+        arrived = lock.newCondition();
+        room = lock.newCondition();
+    }
+
+    /** Puts as many of the bytes on the line as there is room for, and returns how many. */
+    int put(byte[] source, int off, int len, long now) {
+        int room = Math.min(len, bytes.length - count);
+        if (!used || lineFreeAt - now < 0) {
+            lineFreeAt = now;
+            used = true;
+        }
+        for (int i = 0; i < room; i++) {
+            int at = (first + count) % bytes.length;
+            lineFreeAt += byteNanos;
+            bytes[at] = source[off + i];
+            readyAt[at] = lineFreeAt;
+            count++;
+        }
+        return room;
+    }
+
+    /** Takes bytes that have arrived by {@code now}, and returns how many. */
+    int take(byte[] target, int off, int len, long now) {
+        int taken = 0;
+        while (taken < len && count > 0 && readyAt[first] - now <= 0) {
+            target[off + taken] = bytes[first];
+            first = (first + 1) % bytes.length;
+            count--;
+            taken++;
+        }
+        return taken;
+    }
+
+    boolean isEmpty() {
+        return count == 0;
+    }
+
+    /** Takes all bytes off the line. */
+    void clear() {
+        count = 0;
+    }
+
+    /** Nanoseconds until the next byte arrives; {@link Long#MAX_VALUE} when none is on its way. */
+    long nanosUntilReady(long now) {
+        return count == 0 ? Long.MAX_VALUE : Math.max(1, readyAt[first] - now);
+    }
+}

@@ -1,0 +1,209 @@
+package javino.sim;
+
+import java.util.List;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.Lock;
+import javino.LineClock;
+import javino.LineSettings;
+import javino.PortException;
+import javino.PortGoneException;
+import javino.PortInterruptedException;
+import javino.PortTimeoutException;
+import javino.Transport;
+
+/**
+ * A line in memory: two ends, each a {@link Transport}. Simulated boards and tests use it in place of a device.
+ *
+ * <p>It carries bytes at once, or gives every byte its time at the line's rate, in both directions independently. Like a driver it holds
+ * up to {@value #CAPACITY} bytes a direction that the far end has not read; a write beyond them waits.
+ *
+ * <p>When one end is closed the other may read what was still on its way to it; then the line is gone for both. When it is unplugged it is
+ * gone for both at once. All methods are safe on any thread.
+ */
+public final class MemoryLine {
+    /** Bytes a direction that the line holds unread. */
+    public static final int CAPACITY = 4096;
+
+    private static final long NANOS_PER_MILLI = 1_000_000L;
+
+    private final Lock lock;
+    private final String name;
+    private final LineSettings line;
+    private final LineClock clock;
+    private final End computer;
+    private final End board;
+    private String end; // why the line is gone; null while it is there
+
+    private MemoryLine(String name, LineSettings line, long byteNanos, LineClock clock) {
+        this.name = name;
+        this.line = line;
+        this.clock = clock;
+        lock = clock.newLock(false);
+        MemoryDirection toBoard = new MemoryDirection(CAPACITY, byteNanos, lock);
+        MemoryDirection toComputer = new MemoryDirection(CAPACITY, byteNanos, lock);
+        computer = new End(toComputer, toBoard);
+        board = new End(toBoard, toComputer);
+    }
+
+    /** A line that carries bytes at once, whatever rate {@code line} says. */
+    public static MemoryLine unlimited(String name, LineSettings line) {
+        return unlimited(name, line, LineClock.system());
+    }
+
+    /** A line that carries bytes at once, whatever rate {@code line} says; its waits go by {@code clock}. */
+    public static MemoryLine unlimited(String name, LineSettings line, LineClock clock) {
+        return new MemoryLine(name, line, 0, clock);
+    }
+
+    /** A line on which every byte takes {@link LineSettings#byteNanos()}. */
+    public static MemoryLine paced(String name, LineSettings line) {
+        return paced(name, line, LineClock.system());
+    }
+
+    /** A line on which every byte takes {@link LineSettings#byteNanos()} of {@code clock}. */
+    public static MemoryLine paced(String name, LineSettings line, LineClock clock) {
+        return new MemoryLine(name, line, line.byteNanos(), clock);
+    }
+
+    /** The end that a program opens. */
+    public Transport computer() {
+        return computer;
+    }
+
+    /** The end that the board is at. */
+    public Transport board() {
+        return board;
+    }
+
+    /** Pulls the plug: both ends are gone from now on, and so are the bytes on the line. */
+    public void unplug() {
+        end("it was unplugged", computer.in, board.in);
+    }
+
+    /** Closes the board's end; {@code why} completes the sentence "port x is gone: ...". */
+    void closeBoard(String why) {
+        end(why, board.in);
+    }
+
+    /** Ends the line and empties the directions that nobody reads any more. Only the first reason counts. */
+    private void end(String why, MemoryDirection... emptied) {
+        lock.lock();
+        try {
+            if (end == null) {
+                end = why;
+            }
+            for (MemoryDirection direction : emptied) {
+                direction.clear();
+            }
+            for (MemoryDirection direction : List.of(computer.in, board.in)) {
+                direction.arrived.signalAll();
+                direction.room.signalAll();
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    boolean isGone() {
+        lock.lock();
+        try {
+            return end != null;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void requireLine() throws PortGoneException {
+        if (end != null) {
+            throw new PortGoneException(name, "port " + name + " is gone: " + end);
+        }
+    }
+
+    private void await(Condition changed, long nanos) throws PortException {
+        try {
+            clock.await(changed, nanos);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            requireLine();
+            throw new PortInterruptedException(name);
+        }
+    }
+
+    private final class End implements Transport {
+        private final MemoryDirection in;
+        private final MemoryDirection out;
+
+        End(MemoryDirection in, MemoryDirection out) {
+            this.in = in;
+            this.out = out;
+        }
+
+        @Override
+        public String name() {
+            return name;
+        }
+
+        @Override
+        public LineSettings line() {
+            return line;
+        }
+
+        @Override
+        public int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
+            long deadline = clock.nanos() + timeoutMillis * NANOS_PER_MILLI;
+            lock.lock();
+            try {
+                while (true) {
+                    long now = clock.nanos();
+                    int count = in.take(b, off, len, now);
+                    if (count > 0) {
+                        in.room.signalAll();
+                        return count;
+                    }
+                    if (in.isEmpty()) {
+                        requireLine();
+                    }
+                    if (deadline - now <= 0) {
+                        return 0;
+                    }
+                    await(in.arrived, Math.min(deadline - now, in.nanosUntilReady(now)));
+                }
+            } finally {
+                lock.unlock();
+            }
+        }
+
+        @Override
+        public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
+            long deadline = clock.nanos() + timeoutMillis * NANOS_PER_MILLI;
+            int written = 0;
+            lock.lock();
+            try {
+                while (true) {
+                    requireLine();
+                    long now = clock.nanos();
+                    int count = out.put(b, off + written, len - written, now);
+                    written += count;
+                    if (count > 0) {
+                        out.arrived.signalAll();
+                    }
+                    if (written == len) {
+                        return;
+                    }
+                    if (deadline - now <= 0) {
+                        throw new PortTimeoutException(name, "port " + name + " took " + written + " of " + len + " bytes within "
+                                + timeoutMillis + " ms; nobody reads at the far end");
+                    }
+                    await(out.room, deadline - now);
+                }
+            } finally {
+                lock.unlock();
+            }
+        }
+
+        @Override
+        public void close() {
+            end("it was closed", in);
+        }
+    }
+}

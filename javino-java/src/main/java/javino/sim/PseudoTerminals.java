@@ -1,0 +1,95 @@
+package javino.sim;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Two pseudo-terminals joined by the program {@code socat}: what is written to one is read from the other, as over a null-modem
+ * cable. For tests and measurements that want the operating system's real serial devices without a board. Not for Windows.
+ */
+public final class PseudoTerminals implements AutoCloseable {
+    private static final long START_LIMIT_MILLIS = 10_000;
+
+    private final Path directory;
+    private final Process socat;
+
+    private PseudoTerminals(Path directory, Process socat) {
+        this.directory = directory;
+        this.socat = socat;
+    }
+
+    /** Whether {@code socat} can be started here. */
+    public static boolean available() {
+        try {
+            return new ProcessBuilder("socat", "-V").redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
+                    .waitFor() == 0;
+        } catch (IOException e) {
+            return false; // there is no such program
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+    }
+
+    /**
+     * Makes a new pair, in raw mode.
+     *
+     * @throws IOException if there is no {@code socat}, or it made no terminals within ten seconds
+     */
+    public static PseudoTerminals open() throws IOException, InterruptedException {
+        Path directory = Files.createTempDirectory("argo-pty");
+        PseudoTerminals pair = new PseudoTerminals(directory, start(directory));
+        try {
+            pair.awaitDevices();
+            return pair;
+        } catch (IOException | InterruptedException e) {
+            pair.close();
+            throw e;
+        }
+    }
+
+    private static Process start(Path directory) throws IOException {
+        String raw = "pty,raw,echo=0,link=";
+        return new ProcessBuilder("socat", raw + directory.resolve("computer"), raw + directory.resolve("board"))
+                .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start();
+    }
+
+    /** The device that a program opens as the board's port. */
+    public File computer() {
+        return directory.resolve("computer").toFile();
+    }
+
+    /** The device that stands for the board's own end. */
+    public File board() {
+        return directory.resolve("board").toFile();
+    }
+
+    /** Takes both away, as a cable that is pulled. May be called twice. */
+    @Override
+    public void close() {
+        socat.destroy();
+        try {
+            socat.waitFor();
+            Files.deleteIfExists(computer().toPath());
+            Files.deleteIfExists(board().toPath());
+            Files.deleteIfExists(directory);
+        } catch (IOException e) {
+            directory.toFile().deleteOnExit(); // an empty directory for temporary files: nothing anybody misses
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void awaitDevices() throws IOException, InterruptedException {
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(START_LIMIT_MILLIS);
+        while (!computer().exists() || !board().exists()) {
+            if (!socat.isAlive() || System.nanoTime() - end > 0) {
+                throw new IOException("socat made no pseudo-terminals in " + directory);
+            }
+            TimeUnit.MILLISECONDS.sleep(5);
+        }
+    }
+}

@@ -1,0 +1,154 @@
+package javino.sim;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javino.PerceptsRequest;
+
+/**
+ * The messages of a line, in their order and with their times. Immutable.
+ *
+ * <p>As a file it is text in UTF-8: the line {@code javino-recording 1}, and a line for each message, {@code <ms>\t<in|out>\t<message>}.
+ * {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a backslash, a tab and line ends in a message, <code>&#92;u0007</code> for
+ * another control character. Empty lines, and lines that begin with {@code #}, say nothing; other
+ * lines have at most 1,048,576 characters. {@link RecordingWriter} writes it.
+ *
+ * @param entries the messages; their times never go back
+ */
+public record Recording(List<Entry> entries) {
+    /** The first line of a file. */
+    static final String HEADER = "javino-recording 1";
+
+    private static final String HEADER_WORD = "javino-recording ";
+
+    /** Which way a message went. */
+    public enum Direction {
+        /** From the board. */
+        IN,
+
+        /** To the board. */
+        OUT;
+
+        String word() {
+            return this == IN ? "in" : "out";
+        }
+    }
+
+    /**
+     * One message.
+     *
+     * @param millis milliseconds since the recording began, at least 0
+     * @param direction which way it went
+     * @param message its text, a character a byte
+     */
+    public record Entry(long millis, Direction direction, String message) {
+        private static final int HIGHEST = 0xFF;
+
+        /** @throws IllegalArgumentException if the time is negative, or a character of the message is above U+00FF */
+        public Entry {
+            if (millis < 0) {
+                throw new IllegalArgumentException("a recording begins at 0 ms, but a message at " + millis + " ms was given");
+            }
+            message.chars().filter(c -> c > HIGHEST).findFirst().ifPresent(c -> {
+                throw new IllegalArgumentException(String.format(
+                        "a message carries one byte per character, but one of %s is U+%04X; the highest is U+00FF", RecordingText.quoted(message), c));
+            });
+        }
+    }
+
+    /** @throws IllegalArgumentException if an entry is earlier than the one before */
+    public Recording {
+        entries = List.copyOf(entries);
+        for (int i = 1; i < entries.size(); i++) {
+            if (entries.get(i).millis() < entries.get(i - 1).millis()) {
+                throw new IllegalArgumentException("message " + (i + 1) + " of a recording is at " + entries.get(i).millis()
+                        + " ms, which is before the one in front of it");
+            }
+        }
+    }
+
+    /** What came from the board. */
+    public List<Entry> received() {
+        return entries.stream().filter(entry -> entry.direction() == Direction.IN).toList();
+    }
+
+    /** Whether the board was asked for its percepts, rather than speaking by itself. */
+    public boolean isOfRequests() {
+        return entries.stream().anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws MalformedRecordingException if it is not a recording; the message names file, line and what is wrong there
+     * @throws IOException if it cannot be read
+     */
+    public static Recording read(Path file) throws IOException {
+        try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
+            return read(reader, file.toString());
+        }
+    }
+
+    /** As {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
+    public static Recording read(Reader text, String source) throws IOException {
+        RecordingLines lines = new RecordingLines(text);
+        List<Entry> entries = new ArrayList<>();
+        try {
+            requireHeader(lines.header(), source);
+            for (String line = lines.next(); line != null; line = lines.next()) {
+                if (!line.isEmpty() && !line.startsWith("#")) {
+                    entries.add(entry(line, entries.isEmpty() ? 0 : entries.get(entries.size() - 1).millis()));
+                }
+            }
+        } catch (CharacterCodingException e) {
+            throw new MalformedRecordingException(source, lines.number(), "bytes that are not UTF-8");
+        } catch (IllegalArgumentException e) {
+            throw new MalformedRecordingException(source, lines.number(), e.getMessage());
+        }
+        return new Recording(entries);
+    }
+
+    private static void requireHeader(String line, String source) throws MalformedRecordingException {
+        if (line.startsWith(HEADER_WORD) && !line.equals(HEADER)) {
+            throw new MalformedRecordingException(source, 1, "a recording of format " + line.substring(HEADER_WORD.length())
+                    + ", of which only 1 can be read here");
+        }
+        if (!HEADER.equals(line)) {
+            throw new MalformedRecordingException(source, 1, "the first line of a recording is \"" + HEADER + "\"");
+        }
+    }
+
+    private static Entry entry(String line, long earliest) {
+        String[] fields = line.split("\t", 3);
+        if (fields.length < 3) {
+            throw new IllegalArgumentException("a message is written MILLISECONDS, a tab, \"in\" or \"out\", a tab, and its text");
+        }
+        long millis = millis(fields[0]);
+        if (millis < earliest) {
+            throw new IllegalArgumentException("a message at " + millis + " ms stands behind one at " + earliest + " ms");
+        }
+        return new Entry(millis, direction(fields[1]), RecordingText.read(fields[2]));
+    }
+
+    private static long millis(String written) {
+        if (!written.matches("[0-9]{1,18}")) {
+            throw new IllegalArgumentException(RecordingText.quoted(written) + " is not a time in whole milliseconds");
+        }
+        return Long.parseLong(written);
+    }
+
+    private static Direction direction(String written) {
+        for (Direction direction : Direction.values()) {
+            if (direction.word().equals(written)) {
+                return direction;
+            }
+        }
+        throw new IllegalArgumentException(RecordingText.quoted(written) + " is no direction; a message goes \"in\" or \"out\"");
+    }
+}

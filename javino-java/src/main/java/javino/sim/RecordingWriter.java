@@ -1,0 +1,44 @@
+package javino.sim;
+
+import java.io.IOException;
+import java.io.Writer;
+
+/**
+ * Writes a {@link Recording} as it comes about; what was written is there even if the program is killed. Safe on any thread.
+ */
+public final class RecordingWriter implements AutoCloseable {
+    private static final long NANOS_PER_MILLI = 1_000_000L;
+
+    private final Writer out;
+    private final long startNanos;
+    private long latestMillis;
+
+    /**
+     * Begins a recording, which is at 0 ms now.
+     *
+     * @param out takes the text; is closed by {@link #close}
+     * @param nowNanos nanoseconds of the clock that {@link #add} goes by
+     */
+    public RecordingWriter(Writer out, long nowNanos) throws IOException {
+        this.out = out;
+        startNanos = nowNanos;
+        line(Recording.HEADER);
+    }
+
+    /** Adds a message at {@code nowNanos}; one that is earlier than the last counts as of the same time. */
+    public synchronized void add(long nowNanos, Recording.Direction direction, String message) throws IOException {
+        latestMillis = Math.max(latestMillis, (nowNanos - startNanos) / NANOS_PER_MILLI);
+        line(latestMillis + "\t" + direction.word() + "\t" + RecordingText.write(message));
+    }
+
+    @Override
+    public synchronized void close() throws IOException {
+        out.close();
+    }
+
+    private void line(String text) throws IOException {
+        out.write(text);
+        out.write('\n');
+        out.flush();
+    }
+}

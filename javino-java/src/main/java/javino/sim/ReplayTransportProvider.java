@@ -1,0 +1,56 @@
+package javino.sim;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import javino.LineSettings;
+import javino.NoSuchPortException;
+import javino.PortException;
+import javino.PortFaultException;
+import javino.Transport;
+import javino.TransportProvider;
+
+/** {@code replay:FILE}: a {@link ReplayBoard} of the recording in that file. */
+public final class ReplayTransportProvider implements TransportProvider {
+    private static final String SCHEME = "replay";
+
+    @Override
+    public String scheme() {
+        return SCHEME;
+    }
+
+    @Override
+    public Transport open(String address, LineSettings line) throws PortException {
+        String port = SCHEME + ':' + address;
+        try {
+            return new BoardSocket(port, ReplayBoard.of(Recording.read(Path.of(address)))).open(line);
+        } catch (NoSuchFileException | InvalidPathException e) {
+            throw new NoSuchPortException(port, "there is no recording " + address + " in " + Path.of("").toAbsolutePath());
+        } catch (MalformedRecordingException | IllegalArgumentException e) {
+            throw new PortFaultException(port, "port " + port + " cannot be opened: " + e.getMessage(), e);
+        } catch (PortException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new PortFaultException(port, "port " + port + " cannot be opened: its file cannot be read (" + e + ")", e);
+        }
+    }
+
+    /** None: recordings are files like any other. */
+    @Override
+    public List<String> ports() {
+        return List.of();
+    }
+
+    @Override
+    public String canonicalAddress(String address) {
+        try {
+            Path file = Path.of(address);
+            return (Files.exists(file) ? file.toRealPath() : file).toString();
+        } catch (IOException | InvalidPathException e) {
+            return address;
+        }
+    }
+}

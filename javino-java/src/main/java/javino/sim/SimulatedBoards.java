@@ -1,0 +1,111 @@
+package javino.sim;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceLoader;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
+import javino.LineSettings;
+import javino.NoSuchPortException;
+import javino.PortException;
+import javino.Services;
+import javino.Transport;
+
+/**
+ * The simulated boards of this program, by name. Boards found as services are plugged in when they are first looked for, once each.
+ *
+ * <p>This is one table for the program, as the devices of a machine are. All methods are safe on any thread.
+ */
+public final class SimulatedBoards {
+    /** The scheme of their ports. */
+    public static final String SCHEME = "sim";
+
+    private static final ReentrantLock TABLE = new ReentrantLock(); // guards the two below; not held while a board is opened
+    private static final Map<String, BoardSocket> SOCKETS = new TreeMap<>();
+    private static final Set<Class<?>> SERVICES_SEEN = new HashSet<>();
+
+    private SimulatedBoards() {}
+
+    /**
+     * Makes a board available as {@code sim:name}.
+     *
+     * @throws IllegalArgumentException if the name is blank
+     * @throws IllegalStateException if a board of that name is plugged in
+     */
+    public static void plugIn(String name, SimulatedBoard board) {
+        if (name.isBlank()) {
+            throw new IllegalArgumentException("a simulated board needs a name");
+        }
+        BoardSocket other = locked(() -> SOCKETS.putIfAbsent(name, new BoardSocket(portName(name), board)));
+        if (other != null) {
+            throw new IllegalStateException("a board " + portName(name) + " is plugged in already; unplug it first");
+        }
+    }
+
+    /**
+     * Takes a board away; if it is open, both ends of its line see that it is gone.
+     *
+     * @return whether there was a board of that name
+     */
+    public static boolean unplug(String name) {
+        BoardSocket socket = locked(() -> SOCKETS.remove(name));
+        if (socket == null) {
+            return false;
+        }
+        socket.unplug();
+        return true;
+    }
+
+    /** The names of the boards there are, in alphabetical order, without the scheme. */
+    public static List<String> names() {
+        return locked(() -> {
+            plugInServices();
+            return List.copyOf(SOCKETS.keySet());
+        });
+    }
+
+    static Transport open(String name, LineSettings line) throws PortException {
+        BoardSocket socket = locked(() -> {
+            plugInServices();
+            return SOCKETS.get(name);
+        });
+        if (socket == null) {
+            throw new NoSuchPortException(portName(name), "there is no simulated board " + portName(name) + "; " + present(names()));
+        }
+        return socket.open(line);
+    }
+
+    private static String present(List<String> names) {
+        return names.isEmpty()
+                ? "none is plugged in (plug one in with SimulatedBoards.plugIn, or name its class in META-INF/services/"
+                        + SimulatedBoard.class.getName() + ")"
+                : "there are: " + String.join(", ", names.stream().map(SimulatedBoards::portName).toList());
+    }
+
+    private static String portName(String name) {
+        return SCHEME + ':' + name;
+    }
+
+    private static <T> T locked(Supplier<T> work) {
+        TABLE.lock();
+        try {
+            return work.get();
+        } finally {
+            TABLE.unlock();
+        }
+    }
+
+    private static void plugInServices() {
+        for (ServiceLoader.Provider<SimulatedBoard> service : Services.providers(SimulatedBoard.class)) {
+            if (SERVICES_SEEN.add(service.type())) {
+                SimulatedBoard board = Services.make(service);
+                if (board != null) {
+                    SOCKETS.putIfAbsent(board.name(), new BoardSocket(portName(board.name()), board));
+                }
+            }
+        }
+    }
+}

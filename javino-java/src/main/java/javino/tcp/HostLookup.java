@@ -1,0 +1,61 @@
+package javino.tcp;
+
+import java.io.InterruptedIOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+/**
+ * Finds the addresses of a host with a time limit. The system's lookup has none and takes no interrupt: without a network it may take a
+ * minute. So it is done on a thread of its own, one for a host at most, which who asks next finds at work.
+ */
+final class HostLookup {
+    private static final ConcurrentMap<String, CompletableFuture<InetAddress[]>> UNDER_WAY = new ConcurrentHashMap<>();
+
+    private HostLookup() {}
+
+    /** What {@link InetAddress#getAllByName} does. */
+    interface Resolver {
+        InetAddress[] addresses(String host) throws UnknownHostException;
+    }
+
+    /**
+     * @param limitNanos nanoseconds to wait at most
+     * @throws UnknownHostException if there is no such host, or its addresses were not found in time; the message is for a person
+     * @throws InterruptedIOException if the thread is interrupted; it stays interrupted
+     */
+    static InetAddress[] addresses(String host, long limitNanos, Resolver resolver) throws UnknownHostException, InterruptedIOException {
+        try {
+            return UNDER_WAY.computeIfAbsent(host, name -> start(name, resolver)).get(limitNanos, TimeUnit.NANOSECONDS);
+        } catch (ExecutionException e) {
+            throw new UnknownHostException("there is no host " + host + " in this network, or its name is misspelt");
+        } catch (TimeoutException e) {
+            throw new UnknownHostException("where the host " + host + " is was not found out within "
+                    + TimeUnit.NANOSECONDS.toMillis(limitNanos) + " ms; does the network work?");
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new InterruptedIOException();
+        }
+    }
+
+    private static CompletableFuture<InetAddress[]> start(String host, Resolver resolver) {
+        CompletableFuture<InetAddress[]> result = new CompletableFuture<>();
+        Thread thread = new Thread(() -> {
+            try {
+                result.complete(resolver.addresses(host));
+            } catch (UnknownHostException | RuntimeException e) {
+                result.completeExceptionally(e);
+            } finally {
+                UNDER_WAY.remove(host, result); // the next one asks anew
+            }
+        }, "look up " + host);
+        thread.setDaemon(true);
+        thread.start();
+        return result;
+    }
+}

@@ -1,0 +1,50 @@
+package javino.tcp;
+
+import java.util.List;
+import javino.LineSettings;
+import javino.NoSuchPortException;
+import javino.PortException;
+import javino.Transport;
+import javino.TransportProvider;
+
+/** {@code tcp://host:port}: a board on the network, or a serial server with a board behind it. */
+public final class TcpTransportProvider implements TransportProvider {
+    private static final String SCHEME = "tcp";
+    /** A network has no baud rate; at this one, 0.1 µs a byte, nothing is ever held back for the sake of the line. */
+    private static final LineSettings NETWORK = new LineSettings(100_000_000);
+
+    @Override
+    public String scheme() {
+        return SCHEME;
+    }
+
+    @Override
+    public Transport open(String address, LineSettings line) throws PortException {
+        String port = port(address);
+        return TcpTransport.connect(port, TcpAddress.of(port, address), line);
+    }
+
+    /** None: who listens in the network is not looked for. */
+    @Override
+    public List<String> ports() {
+        return List.of();
+    }
+
+    @Override
+    public String canonicalAddress(String address) {
+        try {
+            return TcpAddress.of(port(address), address).canonical();
+        } catch (NoSuchPortException e) {
+            return address;
+        }
+    }
+
+    @Override
+    public LineSettings usualLine() {
+        return NETWORK;
+    }
+
+    private static String port(String address) {
+        return SCHEME + ':' + address;
+    }
+}

@@ -1,0 +1,23 @@
+package javino.serial
+
+import io.kotest.core.test.Enabled
+import javino.sim.PseudoTerminals
+
+/** A pair of pseudo-terminals, by their paths. */
+internal class Terminals private constructor(private val pair: PseudoTerminals) : AutoCloseable {
+    val computer: String = pair.computer().path
+    val board: String = pair.board().path
+
+    /** Takes both away, which is to each end as if the other were pulled out. */
+    fun unplug() = pair.close()
+
+    override fun close() = pair.close()
+
+    companion object {
+        /** Whether they can be had here. */
+        val available: Enabled =
+            if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")
+
+        fun open() = Terminals(PseudoTerminals.open())
+    }
+}

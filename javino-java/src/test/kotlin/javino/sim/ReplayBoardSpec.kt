@@ -1,0 +1,114 @@
+package javino.sim
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempfile
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicLong
+import java.util.concurrent.locks.Condition
+import javino.LineClock
+import javino.Link
+import javino.LinkSettings
+import javino.NoSuchPortException
+import javino.PortFaultException
+import javino.Protocol
+import javino.sim.Recording.Direction.IN
+import javino.sim.Recording.Direction.OUT
+
+class ReplayBoardSpec : FunSpec({
+    val asked = Recording(listOf(entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);"), entry(150, IN, "dist(8);"), entry(250, IN, "dist(7);")))
+
+    test("a request is answered with what had been said by then, counted from the first request, and with the last at the end") {
+        val clock = HandClock()
+        plugged(ReplayBoard.of(asked, clock)) { link ->
+            fun percepts(atMillis: Long) = link.also { clock.millis.set(1_000 + atMillis) }.request("getPercepts", LIMIT_MS)
+            listOf(0L, 99, 100, 199, 200, 100_000).map(::percepts) shouldContainExactly
+                listOf("dist(9);", "dist(9);", "dist(8);", "dist(8);", "dist(7);", "dist(7);")
+        }
+    }
+
+    test("it begins anew when it is to") {
+        val clock = HandClock()
+        plugged(ReplayBoard.of(asked, clock).repeated()) { link ->
+            fun percepts(atMillis: Long) = link.also { clock.millis.set(1_000 + atMillis) }.request("getPercepts", LIMIT_MS)
+            listOf(0L, 200, 299, 300, 400, 100_000_300).map(::percepts) shouldContainExactly
+                listOf("dist(9);", "dist(7);", "dist(7);", "dist(9);", "dist(8);", "dist(8);")
+        }
+    }
+
+    test("in turn, the time does not matter") {
+        plugged(ReplayBoard.of(asked).inTurn()) { link ->
+            List(4) { link.request("getPercepts", LIMIT_MS) } shouldContainExactly listOf("dist(9);", "dist(8);", "dist(7);", "dist(7);")
+        }
+        plugged(ReplayBoard.of(asked).inTurn().repeated()) { link ->
+            List(4) { link.request("getPercepts", LIMIT_MS) } shouldContainExactly listOf("dist(9);", "dist(8);", "dist(7);", "dist(9);")
+        }
+    }
+
+    test("what a board said unasked it says unasked") {
+        val spoken = Recording(listOf(entry(0, IN, "dist(9);"), entry(0, IN, "dist(8);")))
+        plugged(ReplayBoard.of(spoken).repeated()) { link -> link.listen(LIMIT_MS) shouldStartWith "dist(" }
+    }
+
+    test("it speaks version 2, takes commands in it, and sends more than one frame holds") {
+        val commands = LinkedBlockingQueue<String>()
+        val long = (1..60).joinToString("") { "dist($it);" }
+        val board = ReplayBoard.of(Recording(listOf(entry(0, OUT, "getPercepts"), entry(1, IN, long)))).tellingCommandsTo(commands::put)
+        plugged(board, LinkSettings.defaults().withProtocol(Protocol.V2).withBaud(115_200)) { link ->
+            link.request("getPercepts", LIMIT_MS) shouldBe long
+            link.send("speed(3)", LIMIT_MS)
+            commands.poll(LIMIT_MS.toLong(), TimeUnit.MILLISECONDS) shouldBe "speed(3)"
+        }
+    }
+
+    test("in version 1 a long answer comes in several messages, each of whole percepts") {
+        val long = (1..60).joinToString("") { "dist($it);" }
+        plugged(ReplayBoard.of(Recording(listOf(entry(0, IN, long)))).inTurn(), LinkSettings.defaults().withBaud(115_200)) { link ->
+            val first = link.request("getPercepts", LIMIT_MS)
+            first shouldStartWith "dist("
+            first.last() shouldBe ';'
+        }
+    }
+
+    test("a file is a port") {
+        val file = tempfile(suffix = ".rec")
+        file.writeText("javino-recording 1\n0\tout\tgetPercepts\n5\tin\tdist(1);\n")
+        Link.open("replay:$file", LinkSettings.defaults(), "the test").use { it.request("getPercepts", LIMIT_MS) shouldBe "dist(1);" }
+        file.writeText("javino-recording 1\n0\tout\tgetPercepts\n")
+        shouldThrow<PortFaultException> { Link.open("replay:$file", LinkSettings.defaults(), "the test") }.message shouldContain
+            "the recording holds nothing that a board said"
+        file.writeText("dist(1)")
+        shouldThrow<PortFaultException> { Link.open("replay:$file", LinkSettings.defaults(), "the test") }.message shouldContain "$file:1: the first line"
+        shouldThrow<NoSuchPortException> { Link.open("replay:missing.rec", LinkSettings.defaults(), "the test") }.message shouldContain
+            "there is no recording missing.rec in "
+    }
+})
+
+private const val LIMIT_MS = 10_000
+
+private fun entry(millis: Long, direction: Recording.Direction, message: String) = Recording.Entry(millis, direction, message)
+
+private fun plugged(board: ReplayBoard, settings: LinkSettings = LinkSettings.defaults(), use: (Link) -> Unit) {
+    SimulatedBoards.plugIn("replayed", board)
+    try {
+        Link.open("sim:replayed", settings, "the test").use(use)
+    } finally {
+        SimulatedBoards.unplug("replayed")
+    }
+}
+
+/** Stands where it is put; a pause of the board takes its time on the machine's. */
+private class HandClock : LineClock {
+    val millis = AtomicLong()
+
+    override fun nanos() = millis.get() * 1_000_000
+
+    override fun await(condition: Condition, nanos: Long) {
+        condition.awaitNanos(nanos)
+    }
+}
