@@ -1,6 +1,9 @@
 package argo
 
+import argo.calls.Failure
 import argo.filters.PerceptionFilter
+import argo.perception.Snapshot
+import argo.ports.PortStatus
 import jason.asSyntax.Term
 
 /**

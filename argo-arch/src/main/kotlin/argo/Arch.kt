@@ -1,6 +1,35 @@
 package argo
 
+import argo.acting.CommandLedger
+import argo.acting.CommandOptions
+import argo.acting.Commands
+import argo.acting.Reflexes
+import argo.calls.Failure
 import argo.filters.PerceptionFilter
+import argo.perception.BeliefReader
+import argo.perception.BoardPercepts
+import argo.perception.EnvironmentPercepts
+import argo.perception.EveryHandOver
+import argo.perception.FreshHandOver
+import argo.perception.HandOver
+import argo.perception.LastSeen
+import argo.perception.PerceptEvents
+import argo.perception.PerceptLimit
+import argo.perception.Snapshot
+import argo.perception.bringForward
+import argo.platform.Platform
+import argo.platform.RateLimitedWarning
+import argo.platform.Waker
+import argo.platform.nowMs
+import argo.ports.OpenPort
+import argo.ports.PortOptions
+import argo.ports.PortStates
+import argo.ports.PortStatus
+import argo.ports.Ports
+import argo.sensing.InCycleSensing
+import argo.sensing.SensingListener
+import argo.sensing.SensingPolicy
+import argo.sensing.StaleBeliefs
 import argo.view.AgentView
 import jason.architecture.AgArch
 import jason.asSemantics.Unifier
@@ -60,7 +89,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     @Volatile
     private var sensed: List<Literal> = emptyList()
-    private val sightings = Sightings { sensed }
+    private val sightings = LastSeen { sensed }
     private lateinit var reflexes: Reflexes
     private var criticalNews: List<Literal> = emptyList()
 
@@ -76,7 +105,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         policy = options.policy
         waker = Waker(this, platform)
         inCycle = InCycleSensing(platform, waker)
-        val rareWarning = { RareWarning(platform.nowMs) { log.warning(it) } }
+        val rareWarning = { RateLimitedWarning(platform.nowMs) { log.warning(it) } }
         board = BoardPercepts(BeliefReader { log.warning(it) }, log, PerceptLimit(options.mostPercepts, rareWarning()), sightings, platform.nowMs)
         reflexes = Reflexes(::sendReflex, rareWarning())
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand, platform.nowMs) { ts.c.events }) else EveryHandOver { log.warning(it) }

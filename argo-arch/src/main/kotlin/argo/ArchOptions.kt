@@ -1,5 +1,8 @@
 package argo
 
+import argo.perception.PerceptLimit
+import argo.ports.whole
+import argo.sensing.SensingPolicy
 import jason.runtime.Settings
 import java.util.logging.Logger
 

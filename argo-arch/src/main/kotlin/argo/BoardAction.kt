@@ -1,5 +1,8 @@
 package argo
 
+import argo.calls.Failure
+import argo.calls.wrongArgument
+import argo.ports.ArgumentException
 import jason.JasonException
 import jason.asSemantics.ConcurrentInternalAction
 import jason.asSemantics.TransitionSystem

@@ -1,6 +1,12 @@
 package argo
 
 import argo.filters.PerceptionFilter
+import argo.perception.BoardPercepts
+import argo.perception.filterNames
+import argo.perception.filterOf
+import argo.platform.Platform
+import argo.platform.Waker
+import argo.ports.PortStates
 import argo.view.ViewedAgent
 import argo.view.ViewedPort
 import jason.bb.BeliefBase

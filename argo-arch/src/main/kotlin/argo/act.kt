@@ -1,5 +1,8 @@
 package argo
 
+import argo.acting.CommandOptions
+import argo.acting.Commands
+import argo.ports.ArgumentException
 import jason.asSyntax.BinaryStructure
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm

@@ -3,6 +3,9 @@ package argo
 import argo.filters.FilterException
 import argo.filters.FilterNotFoundException
 import argo.filters.PerceptionFilter
+import argo.perception.EnvironmentFilter
+import argo.perception.filterOf
+import argo.ports.ArgumentException
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term

@@ -1,5 +1,7 @@
 package argo
 
+import argo.calls.wrongArgument
+import argo.perception.EnvironmentFilter
 import jason.asSemantics.DefaultInternalAction
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier

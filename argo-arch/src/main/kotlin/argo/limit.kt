@@ -1,5 +1,9 @@
 package argo
 
+import argo.ports.ArgumentException
+import argo.ports.whole
+import argo.ports.wholeNumber
+
 /**
  * The internal action `argo.limit(Ms)`: the sensing interval in ms, a whole number from 0 (as fast as the line allows).
  * Until it is called the interval is 50 ms.

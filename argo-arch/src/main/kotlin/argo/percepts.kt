@@ -1,5 +1,7 @@
 package argo
 
+import argo.ports.ArgumentException
+
 /**
  * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`,
  * stops it. Blocked at the start. What was perceived stays believed while it is blocked.

@@ -1,5 +1,9 @@
 package argo
 
+import argo.calls.Failure
+import argo.ports.ArgumentException
+import argo.ports.PortOptions
+import argo.ports.Ports
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm

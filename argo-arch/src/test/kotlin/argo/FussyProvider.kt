@@ -1,5 +1,6 @@
 package argo
 
+import argo.ports.Ports
 import javino.LineSettings
 import javino.PortException
 import javino.Transport

@@ -1,9 +1,9 @@
 package argo.view
 
 import argo.AgentObserver
-import argo.Failure
-import argo.PortStatus
-import argo.Snapshot
+import argo.calls.Failure
+import argo.ports.PortStatus
+import argo.perception.Snapshot
 import argo.filters.PerceptionFilter
 import jason.asSyntax.Term
 import java.util.concurrent.ConcurrentHashMap

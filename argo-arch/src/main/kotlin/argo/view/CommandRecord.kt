@@ -1,6 +1,6 @@
 package argo.view
 
-import argo.Failure
+import argo.calls.Failure
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 

@@ -1,6 +1,6 @@
 package argo.view
 
-import argo.Snapshot
+import argo.perception.Snapshot
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 

@@ -1,7 +1,7 @@
 package argo.view
 
-import argo.BeliefReader
-import argo.Snapshot
+import argo.perception.BeliefReader
+import argo.perception.Snapshot
 
 /**
  * What each sensor said last. Percepts that differ in numbers only are one sensor's, and a sensor that has said nothing for

@@ -1,6 +1,6 @@
 package argo.jason
 
-import argo.PluggedIn
+import argo.ports.PluggedIn
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeLessThan

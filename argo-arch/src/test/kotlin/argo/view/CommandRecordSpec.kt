@@ -1,6 +1,6 @@
 package argo.view
 
-import argo.Failure
+import argo.calls.Failure
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldHaveSize

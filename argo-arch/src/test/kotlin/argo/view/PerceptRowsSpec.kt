@@ -1,6 +1,6 @@
 package argo.view
 
-import argo.Snapshot
+import argo.perception.Snapshot
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.collections.shouldHaveSize

@@ -1,7 +1,7 @@
 package argo.testkit
 
 import argo.Arch
-import argo.Platform
+import argo.platform.Platform
 import jason.asSemantics.Agent
 import jason.environment.Environment
 import jason.mas2j.ClassParameters

@@ -1,6 +1,6 @@
 package argo.testkit
 
-import argo.Platform
+import argo.platform.Platform
 import javino.Link
 import javino.LinkSettings
 import javino.NoSuchPortException

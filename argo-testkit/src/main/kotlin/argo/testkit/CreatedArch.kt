@@ -1,7 +1,7 @@
 package argo.testkit
 
 import argo.Arch
-import argo.Platform
+import argo.platform.Platform
 
 /**
  * How the architecture of an agent that another one creates is made.

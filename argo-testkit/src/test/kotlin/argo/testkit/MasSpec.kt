@@ -1,7 +1,7 @@
 package argo.testkit
 
 import argo.Arch
-import argo.Platform
+import argo.platform.Platform
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

@@ -1,0 +1,36 @@
+package argo.acting
+
+import argo.ports.ArgumentException
+import argo.ports.optionsIn
+import argo.ports.whole
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+
+/**
+ * How a command is sent: the second argument of `argo.act`.
+ *
+ * @property timeoutMs the time in ms from the call after which its outcome is known in any case; null: there is no such limit
+ * @property urgent whether it goes before the commands that wait and are not urgent
+ */
+internal data class CommandOptions(val timeoutMs: Int? = null, val urgent: Boolean = false) {
+    companion object {
+        private const val MOST_MS = 600_000
+        private const val KNOWN = "timeout(Ms) and urgent"
+
+        /**
+         * Reads a list such as `[timeout(200), urgent]`.
+         * @throws ArgumentException if it is not a list of known options
+         */
+        fun of(term: Term): CommandOptions =
+            optionsIn(term, "[timeout(200), urgent]").fold(CommandOptions()) { options, option -> options.with(option) }
+
+        private fun CommandOptions.with(option: Term): CommandOptions {
+            val literal = (option as? Literal)?.takeUnless { it.isVar }
+            return when {
+                literal?.functor == "urgent" && literal.arity == 0 -> copy(urgent = true)
+                literal?.functor == "timeout" && literal.arity == 1 -> copy(timeoutMs = whole(literal, 1..MOST_MS))
+                else -> throw ArgumentException("$option is not an option; there are $KNOWN")
+            }
+        }
+    }
+}

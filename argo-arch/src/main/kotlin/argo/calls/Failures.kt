@@ -1,0 +1,44 @@
+package argo.calls
+
+import jason.JasonException
+import jason.asSyntax.ASSyntax
+import javino.ActionRefusedException
+import javino.ActionUnconfirmedException
+import javino.NoSuchPortException
+import javino.PortBusyException
+import javino.PortException
+import javino.PortGoneException
+import javino.PortPermissionException
+import javino.PortTimeoutException
+
+/**
+ * Why an internal action could not do what it was asked.
+ *
+ * @property error the atom in the annotation `error(…)` of the failed plan, for other plans to match
+ * @property cause what was found and what to do, for a person
+ */
+internal data class Failure(val error: String, val cause: String) {
+    /** The exception that fails the plan which called [call], such as `argo.act(ledOn)`. */
+    fun of(call: String): JasonException = JasonException("$call: $cause", ASSyntax.createAtom(error))
+}
+
+/** The argument is not of the kind that the action takes. */
+internal fun wrongArgument(cause: String) = Failure("wrong_arguments", cause)
+
+/** What [trouble] with a port means to a plan; what no transport should throw is `port_failed` too. */
+internal fun failureOf(trouble: Throwable): Failure =
+    if (trouble is PortException) failureOf(trouble) else Failure("port_failed", "$trouble")
+
+private fun failureOf(trouble: PortException): Failure = Failure(
+    when (trouble) {
+        is NoSuchPortException -> "no_such_port"
+        is PortBusyException -> "port_busy"
+        is PortPermissionException -> "port_permission"
+        is PortGoneException -> "port_gone"
+        is PortTimeoutException -> "port_timeout"
+        is ActionRefusedException -> "act_refused"
+        is ActionUnconfirmedException -> "act_unconfirmed"
+        else -> "port_failed"
+    },
+    trouble.message ?: trouble.javaClass.simpleName,
+)

@@ -1,0 +1,98 @@
+package argo.perception
+
+import argo.filters.jason.PerceptReader
+import argo.filters.jason.PerceptSyntaxException
+import argo.filters.matching.piecesOf
+import argo.ports.PortStatus
+import argo.sensing.StaleBeliefs
+import jason.asSyntax.ArithExpr
+import jason.asSyntax.ArithFunctionTerm
+import jason.asSyntax.InternalActionLiteral
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+
+/**
+ * Turns the text of a percept into the literal that the agent is to believe.
+ *
+ * A text that Jason cannot read, or that no sensor can mean, costs itself alone, and one warning per distinct text.
+ * Literals of a text seen before are reused: Jason copies what it adds to a belief base. Not safe for use by several threads at once.
+ *
+ * @param warn takes the one line that is said about a text that is not read
+ */
+internal class BeliefReader(private val warn: (String) -> Unit) {
+    private val parser = PerceptReader(kept = 0) // what is kept is kept here, with what became of it
+    private val known = object : LinkedHashMap<String, Reading>(16, 0.75f, true) {
+        override fun removeEldestEntry(eldest: Map.Entry<String, Reading>) = size > room
+    }
+    private var room = LEAST_KNOWN
+    private val reported = HashSet<String>()
+
+    /** Says that the board's messages have so many [percepts]: readings that stay are known again, not all that sensors ever said. */
+    fun expect(percepts: Int) {
+        room = (2 * percepts).coerceIn(LEAST_KNOWN, MOST_KNOWN)
+    }
+
+    /** What [percept] says; empty if it cannot be read, several literals only where a stray quote or bracket had joined them. */
+    fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parse(percept).also { if (percept.length <= LONGEST_KNOWN) known[percept] = it }) {
+        is Reading.Belief -> listOf(reading.literal)
+        is Reading.Unreadable -> {
+            val pieces = piecesOf(percept)
+            if (pieces.size > 1) pieces.flatMap(::read) else emptyList<Literal>().also { report(percept, reading.why) }
+        }
+    }
+
+    private fun parse(percept: String): Reading = try {
+        val literal = parser.read(percept)
+        when {
+            literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
+            !literal.isGround || literal.ns.isVar -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
+            isComputed(literal) -> Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
+            literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 -> Reading.Unreadable("stale/1 tells that nothing comes from a port, which no board can claim")
+            claimsToBeAPort(literal) -> Reading.Unreadable("port/2 with on, off or timeout tells the state of a port, which no board can claim")
+            else -> Reading.Belief(ownSource(literal))
+        }
+    } catch (refused: PerceptSyntaxException) {
+        val detail = (refused.cause ?: refused).message.orEmpty().lineSequence().first()
+        Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else " (${printable(detail)})")
+    }
+
+    private fun report(percept: String, why: String) {
+        if (reported.size > MOST_REPORTED || !reported.add(printable(percept))) return
+        if (reported.size > MOST_REPORTED) warn("further percepts that cannot be read are not reported")
+        else warn("percept ${printable(percept)} is left out: $why")
+    }
+
+    private sealed interface Reading {
+        data class Belief(val literal: Literal) : Reading
+        data class Unreadable(val why: String) : Reading
+    }
+
+    private companion object {
+        const val LEAST_KNOWN = 128
+        const val MOST_KNOWN = 4096
+        const val MOST_REPORTED = 100
+
+        /** Longer texts are read anew each time: 4096 of the longest messages would take the heap of a small computer. */
+        const val LONGEST_KNOWN = 1024
+    }
+}
+
+/** Whether [term] holds a function such as `math.random`, which Jason calls. A sum of numbers is a number. */
+private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term !is ArithExpr ||
+    term is Literal && ((0 until term.arity).any { isComputed(term.getTerm(it)) } || term.hasAnnot() && term.annots.any(::isComputed))
+
+private fun claimsToBeAPort(literal: Literal) =
+    literal.functor == "port" && literal.arity == 2 && (literal.getTerm(1) as? Literal)?.functor in PortStatus.WORDS // off[x] matches off
+
+/** [literal] without the sources it claims: what a board sends is a percept and nothing else. */
+private fun ownSource(literal: Literal): Literal {
+    val claimed = literal.getAnnots("source")
+    if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))
+    return literal
+}
+
+/** [text] for a log line: control characters as `\xHH`, at most 200 characters. */
+internal fun printable(text: String): String = buildString {
+    for (c in text.take(200)) if (c.isISOControl()) append("\\x%02X".format(c.code)) else append(c)
+    if (text.length > 200) append("… (${text.length} characters)")
+}

@@ -1,0 +1,44 @@
+package argo.perception
+
+import argo.Arch
+import argo.architectures
+import argo.filters.PerceptionFilter
+import argo.platform.Platform
+import argo.platform.nowMs
+import argo.platform.Waker
+import jason.architecture.AgArch
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.Literal
+
+/**
+ * Filters what an agent without [Arch] perceives of its Jason environment. `argo.change_filter` puts it in front of the
+ * agent's architectures when the agent chooses a filter for the first time.
+ */
+internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<Literal>) : AgArch() {
+    private val environment = EnvironmentPercepts(perceivedSoFar, Platform.system.nowMs)
+    private val waker = Waker(this)
+
+    /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
+    fun perceiveThrough(filter: PerceptionFilter?) = environment.switchTo(filter)
+
+    /** Why the active filter does with [percept] what it does. */
+    fun explain(percept: Literal): String = environment.explain(percept)
+
+    override fun perceive(): MutableCollection<Literal>? {
+        waker.perceives()
+        val isNew = environment.update(super.perceive())
+        environment.dueInMs()?.let(waker::wakeIn)
+        return if (isNew) environment.percepts.toMutableList() else null
+    }
+
+    override fun canSleep(): Boolean = !environment.isWaiting() && super.canSleep()
+
+    companion object {
+        /** Puts a filter in front of the agent of [ts], which must not have one. Called by the agent's thread. */
+        fun insertInto(ts: TransitionSystem): EnvironmentFilter {
+            // unfiltered so far, so its percept beliefs are what its environment said last
+            val perceived = ts.ag.bb.percepts.asSequence().filter { it.subjectToBUF() }.toList()
+            return EnvironmentFilter(perceived).also { ts.agArch.insertAgArch(it) }
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package argo.perception
+
+import argo.acting.CommandLedger
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicReference
+
+/**
+ * Where the sensing thread leaves snapshots and the reasoning cycle takes them, without either waiting for the other.
+ *
+ * [take] belongs to the agent's thread and is called in each of its perceptions; the others may be called by any.
+ */
+internal interface HandOver {
+    /** Leaves [snapshot] for the agent; one of an older message than what is there already may be left out. */
+    fun put(snapshot: Snapshot)
+
+    /** Whether [take] would give one now. */
+    fun isReady(): Boolean
+
+    /** The snapshot to perceive now, or null. */
+    fun take(): Snapshot?
+
+    /** Forgets what has not been taken. */
+    fun clear()
+}
+
+/**
+ * Keeps the newest snapshot only and hands it over when
+ * 1. the percept events of the one before have been taken from Jason's event queue, and
+ * 2. every command that was issued before the hand-over of the one before has gone out, failed or timed out.
+ *
+ * Without (1) events pile up, since Jason handles one a cycle; without (2) commands do, since the line is slower than the
+ * agent. Waiting for all commands would starve the sensing of a plan that loops on `argo.act`.
+ *
+ * A snapshot with a critical percept that the one before did not have is handed over at once, and no newer one takes its place that does
+ * not meet its critical rules. So that a board which is critical all the time cannot make events pile up, this ends when [MANY_EVENTS] wait;
+ * then each critical rule may do it once until both conditions hold again.
+ */
+internal class FreshHandOver(private val commands: CommandLedger, private val events: PerceptEvents) : HandOver {
+    private val newest = AtomicReference<Snapshot?>()
+    private val critical = CriticalSnapshots()
+
+    @Volatile
+    private var commandsToAwait = 0L
+
+    override fun put(snapshot: Snapshot) {
+        if (critical.put(snapshot)) newest.updateAndGet { waiting -> waiting?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 } }
+        else newest.updateAndGet { if (it != null && it.receivedNanos - snapshot.receivedNanos > 0) it else snapshot }
+    }
+
+    override fun isReady(): Boolean {
+        val urgent = critical.first()
+        return if (urgent == null) newest.get() != null && isTakenIn() else mayBeEarly(urgent) || isTakenIn()
+    }
+
+    /** Whether the agent has taken in the snapshot before. */
+    private fun isTakenIn() = commands.allDoneUpTo(commandsToAwait) && !events.wait()
+
+    private fun mayBeEarly(snapshot: Snapshot) = events.waiting() < MANY_EVENTS || critical.mayBeEarly(snapshot)
+
+    override fun take(): Snapshot? {
+        events.takenIn()
+        if (!isReady()) return null
+        val isTakenIn = isTakenIn()
+        val snapshot = critical.take(isTakenIn) ?: newest.getAndSet(null)?.also(critical::tookOther) ?: return null
+        commandsToAwait = commands.lastIssued()
+        events.handedOver()
+        return snapshot
+    }
+
+    override fun clear() {
+        critical.clear()
+        newest.set(null)
+    }
+
+    companion object {
+        /** While fewer events than this wait, a critical snapshot is handed over at once. */
+        const val MANY_EVENTS = 1000
+    }
+}
+
+/** Hands over every snapshot in its order; an agent that is [MOST_WAITING] behind loses the oldest, with one warning. */
+internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
+    private val waiting = ConcurrentLinkedQueue<Snapshot>()
+    private val count = AtomicInteger()
+    private var warned = false
+
+    override fun put(snapshot: Snapshot) {
+        waiting.add(snapshot)
+        if (count.incrementAndGet() <= MOST_WAITING) return
+        if (waiting.poll() != null) count.decrementAndGet()
+        if (!warned) warn("the agent is $MOST_WAITING snapshots behind its sensors, the oldest are dropped")
+        warned = true
+    }
+
+    override fun isReady() = waiting.isNotEmpty()
+
+    override fun take(): Snapshot? = waiting.poll()?.also { count.decrementAndGet() }
+
+    override fun clear() {
+        while (true) take() ?: return
+    }
+
+    companion object {
+        /** The most snapshots that wait for an agent. */
+        const val MOST_WAITING = 1000
+    }
+}

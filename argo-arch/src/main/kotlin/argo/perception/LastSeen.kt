@@ -1,0 +1,56 @@
+package argo.perception
+
+import jason.asSemantics.Unifier
+import jason.asSyntax.Literal
+import jason.bb.BeliefBase
+import jason.bb.StructureWrapperForLiteral
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * When each of the percepts that an agent believes stood in a message of its board for the last time. Safe for use by several threads.
+ *
+ * Holds at most about twice as many percepts as the agent believes and is about to believe.
+ *
+ * @param believed the board's percepts that the agent believes now; asked by any thread
+ */
+internal class LastSeen(private val believed: () -> Collection<Literal>) {
+    private val lock = ReentrantLock()
+    private val lastSeen = HashMap<StructureWrapperForLiteral, Long>()
+
+    /**
+     * A message came at [atNanos] by the platform's clock.
+     *
+     * @param seen the percepts that stand in it and that the filter lets through
+     * @param delivered all that the agent is to believe after it: also what is frozen, and what stands for percepts that are held back
+     */
+    fun seen(seen: Collection<Literal>, delivered: Collection<Literal>, atNanos: Long) = lock.withLock {
+        for (percept in seen) lastSeen.merge(StructureWrapperForLiteral(percept), atNanos) { before, now -> if (now - before > 0) now else before }
+        if (lastSeen.size > 2 * delivered.size + SPARE) {
+            lastSeen.keys.retainAll((delivered + believed()).mapTo(HashSet(), ::StructureWrapperForLiteral))
+        }
+    }
+
+    /** When [percept], whose annotations do not matter, was seen last, by the platform's clock; null: it is no percept of a board. */
+    fun lastSeenNanos(percept: Literal): Long? = lock.withLock { lastSeen[StructureWrapperForLiteral(percept)] }
+
+    /**
+     * The percept in [beliefs] that unifies with [percept] under [un] and was seen last, and when; null if there is none.
+     *
+     * Called by the agent's thread, to which [beliefs] and [un] belong.
+     *
+     * @param nowNanos the time by the platform's clock
+     */
+    fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
+        beliefs.getCandidateBeliefs(percept, un)?.asSequence().orEmpty()
+            .filter { !it.isRule && it.hasSource(BeliefBase.APercept) && un.clone().unifiesNoUndo(percept, it) }
+            .mapNotNull { belief -> lastSeenNanos(belief)?.let { belief to it } }
+            .minByOrNull { (_, seenNanos) -> nowNanos - seenNanos }
+
+    /** How many percepts are remembered. */
+    fun size(): Int = lock.withLock { lastSeen.size }
+
+    private companion object {
+        const val SPARE = 64
+    }
+}

@@ -1,0 +1,34 @@
+package argo.perception
+
+import argo.platform.RateLimitedWarning
+import jason.asSyntax.Literal
+
+/**
+ * Limits how many percepts of a board an agent believes at once. Critical ones come first, then the others in the order of the message; what
+ * exceeds the limit is left out. Not safe for use by several threads at once.
+ *
+ * @property most the most percepts
+ * @param warning is told when the limit is exceeded
+ */
+internal class PerceptLimit(private val most: Int, private val warning: RateLimitedWarning) {
+    /** The first [most] different ones of [percepts], those of [critical] before others. */
+    fun limited(percepts: List<Literal>, critical: Collection<Literal>): List<Literal> {
+        if (percepts.size <= most) return percepts
+        val different = percepts.distinct()
+        if (different.size <= most) return different
+        warning.happens("limit") {
+            "the board says ${different.size} percepts at once, of which $most are believed and the others left out; [$OPTION=N] in the .mas2j sets another limit"
+        }
+        val first = critical.take(most).toHashSet()
+        var room = most - first.size
+        return different.filter { it in first || room-- > 0 }
+    }
+
+    companion object {
+        /** The option in the `.mas2j`. */
+        const val OPTION = "argo_percepts"
+
+        /** The limit unless the option sets another: more than a board can say in a second at 115200 baud. */
+        const val DEFAULT = 4096
+    }
+}

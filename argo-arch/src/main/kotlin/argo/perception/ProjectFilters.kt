@@ -1,0 +1,37 @@
+package argo.perception
+
+import argo.filters.PerceptionFilter
+import argo.filters.format.FilterFinder
+import jason.asSemantics.Agent
+import java.net.URI
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * Finds the filter that [agent] calls [name]: among those that services offer, in the directory that the project was started in and
+ * in `filters/` under it, in the same two for the agent's `.asl`, and in `filters/` on the class path.
+ *
+ * @throws argo.filters.FilterNotFoundException if there is none
+ * @throws argo.filters.FilterException if it is refused
+ */
+internal fun filterOf(agent: Agent, name: String): PerceptionFilter =
+    finderOf(agent).find(name)
+
+/** The names of the filters that [filterOf] can find. */
+internal fun filterNames(agent: Agent): List<String> = finderOf(agent).names()
+
+private fun finderOf(agent: Agent) = FilterFinder(projectDirectories(agent), agent.javaClass.classLoader)
+
+private fun projectDirectories(agent: Agent): List<Path> {
+    val started = Path.of("").toAbsolutePath()
+    return listOfNotNull(started, directoryOf(agent.aslSrc)?.takeIf { it != started })
+}
+
+private fun directoryOf(source: String?): Path? = try {
+    source?.let { if (it.startsWith("file:/")) Path.of(URI(it)) else Path.of(it.removePrefix("file:")) }
+        ?.toAbsolutePath()?.normalize()?.parent?.takeIf(Files::isDirectory)
+} catch (_: IllegalArgumentException) {
+    null // not a file: an .asl from a jar or the class path
+} catch (_: java.net.URISyntaxException) {
+    null
+}

@@ -1,0 +1,65 @@
+package argo.platform
+
+import argo.Arch
+import argo.ports.whole
+import jason.asSemantics.Agent
+import javino.LineClock
+import javino.Link
+import javino.LinkSettings
+import javino.Transports
+import java.util.concurrent.RejectedExecutionException
+import java.util.concurrent.TimeUnit
+
+/**
+ * What an [Arch] runs on: its time, its threads and its ports. [system] is the machine's; a test can pass one whose time is its own.
+ *
+ * All functions may be called by any thread.
+ */
+interface Platform {
+    /** The time that the architecture goes by; its locks are what its threads wait on. */
+    val clock: LineClock
+
+    /** Starts [run] on a new thread, called [name], that does not keep the program alive. It ends when interrupted. */
+    fun start(name: String, run: () -> Unit): Thread
+
+    /** Does [action], which does not wait for anything, in [delayMs] ms of [clock], unless everything has ended by then. */
+    fun later(delayMs: Long, action: () -> Unit)
+
+    /**
+     * Opens a port, which may take its time: see [Link.open], also for what is thrown.
+     *
+     * @param owner the agent's name
+     */
+    fun open(port: String, settings: LinkSettings, owner: String): Link
+
+    /**
+     * Whether [port] is there to be opened, as far as can be told without opening it. Asked about once a second while a port is waited for
+     * whose device has gone.
+     */
+    fun isPresent(port: String): Boolean = Transports.isPresent(port)
+
+    companion object {
+        /** The machine. */
+        val system: Platform = object : Platform {
+            override val clock: LineClock = LineClock.system()
+
+            override fun start(name: String, run: () -> Unit) = Thread(run, name).apply {
+                isDaemon = true
+                start()
+            }
+
+            override fun later(delayMs: Long, action: () -> Unit) {
+                try {
+                    Agent.getScheduler().schedule(action, delayMs, TimeUnit.MILLISECONDS)
+                } catch (_: RejectedExecutionException) {
+                    // the whole system is being stopped: nobody is left for it
+                }
+            }
+
+            override fun open(port: String, settings: LinkSettings, owner: String): Link = Link.open(port, settings, owner)
+        }
+    }
+}
+
+/** Milliseconds of a clock that never goes back. */
+internal val Platform.nowMs: () -> Long get() = { clock.nanos() / 1_000_000 }

@@ -1,0 +1,40 @@
+package argo.platform
+
+import kotlin.concurrent.withLock
+
+/** Does what it is given one after the other, in that order, on a thread that ends when nothing is left to do. */
+internal class SequentialExecutor(private val platform: Platform, private val name: String) {
+    private val lock = platform.clock.newLock(false)
+    private val waiting = ArrayDeque<() -> Unit>()
+    private var working = false
+
+    /** Does [work] after what was given before; what it throws goes to the thread's uncaught exception handler, and the rest is done still. */
+    fun execute(work: () -> Unit) = lock.withLock {
+        waiting.addLast(work)
+        startUnlessWorking()
+    }
+
+    /** Forgets what has not begun yet. */
+    fun clear() = lock.withLock { waiting.clear() }
+
+    private fun startUnlessWorking() {
+        if (working) return
+        working = true
+        platform.start(name, ::doAll)
+    }
+
+    private fun doAll() {
+        var ended = false
+        try {
+            while (true) (next() ?: break)()
+            ended = true
+        } finally {
+            if (!ended) lock.withLock {
+                working = false
+                if (waiting.isNotEmpty()) startUnlessWorking()
+            }
+        }
+    }
+
+    private fun next(): (() -> Unit)? = lock.withLock { waiting.removeFirstOrNull().also { working = it != null } }
+}

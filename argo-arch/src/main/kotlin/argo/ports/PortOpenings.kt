@@ -1,0 +1,51 @@
+package argo.ports
+
+import argo.platform.Platform
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.withLock
+
+/**
+ * Which devices one agent is opening now, by [canonical name][javino.Transports.canonicalName]: each is opened by one thread at a time. A network may take
+ * seconds for it, so what the agent asks for ends an opening of the same device that it has not asked for. Safe for use by several threads.
+ */
+internal class PortOpenings(private val platform: Platform) {
+    private val lock = platform.clock.newLock(false)
+    private val changed = lock.newCondition()
+    private val underWay = HashMap<String, Thread>()
+
+    /** Does [work], which opens [device], unless another thread is at it; then nothing is done. */
+    fun ifFree(device: String, work: () -> Unit) {
+        if (lock.withLock { underWay.putIfAbsent(device, Thread.currentThread()) } == null) doing(device, work)
+    }
+
+    /** Does [work], which opens [device], after interrupting whoever is at it. */
+    fun <T> atOnce(device: String, work: () -> T): T {
+        lock.withLock {
+            while (device in underWay) {
+                underWay.getValue(device).interrupt()
+                platform.clock.await(changed, ENDING_NANOS)
+            }
+            underWay[device] = Thread.currentThread()
+        }
+        return doing(device, work)
+    }
+
+    /** Interrupts all that is being opened now. */
+    fun interrupt() = lock.withLock { underWay.values.forEach(Thread::interrupt) }
+
+    private fun <T> doing(device: String, work: () -> T): T {
+        try {
+            return work()
+        } finally {
+            lock.withLock {
+                underWay.remove(device)
+                changed.signalAll()
+            }
+            Thread.interrupted() // it was meant for this work alone
+        }
+    }
+
+    private companion object {
+        val ENDING_NANOS = TimeUnit.MILLISECONDS.toNanos(100)
+    }
+}

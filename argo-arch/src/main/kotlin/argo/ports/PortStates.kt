@@ -1,0 +1,53 @@
+package argo.ports
+
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * The states of the ports that an agent has asked for, which it believes as `port(P,on)`, `port(P,off)` or `port(P,timeout)`.
+ *
+ * Safe for use by several threads.
+ *
+ * @param changed is called after each change, outside any lock, with the port, its new state and the reason if there is one
+ */
+internal class PortStates(private val changed: (Term, PortStatus, String?) -> Unit) {
+    private val lock = ReentrantLock()
+    private val states = LinkedHashMap<String, Pair<Term, PortStatus>>()
+    private var version = 0L
+    private var believedVersion = 0L
+
+    /**
+     * Sets the state of the port that the agent calls [port]; [reason] is for the log.
+     *
+     * @param isHeld whether the port is still the agent's, else nothing is set: a port that was given up before [clear] stays forgotten
+     */
+    fun set(port: Term, status: PortStatus, reason: String? = null, isHeld: () -> Boolean = { true }) {
+        val isNew = lock.withLock {
+            if (!isHeld()) return
+            val before = states.put(port.toString(), port to status)
+            (before?.second != status).also { if (it) version++ }
+        }
+        if (isNew) changed(port, status, reason)
+    }
+
+    /** Forgets all ports. */
+    fun clear() = lock.withLock {
+        states.clear()
+        version++
+    }
+
+    /** Whether something has changed since [beliefs] was asked last. */
+    fun hasNews(): Boolean = lock.withLock { version != believedVersion }
+
+    /** All ports as the agent calls them, and their states. */
+    fun all(): List<Pair<Term, PortStatus>> = lock.withLock { states.values.toList() }
+
+    /** The beliefs about all ports. */
+    fun beliefs(): List<Literal> = lock.withLock {
+        believedVersion = version
+        states.values.map { (port, status) -> ASSyntax.createLiteral("port", port, ASSyntax.createAtom(status.word)) }
+    }
+}

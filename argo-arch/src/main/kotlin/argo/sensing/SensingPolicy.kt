@@ -1,0 +1,26 @@
+package argo.sensing
+
+import argo.perception.HandOver
+
+/** When a snapshot of the sensors is handed to the agent: `argo_sensing` in the `.mas2j`. */
+internal enum class SensingPolicy(val word: String) {
+    /** The newest one, as soon as the agent has taken in the one before: see [HandOver]. */
+    FRESH("fresh"),
+
+    /** Each one, in its order, whatever the agent has still to do. */
+    EVERY("every"),
+
+    /**
+     * The request is made and awaited inside the reasoning cycle and commands are written at once, as published at EMAS 2016.
+     * For experiments: such an agent falls behind the world.
+     */
+    IN_CYCLE("in_cycle");
+
+    companion object {
+        /** The policy called [word], or null. */
+        fun of(word: String): SensingPolicy? = entries.find { it.word == word }
+
+        /** All words, for a message. */
+        val words: String get() = entries.joinToString(", ") { it.word }
+    }
+}

@@ -1,0 +1,196 @@
+package argo.perception
+
+import argo.acting.CommandLedger
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+import jason.asSemantics.Event
+import jason.asSemantics.Intention
+import jason.asSyntax.ASSyntax
+
+class HandOverSpec : FunSpec({
+    val noEvents = PerceptEvents { emptyList() }
+    fun percept(trigger: String) = Event(ASSyntax.parseTrigger(trigger), Intention.EmptyInt)
+    fun snapshot(n: Long) = Snapshot(null, listOf("n($n)"), listOf("n($n)"), 0, emptyList(), n)
+
+    context("fresh") {
+        test("gives the newest snapshot, once") {
+            val handOver = FreshHandOver(CommandLedger(), noEvents)
+            handOver.take() shouldBe null
+            handOver.put(snapshot(1))
+            handOver.put(snapshot(2))
+            handOver.isReady() shouldBe true
+            handOver.take()?.receivedNanos shouldBe 2
+            handOver.take() shouldBe null
+        }
+
+        test("waits while percept events of the one before are in the queue") {
+            val queue = ArrayDeque<Event>()
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            handOver.put(snapshot(1))
+            handOver.take()?.receivedNanos shouldBe 1
+            queue += listOf(percept("+dist(f,1)[source(percept)]"), percept("-dist(f,2)[source(percept)]"))
+            handOver.put(snapshot(2))
+            handOver.isReady() shouldBe false
+            queue.removeFirst()
+            handOver.take() shouldBe null
+            queue += percept("+weather(rain)[source(percept)]") // of a later perception, not of the snapshot
+            queue.removeFirst()
+            handOver.take()?.receivedNanos shouldBe 2
+        }
+
+        test("a look from another thread before the snapshot has been taken in does not let its events go unawaited") {
+            val queue = ArrayDeque<Event>()
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            handOver.put(snapshot(1))
+            handOver.take()?.receivedNanos shouldBe 1
+            handOver.put(snapshot(2))
+            handOver.isReady()
+            queue += percept("+dist(f,1)[source(percept)]")
+            handOver.take() shouldBe null
+            queue.clear()
+            handOver.take()?.receivedNanos shouldBe 2
+        }
+
+        test("a long queue, as an atomic plan leaves it, is not gone through in each perception") {
+            var looks = 0
+            val events = ArrayDeque<Event>()
+            val queue = object : AbstractCollection<Event>() {
+                override val size get() = events.size
+                override fun iterator() = events.asSequence().onEach { looks++ }.iterator()
+            }
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            handOver.put(snapshot(1))
+            handOver.take()
+            repeat(1_000) { events += percept("+dist(f,$it)[source(percept)]") }
+            handOver.put(snapshot(2))
+            while (handOver.take() == null) events.removeFirst()
+            events.size shouldBe 0
+            check(looks < 10_000) { "$looks looks at 1000 events" }
+        }
+
+        test("a snapshot of an older message does not take the place of a newer one") {
+            val handOver = FreshHandOver(CommandLedger(), noEvents)
+            handOver.put(snapshot(2))
+            handOver.put(snapshot(1))
+            handOver.take()?.receivedNanos shouldBe 2
+        }
+
+        test("other events than those of percepts are nothing to wait for") {
+            val queue = ArrayDeque<Event>()
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            handOver.put(snapshot(1))
+            handOver.take()
+            queue += listOf(percept("+!go"), percept("+told(x)[source(bob)]"))
+            handOver.put(snapshot(2))
+            handOver.take()?.receivedNanos shouldBe 2
+        }
+
+        test("while Jason takes no events, as in an atomic plan, it waits a while instead, so that not too many pile up") {
+            val queue = ArrayDeque<Event>()
+            var stands = true
+            var nowMs = 0L
+            val handOver = FreshHandOver(CommandLedger(), PerceptEvents({ stands }, { nowMs }) { queue })
+            handOver.put(snapshot(1))
+            handOver.take()
+            queue += percept("+dist(f,1)[source(percept)]")
+            handOver.put(snapshot(2))
+            nowMs = 99
+            handOver.take() shouldBe null
+            nowMs = 100
+            handOver.take()?.receivedNanos shouldBe 2
+            stands = false
+            handOver.put(snapshot(3))
+            handOver.take() shouldBe null
+        }
+
+        test("waits for the commands issued before the last hand-over and for no others") {
+            val ledger = CommandLedger()
+            val handOver = FreshHandOver(ledger, noEvents)
+            val first = ledger.issue()
+            handOver.put(snapshot(1))
+            handOver.take()?.receivedNanos shouldBe 1 // the first hand-over has none before it
+            val second = ledger.issue()
+            handOver.put(snapshot(2))
+            handOver.take() shouldBe null
+            ledger.done(first)
+            handOver.take()?.receivedNanos shouldBe 2 // the second command was issued after the last hand-over
+            handOver.put(snapshot(3))
+            handOver.take() shouldBe null
+            ledger.done(second)
+            handOver.take()?.receivedNanos shouldBe 3
+        }
+
+        test("does not wait for commands that have been forgotten, as those of a port that is not in use any more") {
+            val ledger = CommandLedger()
+            val handOver = FreshHandOver(ledger, noEvents)
+            val first = ledger.issue()
+            handOver.put(snapshot(1))
+            handOver.take()
+            ledger.forget()
+            handOver.put(snapshot(2))
+            handOver.take()?.receivedNanos shouldBe 2
+            val second = ledger.issue()
+            handOver.put(snapshot(3))
+            handOver.take()
+            ledger.done(first)
+            handOver.put(snapshot(4))
+            handOver.take() shouldBe null
+            ledger.done(second)
+            handOver.take()?.receivedNanos shouldBe 4
+        }
+
+        test("a plan that always has a command on its way does not starve it") {
+            val ledger = CommandLedger()
+            val handOver = FreshHandOver(ledger, noEvents)
+            var taken = 0
+            var onItsWay = ledger.issue()
+            repeat(100) { n ->
+                handOver.put(snapshot(n.toLong()))
+                if (handOver.take() != null) taken++
+                val next = ledger.issue()
+                ledger.done(onItsWay)
+                onItsWay = next
+            }
+            check(taken >= 49) { "$taken of 100 taken" }
+        }
+
+        test("what is cleared is never taken") {
+            val handOver = FreshHandOver(CommandLedger(), noEvents)
+            handOver.put(snapshot(1))
+            handOver.clear()
+            handOver.take() shouldBe null
+        }
+    }
+
+    context("every") {
+        test("gives each snapshot in its order") {
+            val handOver = EveryHandOver { error(it) }
+            (1L..10).forEach { handOver.put(snapshot(it)) }
+            (1L..10).map { handOver.take()?.receivedNanos } shouldBe (1L..10).toList()
+            handOver.take() shouldBe null
+        }
+
+        test("is bounded, and says so once") {
+            val warnings = ArrayList<String>()
+            val handOver = EveryHandOver { warnings += it }
+            (1L..2000).forEach { handOver.put(snapshot(it)) }
+            handOver.take()?.receivedNanos shouldBe 1001
+            warnings.size shouldBe 1
+        }
+    }
+
+    test("the ledger knows for any order of completion whether all commands up to one are done") {
+        checkAll(Arb.list(Arb.element(true, false), 1..40)) { steps ->
+            val ledger = CommandLedger()
+            val pending = ArrayList<Long>()
+            for (issue in steps) {
+                if (issue || pending.isEmpty()) pending += ledger.issue() else ledger.done(pending.removeAt(pending.size / 2))
+                for (mark in 0..ledger.lastIssued()) ledger.allDoneUpTo(mark) shouldBe pending.none { it <= mark }
+            }
+        }
+    }
+})

@@ -1,0 +1,44 @@
+package argo.platform
+
+import argo.jason.eventually
+import javino.LineClock
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.TimeUnit
+
+/** The machine, but for its time, which passes when it is told to. */
+internal class TestTime : Platform by Platform.system {
+    private class Due(val atMs: Long, val action: () -> Unit)
+
+    private val dues = ConcurrentLinkedQueue<Due>()
+
+    @Volatile
+    private var nowMs = 0L
+
+    override val clock = object : LineClock by LineClock.system() {
+        override fun nanos() = TimeUnit.MILLISECONDS.toNanos(nowMs)
+    }
+
+    override fun later(delayMs: Long, action: () -> Unit) {
+        dues += Due(nowMs + delayMs, action)
+    }
+
+    /** Lets [ms] pass; what is due meanwhile is not done. */
+    fun pass(ms: Long) {
+        nowMs += ms
+    }
+
+    /** Does what is due next, once something is. */
+    fun step() {
+        eventually({ "nothing is due" }) { dues.isNotEmpty() }
+        val due = dues.poll()
+        nowMs = maxOf(nowMs, due.atMs)
+        due.action()
+    }
+
+    /** [step], unless nothing is due. */
+    fun stepIfDue() {
+        if (!isIdle()) step()
+    }
+
+    fun isIdle() = dues.isEmpty()
+}

@@ -1,0 +1,269 @@
+package argo.ports
+
+import argo.FussyProvider
+import argo.calls.Failure
+import argo.jason.eventually
+import argo.platform.TestTime
+import argo.sensing.SensingListener
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.types.shouldBeSameInstanceAs
+import jason.asSyntax.ASSyntax
+import javino.Link
+import javino.PerceptsRequest
+import javino.PortException
+import javino.PortFaultException
+import javino.PortPermissionException
+import javino.PortTimeoutException
+import javino.sim.FakeBoard
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+
+/** The ports of an agent bob. */
+private class PortsBench : AutoCloseable {
+    val told = ConcurrentLinkedQueue<String>()
+    val time = TestTime()
+    private val states = PortStates { port, status, _ -> told += "$port ${status.word}" }
+    private val listener = object : SensingListener {
+        override fun request(port: OpenPort) = PerceptsRequest.ALL
+        override fun received(port: OpenPort, message: String, receivedNanos: Long) = Unit
+        override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = Unit
+        override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)
+    }
+    val ports: Ports = Ports("bob", states, listener, paced = true, time, settle = { }) { told += it }
+
+    fun beliefs() = states.beliefs().map { "$it" }.toSet()
+
+    fun choose(name: String, options: String? = null): Failure? {
+        val outcome = CompletableFuture<Failure?>()
+        ports.choose(ASSyntax.createString(name), name, options?.let { PortOptions.of(ASSyntax.parseTerm(it)) }, outcome::complete)
+        return outcome.get(20, TimeUnit.SECONDS)
+    }
+
+    /** Waits until [belief] is held. */
+    fun awaitBelief(belief: String) = eventually(::beliefs) { belief in beliefs() }
+
+    /** Lets time pass until [belief] is held. */
+    fun passUntil(belief: String) = eventually(::beliefs) {
+        if (belief !in beliefs()) time.stepIfDue()
+        belief in beliefs()
+    }
+
+    fun closeAll() = CompletableFuture<Unit>().also { ports.closeAll { it.complete(Unit) } }.get(20, TimeUnit.SECONDS)
+
+    override fun close() {
+        ports.stop()
+        eventually({ threads() }) { threads().isEmpty() }
+    }
+
+    private fun threads() = Thread.getAllStackTraces().keys.map { it.name }.filter { it.startsWith("argo-bob-") }
+}
+
+class PortsSpec : FunSpec({
+    fun bench(vararg boards: String, work: PortsBench.(List<FakeBoard>) -> Unit) {
+        val plugged = boards.map { FakeBoard.plugIn(it).lenient() }
+        try {
+            PortsBench().use { it.work(plugged) }
+        } finally {
+            FussyProvider.refusal = { _, _ -> null }
+            plugged.forEach(FakeBoard::close)
+        }
+    }
+
+    test("a port whose device was away is opened again as it was and is in use again") {
+        bench("robot") { (board) ->
+            choose("sim:robot", "[baud(115200), timeout(77)]") shouldBe null
+            val before = ports.current!!
+            board.unplug()
+            awaitBelief("port(\"sim:robot\",off)")
+            ports.all().shouldBeEmpty()
+            repeat(5) { time.step() }
+            board.replug()
+            passUntil("port(\"sim:robot\",on)")
+            ports.all() shouldContainExactly listOf(ports.current)
+            ports.current!!.options shouldBe before.options
+            ports.current!!.link.isOpen shouldBe true
+            told shouldContainExactly listOf("\"sim:robot\" on", "\"sim:robot\" off", "\"sim:robot\" on")
+        }
+    }
+
+    test("a port that is not in use comes back without coming into use") {
+        bench("left", "right") { (left, _) ->
+            choose("sim:left") shouldBe null
+            choose("sim:right") shouldBe null
+            val current = ports.current
+            left.unplug()
+            awaitBelief("port(\"sim:left\",off)")
+            left.replug()
+            passUntil("port(\"sim:left\",on)")
+            ports.current shouldBeSameInstanceAs current
+            Link.ownerOf("sim:left").get() shouldBe "bob"
+            left.unplug() // and it is watched as before
+            awaitBelief("port(\"sim:left\",off)")
+        }
+    }
+
+    test("who asks for a lost port has it as soon as its device is back, and nothing more comes of looking for it") {
+        bench("robot") { (board) ->
+            choose("sim:robot") shouldBe null
+            board.unplug()
+            awaitBelief("port(\"sim:robot\",off)")
+            choose("sim:robot")?.error shouldBe "no_such_port"
+            board.replug()
+            choose("sim:robot") shouldBe null
+            val port = ports.current
+            while (!time.isIdle()) time.step()
+            choose("sim:robot") shouldBe null
+            ports.current shouldBeSameInstanceAs port
+            told.count { it.endsWith(" on") } shouldBe 2
+        }
+    }
+
+    test("a port that was never open is not looked for") {
+        bench { _ ->
+            choose("sim:robot")?.error shouldBe "no_such_port"
+            FakeBoard.plugIn("robot").use {
+                choose("sim:nobody")?.error shouldBe "no_such_port"
+                time.isIdle() shouldBe true
+                beliefs() shouldContain "port(\"sim:robot\",off)"
+            }
+        }
+    }
+
+    test("argo.port(none) ends the looking, and nothing is believed of what was lost") {
+        bench("robot") { (board) ->
+            choose("sim:robot") shouldBe null
+            board.unplug()
+            awaitBelief("port(\"sim:robot\",off)")
+            closeAll()
+            beliefs().shouldBeEmpty()
+            board.replug()
+            while (!time.isIdle()) time.step()
+            closeAll() // after what was due
+            time.isIdle() shouldBe true
+            beliefs().shouldBeEmpty()
+            Link.ownerOf("sim:robot").isPresent shouldBe false
+        }
+    }
+
+    test("an agent's end is the end of looking") {
+        bench("robot") { (board) ->
+            choose("sim:robot") shouldBe null
+            board.unplug()
+            awaitBelief("port(\"sim:robot\",off)")
+            ports.stop()
+            board.replug()
+            while (!time.isIdle()) time.step()
+            Link.ownerOf("sim:robot").isPresent shouldBe false
+        }
+    }
+
+    test("both names of a device come back") {
+        bench("robot") { (board) ->
+            choose("fussy:robot") shouldBe null
+            choose("sim:robot") shouldBe null
+            ports.all().size shouldBe 1
+            board.unplug()
+            awaitBelief("port(\"sim:robot\",off)")
+            awaitBelief("port(\"fussy:robot\",off)")
+            board.replug()
+            passUntil("port(\"sim:robot\",on)")
+            passUntil("port(\"fussy:robot\",on)")
+            ports.all() shouldContainExactly listOf(ports.current)
+        }
+    }
+
+    test("a device that is back but cannot be opened is told of once, and opened when it can be") {
+        bench("robot") { (board) ->
+            choose("fussy:robot") shouldBe null
+            board.unplug()
+            awaitBelief("port(\"fussy:robot\",off)")
+            FussyProvider.refusal = { port, _ -> PortPermissionException(port, "not you") }
+            board.replug()
+            repeat(30) { time.step() }
+            told.filter { "not you" in it }.single() shouldContain "port \"fussy:robot\" is still off"
+            FussyProvider.refusal = { _, _ -> null }
+            passUntil("port(\"fussy:robot\",on)")
+        }
+    }
+
+    test("a device that takes its time to be opened does not keep another one from coming back, and is asked for at once when the agent asks") {
+        bench("left", "right") { boards ->
+            choose("fussy:left") shouldBe null
+            choose("sim:right") shouldBe null
+            boards.forEach(FakeBoard::unplug)
+            awaitBelief("port(\"fussy:left\",off)")
+            awaitBelief("port(\"sim:right\",off)")
+            val isOpened = CountDownLatch(1)
+            FussyProvider.refusal = { _, _ -> null.also { isOpened.countDown(); CountDownLatch(1).await() } } // until it is interrupted
+            boards[0].replug()
+            eventually({ "nobody opens fussy:left" }) { time.stepIfDue(); isOpened.count == 0L }
+            boards[1].replug()
+            passUntil("port(\"sim:right\",on)")
+            beliefs() shouldContain "port(\"fussy:left\",off)"
+            FussyProvider.refusal = { _, _ -> null }
+            choose("fussy:left") shouldBe null
+            beliefs() shouldContain "port(\"fussy:left\",on)"
+        }
+    }
+
+    test("a port that cannot be opened with other options stays open as it was, in use or not") {
+        bench("left", "right") { _ ->
+            FussyProvider.refusal = { port, line -> if (line.baud() == 7) PortFaultException(port, "no such rate", null) else null }
+            choose("fussy:left", "[baud(115200)]") shouldBe null
+            choose("sim:left") shouldBe null
+            choose("fussy:left", "[baud(7)]")?.error shouldBe "port_failed"
+            ports.current!!.options.link.baud() shouldBe 115200
+            ports.current!!.link.isOpen shouldBe true
+            ports.all() shouldContainExactly listOf(ports.current)
+            beliefs() shouldBe setOf("port(\"fussy:left\",on)", "port(\"sim:left\",on)")
+            choose("sim:right") shouldBe null
+            val right = ports.current
+            choose("fussy:left", "[baud(7)]")?.error shouldBe "port_failed"
+            ports.current shouldBeSameInstanceAs right
+            ports.all().size shouldBe 2
+            told.filter { it.endsWith("off") }.shouldBeEmpty()
+        }
+    }
+
+    test("a port that is opened with other options keeps all its names") {
+        bench("robot") { (board) ->
+            choose("fussy:robot") shouldBe null
+            choose("sim:robot", "[timeout(77)]") shouldBe null
+            board.unplug()
+            awaitBelief("port(\"fussy:robot\",off)")
+            awaitBelief("port(\"sim:robot\",off)")
+        }
+    }
+
+    test("a hundred disconnections are a hundred times off and on, and leave no thread") {
+        bench("robot") { (board) ->
+            choose("sim:robot", "[baud(1000000)]") shouldBe null
+            repeat(100) {
+                board.unplug()
+                awaitBelief("port(\"sim:robot\",off)")
+                board.replug()
+                passUntil("port(\"sim:robot\",on)")
+            }
+            told.count { it.endsWith(" off") } shouldBe 100
+            told.size shouldBe 201
+            Thread.getAllStackTraces().keys.count { it.name.startsWith("argo-bob-") } shouldBeLessThan 5
+        }
+    }
+
+    test("the rate that a port usually has need not be said to be the same") {
+        bench("robot") { _ ->
+            choose("sim:robot") shouldBe null
+            val port = ports.current
+            choose("sim:robot", "[baud(9600)]") shouldBe null
+            ports.current shouldBeSameInstanceAs port
+        }
+    }
+})
