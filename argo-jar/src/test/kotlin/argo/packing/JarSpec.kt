@@ -1,0 +1,66 @@
+package argo.packing
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
+import java.nio.file.Path
+import java.util.jar.JarFile
+import kotlin.io.path.exists
+import org.objectweb.asm.ClassReader
+import org.objectweb.asm.ClassWriter
+import org.objectweb.asm.Opcodes
+import org.objectweb.asm.commons.ClassRemapper
+import org.objectweb.asm.commons.Remapper
+
+/** What is in argo.jar. */
+class JarSpec : FunSpec({
+    val file = Path.of(System.getProperty("argo.jar"))
+    val jar = Source.read(file)
+    val own = jar.classes.filter { it.startsWith("argo/") && !it.startsWith("argo/shaded/") || it.startsWith("javino/") || it.startsWith("jason/") }
+
+    test("it holds the architecture, the filters, the links and the tools") {
+        listOf("argo/Arch", "argo/port", "argo/filters/PerceptionFilter", "javino/Link", "argo/tools/MainKt").forEach { own shouldContain it }
+        JarFile(file.toFile()).use { it.manifest.mainAttributes.getValue("Main-Class") } shouldBe "argo.tools.MainKt"
+    }
+
+    test("no library is in it under its own name, but Kotlin's and the serial driver") {
+        jar.classes.filterNot { name -> OWN_NAMES.any { name.startsWith(it) } }.shouldBeEmpty()
+    }
+
+    test("whatever ARGO's classes name is in it, in Java or in Jason") {
+        val there = jar.classes.toSet()
+        own.flatMap { names(jar.entries.getValue("$it.class")) }.toSet()
+            .filterNot { it in there || it.startsWith("jason/") || isOfJava(it) }.shouldBeEmpty()
+    }
+
+    test("each provider that a service file of ARGO names is in it") {
+        val services = jar.entries.filterKeys { it.startsWith("META-INF/services/argo.") || it.startsWith("META-INF/services/javino.") }
+        services.flatMap { (_, bytes) -> providers(bytes) }.filterNot { it.replace('.', '/') in own }.shouldBeEmpty()
+    }
+
+    val gradles = Path.of("build/libs/argo.jar")
+    val mavens = Path.of("target/argo.jar")
+    val bothBuilt = if (gradles.exists() && mavens.exists()) Enabled.enabled else Enabled.disabled("one of the builds has packed no jar here")
+    test("the jar that Gradle packs holds the same files and services as Maven's").config(enabledOrReasonIf = { bothBuilt }) {
+        val (one, other) = listOf(gradles, mavens).map { Source.read(it).entries }
+        (one.keys - other.keys to other.keys - one.keys) shouldBe (emptySet<String>() to emptySet<String>())
+        one.services() shouldBe other.services()
+    }
+})
+
+private fun Map<String, ByteArray>.services(): Map<String, List<String>> =
+    filterKeys { it.startsWith("META-INF/services/") }.mapValues { (_, bytes) -> providers(bytes) }
+
+private fun isOfJava(name: String): Boolean = ClassLoader.getPlatformClassLoader().getResource("$name.class") != null
+
+/** The classes that a class file names. */
+private fun names(bytes: ByteArray): Set<String> {
+    val names = mutableSetOf<String>()
+    val collector = object : Remapper(Opcodes.ASM9) {
+        override fun map(name: String): String = name.also { names += it }
+    }
+    ClassReader(bytes).accept(ClassRemapper(ClassWriter(0), collector), 0)
+    return names
+}
