@@ -33,9 +33,9 @@ class CarefulSpec : FunSpec({
     test("it fails while its cable is out, and goes on when that is back") {
         val robot = autoClose(agent("careful.asl") { board.version2() })
         robot.perceives("dist(front,90)")
-        robot.board.unplug()
+        robot.board.disconnects()
         robot.isToGo().shouldPrint("not driving: port_gone").shouldBelieve("port(ttyACM0,off)")
-        robot.board.plugIn()
+        robot.board.reconnects()
         robot.shouldBelieve("port(ttyACM0,on)", within = 3.seconds).perceives("dist(front,80)").isToGo().shouldSend("drive")
     }
 })

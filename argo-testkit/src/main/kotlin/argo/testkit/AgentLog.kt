@@ -7,13 +7,13 @@ import java.util.logging.LogRecord
 import java.util.logging.Logger
 import java.util.logging.SimpleFormatter
 
-/** What is logged while [time] is driven, and with it what its agents print. */
+/** Records what is logged in [time], which includes what its agents print. */
 internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseable {
     /**
-     * One thing that was logged.
+     * One record.
      *
-     * @property logger its name, which ends in that of the agent that it is about
-     * @property isPrinted whether a plan has said so, with `.print` or `.log`
+     * @property logger its name, which ends in the name of the agent that it is about
+     * @property isPrinted whether a plan has printed it, with `.print` or `.log`
      */
     class Entry(val atNanos: Long, val level: Level, val logger: String, val text: String, val isPrinted: Boolean) {
         fun isOf(agent: String) = logger.endsWith(".$agent")
@@ -29,7 +29,7 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
         root.addHandler(this)
     }
 
-    /** All that was logged, in its order. */
+    /** All records, in their order. */
     val entries: List<Entry> get() = all
 
     /** What [agent] printed. */
@@ -41,7 +41,7 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
         all += Entry(time.nanos(), record.level, record.loggerName.orEmpty(), text, isPrinted(record))
     }
 
-    /** An agent prints by the logger by which Jason complains about it. */
+    /** An agent prints with the logger that Jason uses for its own messages about that agent. */
     private fun isPrinted(record: LogRecord): Boolean {
         val jason = TransitionSystem::class.java
         return record.loggerName.orEmpty().startsWith("${jason.name}.") && record.sourceClassName?.startsWith("${jason.packageName}.") != true

@@ -6,25 +6,28 @@ import jason.asSemantics.Agent
 import jason.environment.Environment
 import jason.mas2j.ClassParameters
 
-/** What an agent under test is like, and what it finds when it starts: the receiver of [argo.testkit.agent]'s last argument. */
+/** The configuration of an agent under test and of its boards: the receiver of [argo.testkit.agent]'s last argument. */
 @TestSetUp
 class AgentSetUp internal constructor(time: VirtualTime, name: String) {
-    /** What it is called. */
+    /** Its name. */
     var name: String = name
 
     /** The class of the agent: `agentClass` in a `.mas2j`. */
     var agentClass: Class<out Agent> = Agent::class.java
 
-    /** Makes its architecture, for an architecture of the project's own: a subclass of [Arch] that passes the platform on. */
-    var arch: (Platform) -> Arch = ::Arch
+    /**
+     * Creates its architecture: [Arch], or a subclass of the project's own that passes the platform on. Null: an agent of plain Jason, which
+     * has no board.
+     */
+    var arch: ((Platform) -> Arch)? = ::Arch
 
     /**
-     * The Jason environment that it is in, for actions that are not internal and for percepts that are not a board's; null: none. Its actions take no time.
-     * Several agents of a test may be in one. What it does on threads of its own goes by the machine's time.
+     * The Jason environment that it is in, for actions that are not internal and for percepts that are not a board's; null: none. Its actions
+     * take no time. Several agents of a test may share one. Its own threads, if any, run in real time.
      */
     var environment: Environment? = null
 
-    internal val bench = Bench(time)
+    internal val platform = TestPlatform(time)
     internal var beliefBase: ClassParameters? = null
     internal val options = LinkedHashMap<String, String>()
     internal val sourcePaths = ArrayList<String>()
@@ -40,8 +43,8 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     }
 
     /** The board on the first port that the agent opens, if no other is named with [board]. */
-    val board: Board get() = bench.first()
+    val board: Board get() = platform.first()
 
     /** The board on [port]. */
-    fun board(port: String): Board = bench.at(port)
+    fun board(port: String): Board = platform.at(port)
 }

@@ -15,19 +15,23 @@ import javino.sim.Recording
 import javino.sim.ReplayBoard
 import java.nio.file.Path
 import kotlin.time.Duration
+import kotlin.time.Duration.Companion.nanoseconds
 
 /**
- * The board on a port of an agent under test. It answers each request for percepts with what the test last said that its sensors show,
- * and takes everything else as a command. It speaks version 1 of the protocol unless [version2] is called.
+ * The board on a port of an agent under test. It answers each request for percepts with the values that its sensors [show][shows], and
+ * takes every other message as a command. It speaks version 1 of the protocol unless [version2] is called.
  *
- * Its line carries bytes at the rate that the agent opens the port with, in the test's time.
+ * Its line carries bytes at the baud rate that the agent opens the port with, in virtual time. Each function is a sentence whose subject is
+ * the board, and takes effect at once; the agent reacts to it when time advances.
  */
 class Board internal constructor(private val time: VirtualTime) {
     private val fake = FakeBoard.unplugged("board", time)
+    private var isConnected = true
     private var refusal: ((String) -> PortException)? = null
     private var line: MemoryLine? = null
     private val threads = ArrayList<Thread>()
-    private var shown: List<String> = emptyList()
+    private var sensors: (Duration) -> List<String> = { emptyList() }
+    private var isSilent = false
 
     /** How many requests for percepts it has answered since [shows] was called last. */
     internal var answers = 0
@@ -43,23 +47,35 @@ class Board internal constructor(private val time: VirtualTime) {
         fake.whenAsked(PerceptsRequest::isIn).answer(::percepts)
     }
 
-    /** Its sensors show [percepts] from now on, `dist(front,30)` say, each as its text; none: it answers with an empty message. */
+    /** Its sensors show [percepts] from now on, `dist(front,30)` for example, each as text; without percepts it answers with an empty message. */
     fun shows(vararg percepts: String): Board = apply {
         messageOf(percepts.toList())
-        shown = percepts.toList()
-        answers = 0
+        shows { percepts.toList() }
     }
 
-    /** It says [percepts] of its own accord, now, as a board does whose port is opened with `mode(listen)`. */
+    /**
+     * Its sensors show from now on what [sensors] returns, which is called for each request, by the board's thread, with the time since the
+     * test began: a robot that drives at 10 cm/s towards a wall, `shows { listOf("dist(front,${90 - it.inWholeMilliseconds / 100})") }`.
+     */
+    fun shows(sensors: (Duration) -> List<String>): Board = apply {
+        this.sensors = sensors
+        answers = 0
+        isSilent = false
+    }
+
+    /** It answers no request for percepts from now on, until [shows] is called, though it takes commands. The agent believes `port(P,timeout)`. */
+    fun ignoresRequests(): Board = apply { isSilent = true }
+
+    /** It sends [percepts] unasked, now, as a board does whose port is opened with `mode(listen)`. */
     fun says(vararg percepts: String): Board = apply { fake.send(messageOf(percepts.toList())) }
 
     /** It puts [bytes] on the line as they are, now: noise, half a message. A character is a byte. */
     fun disturbs(bytes: String): Board = apply { fake.noise(*bytesOf(bytes)) }
 
     /**
-     * From the next opening of its port on it says what a board said in [recording], at the times of the recording, and takes any command. What
-     * else was said of this board does not count then, but for its port.
-     * @throws IllegalArgumentException if the board says nothing in the recording
+     * From the next opening of its port on it sends what a board sent in [recording], at the times of the recording, and takes any command. Its
+     * other settings have no effect then, except for those of its port.
+     * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: Recording): Board = apply {
         program = ReplayBoard.of(recording, time).tellingCommandsTo { replayed += it }
@@ -68,60 +84,66 @@ class Board internal constructor(private val time: VirtualTime) {
     /** [replays] the recording in [file], as `monitor --record` of ARGO's tools writes it. */
     fun replays(file: Path): Board = replays(Recording.read(file))
 
-    /** It speaks version 2 of the protocol with those who do; to be called before the port is opened. */
+    /** It speaks version 2 of the protocol with agents that do; to be called before the port is opened. */
     fun version2(): Board = apply {
         isVersion2 = true
         fake.version2()
     }
 
-    /** It refuses [command], which an agent learns if it speaks version 2 with it: the plan fails with `error(act_refused)`. */
+    /** It refuses [command]; in version 2 the agent's plan fails with `error(act_refused)`. */
     fun refuses(command: String): Board = apply { fake.whenAsked(command).refuse() }
 
     /** It refuses every command that [kind] is true for. */
     fun refuses(kind: (String) -> Boolean): Board = apply { fake.whenAsked(kind).refuse() }
 
-    /** It takes [command] again, at once. */
+    /** It carries out [command] again, without delay. */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
 
-    /** It takes [duration] for [command], and does nothing else meanwhile. */
+    /** It needs [duration] to carry out [command], and does nothing else meanwhile. */
     fun takes(duration: Duration, command: String): Board = apply { fake.whenAsked(command).after(millis(duration)) }
 
-    /** It takes [duration] to start when its port is opened, and loses what comes meanwhile. */
+    /** It needs [duration] to boot when its port is opened, and loses what arrives meanwhile. */
     fun boots(duration: Duration): Board = apply { fake.bootTakes(millis(duration)) }
 
     /** It hangs: it neither answers nor acts, until [recovers] is called. The agent believes `port(P,timeout)`. */
     fun hangs(): Board = apply { fake.stall() }
 
-    /** It goes on where it [hung][hangs]. */
+    /** It continues where it [hung][hangs]. */
     fun recovers(): Board = apply { fake.resume() }
 
     /**
-     * Its cable is pulled; the port is not there until [plugIn] is called. The agent believes `port(P,off)`. A board that hangs does not any more when
-     * it has power again.
+     * Its cable is pulled: opening the port fails with `error(no_such_port)` until [reconnects] is called. An agent that has the port open
+     * believes `port(P,off)`. The board loses power: one that [hung][hangs] does not any more afterwards.
      */
-    fun unplug(): Board = apply {
-        isMissing()
+    fun disconnects(): Board = apply {
+        isConnected = false
         line?.unplug()
         recovers()
     }
 
-    /** The port is there and can be opened. */
-    fun plugIn(): Board = apply { refusal = null }
+    /** Its cable is plugged in again. */
+    fun reconnects(): Board = apply { isConnected = true }
 
-    /** The port is not there: opening it fails with `error(no_such_port)`. */
-    fun isMissing(): Board = apply { refusal = { NoSuchPortException(it, "there is no port $it") } }
+    /** Its port is held by [owner], an agent or a program: opening it fails with `error(port_busy)`, until [admits] is called. */
+    fun belongsTo(owner: String): Board = apply { refusal = { PortBusyException(it, owner) } }
 
-    /** The port belongs to [owner], an agent or a program: opening it fails with `error(port_busy)`. */
-    fun isHeldBy(owner: String): Board = apply { refusal = { PortBusyException(it, owner) } }
+    /** The agent has no permission to open its port: that fails with `error(port_permission)`, until [admits] is called. */
+    fun deniesAccess(): Board = apply { refusal = { PortPermissionException(it, "this user may not open port $it") } }
 
-    /** The agent may not open the port: it fails with `error(port_permission)`. */
-    fun isForbidden(): Board = apply { refusal = { PortPermissionException(it, "this user may not open port $it") } }
+    /** Its port is free, and the agent has permission to open it. */
+    fun admits(): Board = apply { refusal = null }
+
+    /** Whether the agent has its port open. */
+    val isOpen: Boolean get() = line?.let { !it.isGone } ?: false
+
+    /** The messages that have arrived, requests for percepts and commands, in their order. */
+    val received: List<String> get() = fake.received() + replayed
 
     /** The commands that have arrived, in their order. */
-    val commands: List<String> get() = fake.received().filterNot(PerceptsRequest::isIn) + replayed
+    val commands: List<String> get() = received.filterNot(PerceptsRequest::isIn)
 
     /** The requests for percepts that have arrived, in their order: `getPercepts`, or with functors from an agent that speaks version 2. */
-    val requests: List<String> get() = fake.received().filter(PerceptsRequest::isIn)
+    val requests: List<String> get() = received.filter(PerceptsRequest::isIn)
 
     /** Its [commands], and whether an expectation has taken each. */
     internal val accounted: List<Pair<String, Boolean>> get() = commands.mapIndexed { i, command -> command to (i in taken) }
@@ -135,10 +157,11 @@ class Board internal constructor(private val time: VirtualTime) {
         return taken.add(index)
     }
 
-    /** Whether there is something on its port. */
-    internal val isPresent: Boolean get() = refusal?.invoke("") !is NoSuchPortException
+    /** Whether its port exists. */
+    internal val isPresent: Boolean get() = isConnected
 
     internal fun open(port: String, settings: LineSettings): Transport {
+        if (!isConnected) throw NoSuchPortException(port, "there is no port $port")
         refusal?.let { throw it(port) }
         val line = MemoryLine.paced(port, settings, time).also { this.line = it }
         threads.removeAll { !it.isAlive }
@@ -159,18 +182,19 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun end() {
         recovers()
         line?.unplug()
-        threads.forEach(Thread::interrupt) // whatever else it still does
+        threads.forEach(Thread::interrupt) // a replay or a slow command may be under way
     }
 
-    private fun percepts(request: String): String {
+    private fun percepts(request: String): String? {
+        if (isSilent) return null
         answers++
         val functors = PerceptsRequest.functorsIn(request)
-        return messageOf(shown.filter { functors.isEmpty() || functorOf(it) in functors })
+        return messageOf(sensors(time.nanos().nanoseconds).filter { functors.isEmpty() || functorOf(it) in functors })
     }
 
     private fun messageOf(percepts: List<String>) = percepts.joinToString("") { "$it;" }.also {
         require(isVersion2 || it.length <= Frame.MAX_PAYLOAD) {
-            "a board of version 1 says ${Frame.MAX_PAYLOAD} bytes at once, not ${it.length}; let it say less, or call version2() first"
+            "a message of version 1 has at most ${Frame.MAX_PAYLOAD} bytes, not ${it.length}; show less, or call version2() first"
         }
         bytesOf(it)
     }

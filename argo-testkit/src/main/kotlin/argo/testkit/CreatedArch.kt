@@ -4,13 +4,13 @@ import argo.Arch
 import argo.platform.Platform
 
 /**
- * How the architecture of an agent that another one creates is made.
+ * Returns the factory of the architecture of an agent that another one creates.
  *
  * @param classes what stands in `agentArchClass(…)`; none: that of [father]
  * @throws IllegalArgumentException if it cannot run in a test
  */
-internal fun archOf(classes: List<String>, father: TestAgent?): (Platform) -> Arch = when {
-    classes.isEmpty() -> father?.setUp?.arch ?: ::Arch
+internal fun archOf(classes: List<String>, father: TestAgent?): ((Platform) -> Arch)? = when {
+    classes.isEmpty() -> if (father == null) ::Arch else father.setUp.arch
     classes == listOf(Arch::class.java.name) -> ::Arch
     else -> archOf(classes.singleOrNull() ?: throw IllegalArgumentException("an agent under test has one architecture, not ${classes.joinToString()}"))
 }

@@ -5,7 +5,7 @@ import jason.environment.EnvironmentInfraTier
 import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 
-/** What the environment of agents under test knows of them. */
+/** The infrastructure of the environment of agents under test. */
 internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier {
     override fun informAgsEnvironmentChanged(vararg agents: String) =
         mas.running().filter { agents.isEmpty() || it.name in agents }.forEach { it.infra.wake() }

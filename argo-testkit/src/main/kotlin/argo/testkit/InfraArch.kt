@@ -10,9 +10,9 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 
 /**
- * What the infrastructure is for an agent under test: its name, its mail, its environment, and what wakes it.
+ * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking.
  *
- * @param mas the agents that it speaks with
+ * @param mas the agents that it exchanges messages with
  * @param environment null: it has none
  */
 internal class InfraArch(private val name: String, private val mas: TestMas, private val environment: Environment?) : AgArch() {

@@ -9,8 +9,7 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * What Jason does later, in `.wait` and `.at` for instance, in the time of the agent that asks for it: virtual for agents under test, the
- * machine's for all others.
+ * Jason's scheduler, which `.wait` and `.at` use: in virtual time for agents under test, in real time for all others.
  */
 internal class JasonTime private constructor(private val machine: ScheduledExecutorService) : ScheduledExecutorService by machine {
     override fun schedule(command: Runnable, delay: Long, unit: TimeUnit): ScheduledFuture<*> =

@@ -3,7 +3,7 @@ package argo.testkit
 import java.nio.file.Path
 import kotlin.io.path.nameWithoutExtension
 
-/** Which agents there are, and what they find when they start: the receiver of [mas]'s argument. */
+/** The agents of a test and their configuration: the receiver of [mas]'s argument. */
 @TestSetUp
 class MasSetUp internal constructor(private val mas: TestMas) {
     /** The agent in the file [source], as [argo.testkit.agent] finds it. */
@@ -16,7 +16,7 @@ class MasSetUp internal constructor(private val mas: TestMas) {
         make(existing(file), setUp)
     }
 
-    /** An agent with [program]; it is called [name]. */
+    /** An agent with [program] and [name]. */
     fun agentOf(name: String, program: String, setUp: AgentSetUp.() -> Unit = {}) {
         written(program) { mas.make(it, "$name.asl", AgentSetUp(mas.time, name).apply(setUp)) }
     }
@@ -26,6 +26,6 @@ class MasSetUp internal constructor(private val mas: TestMas) {
     }
 }
 
-/** What is said of one agent is not said within another. */
+/** The configuration of one agent cannot be written within that of another. */
 @DslMarker
 annotation class TestSetUp

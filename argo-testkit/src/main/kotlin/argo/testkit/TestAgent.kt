@@ -10,13 +10,14 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * An agent under test, in a time that goes on only when the test lets it: by [after], and by what waits for something to come. Then the
- * agent reasons until it sleeps, and at once it is as much later as the shortest wait of the agent, its boards and their lines takes.
+ * An agent under test, in virtual time. Virtual time advances only inside [after], [perceives] and the functions that begin with `should`,
+ * once every thread is waiting: the agent reasons until it sleeps, then time jumps to the end of the shortest wait of the agent, its boards
+ * and their lines.
  *
- * What `should` happen is waited for, a second unless told otherwise, and what should not must not come in that time. An expectation that
- * fails throws an [AssertionError] that tells what was sent, believed, intended and logged.
+ * An expectation waits up to one second of virtual time, or the time given, for what should happen; what should not happen must not happen in
+ * that time. One that fails throws an [AssertionError] with the commands, beliefs, intentions, messages and the log.
  *
- * It belongs to one thread at a time.
+ * May be used by one thread at a time.
  */
 class TestAgent internal constructor(
     /** The agents that run in its test, itself among them: those that were started with it, and those that they have created. */
@@ -26,75 +27,75 @@ class TestAgent internal constructor(
     internal val setUp: AgentSetUp,
 ) : AutoCloseable {
     private val time get() = mas.time
-    internal val bench = setUp.bench
-    private val witness = PerceptionWitness()
+    internal val platform = setUp.platform
+    private val counter = PerceptionCounter()
     internal val infra = InfraArch(setUp.name, mas, setUp.environment)
     internal val ts: TransitionSystem
 
     init {
         setUp.environment?.environmentInfraTier = EnvironmentTier(mas)
-        ts = create(file, called, setUp, infra, witness)
+        ts = create(file, called, setUp, infra, counter)
         wakeEachSecond()
     }
 
-    private val mind = Mind(ts)
+    private val inspector = AgentInspector(ts)
     private var cycles = 0
     private var cyclesAt = -1L
 
     /** Where the programs of agents that it creates are looked for first. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
 
-    /** What it is called. */
+    /** Its name. */
     val name: String get() = setUp.name
 
-    /** Whether it has neither been stopped, as by `.stopMAS` or `.kill_agent`, nor closed. */
+    /** Whether it has been neither stopped, as by `.stopMAS` or `.kill_agent`, nor closed. */
     val isRunning: Boolean get() = infra.isRunning
 
     /** The board on its first port. */
-    val board: Board get() = bench.first()
+    val board: Board get() = platform.first()
 
     /** The board on [port], named as the agent names it. */
-    fun board(port: String): Board = bench.at(port)
+    fun board(port: String): Board = platform.at(port)
 
-    /** How long it has been running. */
+    /** The virtual time since the test began. */
     val now: Duration get() = time.nanos().nanoseconds
 
     /** The commands that have arrived at its boards, of each board in their order. */
-    val sent: List<String> get() = bench.all().flatMap { it.commands }
+    val sent: List<String> get() = platform.all().flatMap { it.commands }
 
-    /** What it believes, without annotations and rules, in alphabetical order. */
-    val beliefs: List<String> get() = mind.beliefs
+    /** Its beliefs, without annotations and rules, in alphabetical order. */
+    val beliefs: List<String> get() = inspector.beliefs
 
-    /** What it intends: `!patrol at .wait(500)`, where several goals led to it the latest first. */
-    val intentions: List<String> get() = mind.intentions
+    /** Its intentions: `!patrol at .wait(500)`; of an intention with several goals the latest first. */
+    val intentions: List<String> get() = inspector.intentions
 
-    /** What it has printed, with `.print` and the like. */
-    val printed: List<String> get() = mas.journal.printedBy(name)
+    /** The lines that it has printed, with `.print` and the like. */
+    val printed: List<String> get() = mas.log.printedBy(name)
 
-    /** What was logged so far, each line with its level; not what is about other agents of the test. */
+    /** The log so far, each record with its level; without the records about other agents of the test. */
     val log: List<String> get() = entries.map { "$it" }
 
     internal val entries: List<AgentLog.Entry> get() = mas.entriesOf(name)
 
-    /** What it has said to other agents: `tell(bob,ready)`. */
+    /** The messages that it has sent to other agents: `tell(bob,ready)`. */
     val said: List<String> get() = infra.said.map(::described)
 
-    /** Lets [duration] pass. */
+    /** Advances time by [duration]. */
     fun after(duration: Duration): TestAgent = apply { mas.pass(duration) { false } }
 
     /**
-     * The sensors of its first [board] show [percepts] from now on; then lets time pass until the agent has perceived that, at most a
-     * second, as when it does not look at its sensors.
+     * The sensors of its first [board] show [percepts] from now on; then time advances until the agent has perceived them, at most by a
+     * second, as when it does not perceive.
      */
     fun perceives(vararg percepts: String): TestAgent = apply {
         val board = mas.open { board.shows(*percepts) }
         val end = now + PATIENCE
         mas.pass(PATIENCE) { board.answers >= ANSWERS_UNTIL_KNOWN }
-        val before = witness.perceptions
-        mas.pass((end - now).coerceAtLeast(Duration.ZERO)) { witness.perceptions > before }
+        val before = counter.perceptions
+        mas.pass((end - now).coerceAtLeast(Duration.ZERO)) { counter.perceptions > before }
     }
 
-    /** Agent [sender] says [content] to it: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
+    /** Agent [sender] sends it [content]: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
     fun hears(sender: String, performative: String, content: String): TestAgent = apply {
         require(performative in Message.knownPerformatives) {
             "$performative is not a performative; there are ${Message.knownPerformatives.joinToString()}"
@@ -106,46 +107,46 @@ class TestAgent internal constructor(
         }
     }
 
-    /** [command] arrives at one of its boards within that time. Each command that arrives fulfils one expectation. */
+    /** Expects [command] at one of its boards. Each command that arrives fulfils one expectation. */
     fun shouldSend(command: String, within: Duration = PATIENCE): TestAgent =
-        expect(within, "sends $command") { bench.all().any { it.take(command) } }
+        expect(within, "sends $command") { platform.all().any { it.take(command) } }
 
-    /** [command] has not arrived at any of its boards, but for those that [shouldSend] has taken, and does not in that time. */
+    /** Expects that [command] neither has arrived at any of its boards, except for those that [shouldSend] has taken, nor does. */
     fun shouldNotSend(command: String, during: Duration = PATIENCE): TestAgent =
-        refuse(during, "sends $command") { bench.all().any { command in it.unexpected } }
+        refuse(during, "sends $command") { platform.all().any { command in it.unexpected } }
 
-    /** No command has arrived at its boards, but for those that [shouldSend] has taken, and none does in that time. */
+    /** Expects that no command has arrived at its boards, except for those that [shouldSend] has taken, and that none does. */
     fun shouldSendNothingElse(during: Duration = PATIENCE): TestAgent =
-        refuse(during, "sends anything else") { bench.all().any { it.unexpected.isNotEmpty() } }
+        refuse(during, "sends anything else") { platform.all().any { it.unexpected.isNotEmpty() } }
 
-    /** It believes [formula] at some time within that: a belief such as `dist(front,_)`, or a condition as in the context of a plan. */
+    /** Expects that it believes [formula] at some time: a belief such as `dist(front,_)`, or a condition as in the context of a plan. */
     fun shouldBelieve(formula: String, within: Duration = PATIENCE): TestAgent =
-        formula(formula).let { expect(within, "believes $formula") { mind.believes(it) } }
+        formula(formula).let { expect(within, "believes $formula") { inspector.believes(it) } }
 
-    /** It does not believe [formula] at any time in that. */
+    /** Expects that it does not believe [formula] at any time. */
     fun shouldNotBelieve(formula: String, during: Duration = PATIENCE): TestAgent =
-        formula(formula).let { refuse(during, "believes $formula") { mind.believes(it) } }
+        formula(formula).let { refuse(during, "believes $formula") { inspector.believes(it) } }
 
-    /** It has the goal [goal] among its intentions at some time within that: `patrol`, `goto(3,_)`. */
+    /** Expects [goal] among its intentions at some time: `patrol`, `goto(3,_)`. */
     fun shouldIntend(goal: String, within: Duration = PATIENCE): TestAgent =
-        goal(goal).let { expect(within, "intends $goal") { mind.intends(it) } }
+        goal(goal).let { expect(within, "intends $goal") { inspector.intends(it) } }
 
-    /** It does not have [goal] among its intentions at any time in that. */
+    /** Expects that [goal] is not among its intentions at any time. */
     fun shouldNotIntend(goal: String, during: Duration = PATIENCE): TestAgent =
-        goal(goal).let { refuse(during, "intends $goal") { mind.intends(it) } }
+        goal(goal).let { refuse(during, "intends $goal") { inspector.intends(it) } }
 
-    /** It has printed a line with [text] in it, or does within that time. */
+    /** Expects that it has printed a line that contains [text], or does. */
     fun shouldPrint(text: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "prints $text") { printed.any { text in it } }
 
-    /** It has said that to another agent, or does within that time: `shouldSay("tell(bob,ready)")`; to all: `tell(everybody,ready)`. */
+    /** Expects that it has sent [message] to another agent, or does: `shouldSay("tell(bob,ready)")`; to all: `tell(everybody,ready)`. */
     fun shouldSay(message: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "says $message") { infra.said.any { described(it) == message.filterNot(Char::isWhitespace) } }
 
-    /** It is stopped within that time, as by `.stopMAS` or `.kill_agent`. */
+    /** Expects that it is stopped, as by `.stopMAS` or `.kill_agent`. */
     fun shouldStop(within: Duration = PATIENCE): TestAgent = expect(within, "stops") { !isRunning }
 
-    /** It is stopped, as by `.kill_agent`; its boards stay, and nobody uses them. */
+    /** It is stopped, as by `.kill_agent`; its boards remain, with their ports closed. */
     fun stops(): TestAgent = apply {
         mas.open {
             mas.stop(listOf(this), 0)
@@ -161,7 +162,7 @@ class TestAgent internal constructor(
         if (mas.pass(during, holds)) throw AssertionError("expected that agent $name never $what in $during\n${report()}")
     }
 
-    /** One reasoning cycle. An agent that never sleeps would stop the time. */
+    /** Runs one reasoning cycle. With an agent that never sleeps time would not advance. */
     internal fun step(): Boolean {
         if (!cycle()) return false
         if (cyclesAt != time.nanos()) cycles = 0
@@ -180,7 +181,7 @@ class TestAgent internal constructor(
         throw AssertionError("agent $name calls itself without end, in a rule or an internal action; what it called last is in the cause\n${report()}", endless)
     }
 
-    /** An agent is woken once a second at least. */
+    /** Jason wakes an agent at least once a second. */
     private fun wakeEachSecond() {
         infra.wake()
         if (isRunning) time.later(nanos(1.seconds), ::wakeEachSecond)
@@ -192,7 +193,7 @@ class TestAgent internal constructor(
         setUp.environment?.takeIf { mas.running().none { other -> other.setUp.environment === it } }?.stop()
     }
 
-    internal fun takeBoardsAway() = bench.all().forEach(Board::end)
+    internal fun takeBoardsAway() = platform.all().forEach(Board::end)
 
     /**
      * Stops it and all other agents of its test, and takes their boards away.
@@ -208,10 +209,10 @@ class TestAgent internal constructor(
     }
 }
 
-/** How long the test waits for something, unless told otherwise. */
+/** How long an expectation waits by default. */
 internal val PATIENCE = 1.seconds
 
-/** @throws IllegalArgumentException if a test cannot last so long */
+/** @throws IllegalArgumentException if it is negative or longer than a test can be */
 internal fun nanos(duration: Duration): Long {
     require(!duration.isNegative()) { "time does not go back: $duration" }
     require(duration <= LONGEST) { "a test lasts $LONGEST at most, not $duration" }

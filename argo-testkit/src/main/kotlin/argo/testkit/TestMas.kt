@@ -9,13 +9,13 @@ import java.nio.file.Path
 import kotlin.time.Duration
 
 /**
- * Agents under test that speak with each other, in one time: see [mas]. Each has ports of its own, as on a computer of its own.
+ * Agents under test that exchange messages, in one virtual time: see [mas]. Each has ports of its own, as on a computer of its own.
  *
- * It belongs to one thread at a time.
+ * May be used by one thread at a time.
  */
 class TestMas internal constructor() : AutoCloseable {
     internal val time = VirtualTime().also { it.mas = this }
-    internal val journal = AgentLog(time)
+    internal val log = AgentLog(time)
     private val agents = LinkedHashMap<String, TestAgent>() // of several that had a name in turn, the last
     private val made = ArrayList<TestAgent>()
     private var closed = false
@@ -24,7 +24,7 @@ class TestMas internal constructor() : AutoCloseable {
     val names: List<String> get() = agents.values.filter { it.isRunning }.map { it.name }
 
     /**
-     * The agent that is called [name], whether or not it runs still.
+     * The agent called [name], also one that has been stopped.
      * @throws IllegalArgumentException if there is none
      */
     operator fun get(name: String): TestAgent =
@@ -33,12 +33,12 @@ class TestMas internal constructor() : AutoCloseable {
     /** The agent that was made first. */
     internal val first: TestAgent get() = made.first()
 
-    /** Lets [duration] pass. */
+    /** Advances time by [duration]. */
     fun after(duration: Duration): TestMas = apply { pass(duration) { false } }
 
     /**
-     * Lets time pass until [reached], at most [duration], and returns whether it was.
-     * @throws IllegalStateException if it is closed
+     * Advances time until [reached] is true, at most by [duration], and returns whether it is.
+     * @throws IllegalStateException if the test agents are closed
      */
     internal fun pass(duration: Duration, reached: () -> Boolean): Boolean = open { time.advanceUntil(nanos(duration), reached) }
 
@@ -68,7 +68,7 @@ class TestMas internal constructor() : AutoCloseable {
      * Makes an agent that runs from the next instant on.
      *
      * @param file its program; null: none
-     * @param called what messages call the program
+     * @param called the program's name in messages
      */
     internal fun make(file: Path?, called: String, wanted: AgentSetUp): TestAgent {
         require(wanted.name !in names) { "there is an agent ${wanted.name} already; \"name = …\" in its braces gives the other one another" }
@@ -108,7 +108,7 @@ class TestMas internal constructor() : AutoCloseable {
         Trigger(TEOperator.add, TEType.belief, ASSyntax.createLiteral("jag_shutting_down", ASSyntax.createNumber(deadlineMs.toDouble())))
 
     /** What was logged about the agent [name], and about no agent. */
-    internal fun entriesOf(name: String): List<AgentLog.Entry> = journal.entries.filter { it.isOf(name) || agents.keys.none(it::isOf) }
+    internal fun entriesOf(name: String): List<AgentLog.Entry> = log.entries.filter { it.isOf(name) || agents.keys.none(it::isOf) }
 
     private fun step(): Boolean {
         TestServices.install() // a multi-agent system that starts meanwhile puts its own in its place
@@ -137,7 +137,7 @@ class TestMas internal constructor() : AutoCloseable {
                 check(left.isEmpty()) { "agents ${agents.keys.joinToString()} have left threads behind: ${left.joinToString()}" }
             }
         } finally {
-            journal.close()
+            log.close()
         }
     }
 

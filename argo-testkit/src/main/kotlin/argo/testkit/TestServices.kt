@@ -12,8 +12,8 @@ import java.lang.reflect.Proxy
 import java.rmi.RemoteException
 
 /**
- * What Jason's internal actions ask of the infrastructure, `.create_agent` and `.stopMAS` for instance: of the [TestMas] whose agent asks, or of
- * the multi-agent system that really runs beside the tests. Versions of Jason name some of these services differently, so they are told by their names.
+ * The runtime services that Jason's internal actions call, `.create_agent` and `.stopMAS` for instance: of the [TestMas] whose agent calls, or
+ * of a real multi-agent system that runs beside the tests. Versions of Jason name some services differently, hence the dispatch by name.
  */
 internal class TestServices private constructor(private val real: RuntimeServices?) : InvocationHandler {
     override fun invoke(proxy: Any, method: Method, arguments: Array<out Any?>?): Any? {

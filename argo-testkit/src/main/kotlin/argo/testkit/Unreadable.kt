@@ -5,7 +5,7 @@ import jason.asSyntax.parser.TokenMgrError
 import java.nio.file.Path
 import kotlin.io.path.readLines
 
-/** Does [work] with the program in [file], which messages call [called]; if Jason cannot read it, says where. */
+/** Does [work] with the program in [file], whose name in messages is [called]; reports where Jason cannot read it. */
 internal fun <T> reading(file: Path?, called: String, work: () -> T): T = try {
     work()
 } catch (unreadable: ParseException) {

@@ -8,23 +8,23 @@ import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
 /**
- * A time that goes on only when everything that goes by it waits, and then at once to the end of the shortest wait. One thread of those
- * that it [start]ed runs at a time, always in the same order, so what goes by it gives the same result on any machine.
+ * Virtual time: it advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest wait. One of
+ * these threads runs at a time, always in the same order, so a test gives the same result on any machine.
  *
- * The thread that calls [advance] or [advanceUntil], or waits for a lock or a condition of this time, drives it: the test's. It must be one
- * at a time.
+ * The thread that calls [advance] or [advanceUntil], or waits for a lock or a condition of this time, is its driver: the test's thread. There
+ * must be one driver at a time.
  */
 internal class VirtualTime : LineClock {
-    private val strands = ArrayList<Strand>()
+    private val threads = ArrayList<VirtualThread>()
     private val timers = PriorityQueue<Timer>(compareBy({ it.atNanos }, { it.number }))
     private val returned = Semaphore(0)
     private var nowNanos = 0L
     private var timersSoFar = 0L
 
-    /** Does a part of what else there is to do now, on the driver's thread, and says whether there was anything. */
+    /** Does a part of the agents' work that is due, on the driver's thread; false if there was none. */
     var work: () -> Boolean = { false }
 
-    /** Whose agents go by it; null before there are any. */
+    /** The agents that run in it; null before there are any. */
     var mas: TestMas? = null
 
     override fun nanos(): Long = nowNanos
@@ -35,26 +35,26 @@ internal class VirtualTime : LineClock {
 
     override fun newLock(fair: Boolean): Lock = VirtualLock(this)
 
-    /** Starts a thread of this time; it runs when the driver lets it. */
-    fun start(name: String, run: () -> Unit): Thread = Strand(name, run).also {
-        strands += it
+    /** Starts a thread in this time; it runs when the driver resumes it. */
+    fun start(name: String, run: () -> Unit): Thread = VirtualThread(name, run).also {
+        threads += it
         it.isDaemon = true
         it.start()
     }
 
-    /** Does [action] on the driver's thread in [delayNanos]; it must not wait. Returns what takes it back. */
+    /** Does [action] on the driver's thread in [delayNanos]; it must not wait. Returns a function that cancels it. */
     fun later(delayNanos: Long, action: () -> Unit): () -> Unit {
         val timer = Timer(nowNanos + maxOf(0, delayNanos), timersSoFar++, action)
         timers += timer
         return { timers -= timer }
     }
 
-    /** Lets [nanos] pass. */
+    /** Advances time by [nanos]. */
     fun advance(nanos: Long) = advanceUntil(nanos) { false }
 
     /**
-     * Lets time pass until [reached], at most [nanos], and returns whether it was. What there is to do at the end's instant is done.
-     * @throws InterruptedException if the driver is interrupted: its test is to end
+     * Advances time until [reached] is true, at most by [nanos], and returns whether it is. Work that is due at the last instant is done.
+     * @throws InterruptedException if the driver is interrupted, as by a test's time limit
      */
     fun advanceUntil(nanos: Long, reached: () -> Boolean): Boolean = driving {
         val end = nowNanos + nanos
@@ -62,14 +62,14 @@ internal class VirtualTime : LineClock {
             if (Thread.interrupted()) throw InterruptedException("the test was interrupted")
             val rests = settle()
             if (reached()) return@driving true
-            if (nowNanos > end) return@driving false // who waits within what it does here has taken the time with it
+            if (nowNanos > end) return@driving false // an agent that waited inside its cycle has advanced time
             if (rests) nowNanos = nextInstant()?.takeIf { it <= end } ?: break
         }
         nowNanos = maxOf(nowNanos, end)
         false
     }
 
-    /** Lets everything run until all that is left waits for a later time, or time has gone on meanwhile: false. */
+    /** Runs all threads until each waits for a later time; false if time has advanced meanwhile. */
     fun settle(): Boolean = driving {
         val instant = nowNanos
         var ran = true
@@ -78,25 +78,25 @@ internal class VirtualTime : LineClock {
     }
 
     /** The names of the threads that have not ended. */
-    fun living(): List<String> = strands.filter { !it.over }.map { it.name }
+    fun living(): List<String> = threads.filter { !it.over }.map { it.name }
 
     /** Interrupts all threads. */
-    fun interruptAll() = strands.forEach { it.interrupt() }
+    fun interruptAll() = threads.forEach { it.interrupt() }
 
-    /** Who runs now: a thread of this time, or null for the driver. */
-    val running: Any? get() = Thread.currentThread().let { if (it is Strand && it.time === this) it else null }
+    /** The thread of this time that runs now; null: the driver. */
+    val running: Any? get() = Thread.currentThread().let { if (it is VirtualThread && it.time === this) it else null }
 
     /**
-     * Waits until [ready], or until the time is [deadlineNanos] (null: never). Called by who runs.
-     * @throws InterruptedException if it may be and was
+     * Waits until [ready] is true, or until the time is [deadlineNanos] (null: without limit). Called by the thread that runs.
+     * @throws InterruptedException if it is [interruptible] and was interrupted
      */
     fun block(deadlineNanos: Long?, interruptible: Boolean, ready: () -> Boolean) {
-        val strand = running as Strand?
-        if (strand != null) return strand.block(deadlineNanos, interruptible, ready)
+        val thread = running as VirtualThread?
+        if (thread != null) return thread.block(deadlineNanos, interruptible, ready)
         driving {
             while (!ready() && (deadlineNanos == null || nowNanos < deadlineNanos)) if (!runReady()) {
                 val next = listOfNotNull(nextInstant(), deadlineNanos).minOrNull()
-                    ?: error("the test waits for something that never comes: ${strands.filter { !it.over }.joinToString { it.name }}")
+                    ?: error("the test waits for something that never comes: ${threads.filter { !it.over }.joinToString { it.name }}")
                 nowNanos = maxOf(nowNanos, next)
             }
         }
@@ -104,12 +104,12 @@ internal class VirtualTime : LineClock {
 
     /** Runs one thread or timer that is due; false if none is. */
     private fun runReady(): Boolean {
-        strands.removeAll { it.over }
-        val strand = strands.firstOrNull { it.canRun() }
-        if (strand != null) {
-            strands -= strand // the others first, before it runs again
-            strands += strand
-            resume(strand)
+        threads.removeAll { it.over }
+        val thread = threads.firstOrNull { it.canRun() }
+        if (thread != null) {
+            threads -= thread // the others first, before it runs again
+            threads += thread
+            resume(thread)
             return true
         }
         if ((timers.peek() ?: return false).atNanos > nowNanos) return false
@@ -117,16 +117,16 @@ internal class VirtualTime : LineClock {
         return true
     }
 
-    private fun resume(strand: Strand) {
-        strand.go.release()
+    private fun resume(thread: VirtualThread) {
+        thread.go.release()
         if (!returns()) {
-            val where = strand.stackTrace.joinToString("\n") { "\tat $it" }
-            error("thread ${strand.name} waits for something that is not part of the test's time:\n$where")
+            val where = thread.stackTrace.joinToString("\n") { "\tat $it" }
+            error("thread ${thread.name} waits for something that is not part of the test's time:\n$where")
         }
-        strand.failure?.let { throw IllegalStateException("thread ${strand.name} ended with $it", it) }
+        thread.failure?.let { throw IllegalStateException("thread ${thread.name} ended with $it", it) }
     }
 
-    /** Whether who runs waits or ends in good time. It is waited for even if the driver is interrupted: nobody runs beside the driver. */
+    /** Whether the resumed thread waits or ends within [STUCK_S]. The driver waits even if it is interrupted: no thread runs beside it. */
     private fun returns(): Boolean {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(STUCK_S)
         var wasInterrupted = false
@@ -143,11 +143,11 @@ internal class VirtualTime : LineClock {
         }
     }
 
-    /** When something is due next, now at the earliest; null: never. */
+    /** When the next thread or timer is due, now at the earliest; null: never. */
     private fun nextInstant(): Long? =
-        (strands.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos)).minOrNull()?.let { maxOf(it, nowNanos) }
+        (threads.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos)).minOrNull()?.let { maxOf(it, nowNanos) }
 
-    /** Does [work] as a part of this time: what it starts and logs belongs to it. */
+    /** Does [work] in this time: threads that it starts and records that it logs belong to it. */
     fun <T> driving(work: () -> T): T {
         val before = ACTIVE.get()
         ACTIVE.set(this)
@@ -161,10 +161,10 @@ internal class VirtualTime : LineClock {
     private class Timer(val atNanos: Long, val number: Long, val action: () -> Unit)
 
     /**
-     * A thread that runs only when it is let go, and lets the driver go on when it waits or ends. Who interrupts it while it waits for the
-     * driver must not disturb that: it learns of it when it runs again, by its thread's own flag.
+     * A thread that runs only when the driver resumes it, and resumes the driver when it waits or ends. An interrupt while it waits for the
+     * driver takes effect when it runs again.
      */
-    private inner class Strand(name: String, private val body: () -> Unit) : Thread(name) {
+    private inner class VirtualThread(name: String, private val body: () -> Unit) : Thread(name) {
         val time get() = this@VirtualTime
         val go = Semaphore(0)
         var deadlineNanos: Long? = null
@@ -223,9 +223,9 @@ internal class VirtualTime : LineClock {
         private val ACTIVE = ThreadLocal<VirtualTime?>()
 
         /** The time that the calling thread belongs to or drives; null if it does neither. */
-        fun active(): VirtualTime? = (Thread.currentThread() as? Strand)?.time ?: ACTIVE.get()
+        fun active(): VirtualTime? = (Thread.currentThread() as? VirtualThread)?.time ?: ACTIVE.get()
 
-        /** How long a thread may really take for what takes no time, in s. */
+        /** How long a resumed thread may run in real time, in s. */
         private const val STUCK_S = 30L
     }
 }

@@ -91,25 +91,25 @@ class AgentSpec : FunSpec({
             robot.shouldBelieve("port(ttyACM0,timeout)", within = 2.seconds).shouldBelieve("dist(front,90)")
             robot.board.recovers()
             robot.shouldBelieve("port(ttyACM0,on)", within = 2.seconds)
-            robot.board.unplug()
+            robot.board.disconnects()
             robot.shouldBelieve("port(ttyACM0,off)", within = 2.seconds).shouldPrint("port ttyACM0 is off")
         }
     }
 
-    test("a port that is missing, held by another or forbidden fails the plan, and one that is plugged in opens") {
+    test("a port that is missing, held by another or forbidden fails the plan, and opens when that is over") {
         val program = """
             !start.
             +!start <- argo.port(ttyUSB0); argo.act(hello).
             -!start[error(E)] <- .print("no port: ", E); .wait(100); !start.
         """
         val troubles = mapOf<String, Board.() -> Unit>(
-            "no_such_port" to { isMissing() },
-            "port_busy" to { isHeldBy("another program") },
-            "port_permission" to { isForbidden() },
+            "no_such_port" to { disconnects() },
+            "port_busy" to { belongsTo("another program") },
+            "port_permission" to { deniesAccess() },
         )
         for ((error, trouble) in troubles) agentOf(program) { board("ttyUSB0").trouble() }.use { robot ->
             robot.shouldPrint("no port: $error")
-            robot.board.plugIn()
+            robot.board.reconnects().admits()
             robot.shouldSend("hello")
         }
     }

@@ -58,11 +58,11 @@ class CommandsSpec : FunSpec({
     test("commands that wait fail when the cable is pulled, and the port is as it was when it is back") {
         worker("baud(300), protocol(1), boot(0)").use { agent ->
             agent.isTo("do(one)", "do(two)", "do(three)").after(50.milliseconds)
-            agent.board.unplug()
+            agent.board.disconnects()
             agent.shouldBelieve("port(ttyACM0,off)").after(100.milliseconds).printed.sorted() shouldBe
                 listOf("failed(one,port_gone)", "failed(three,port_gone)", "failed(two,port_gone)")
             agent.isTo("do(four)").shouldPrint("failed(four,port_gone)")
-            agent.board.plugIn()
+            agent.board.reconnects()
             agent.shouldBelieve("port(ttyACM0,on)", within = 3.seconds).isTo("do(five)").after(300.milliseconds).sent.shouldBeEmpty() // still at 300 baud
             agent.after(300.milliseconds).sent shouldBe listOf("five")
         }

@@ -65,8 +65,8 @@ class PerceptsSpec : FunSpec({
     test("a board that hung starts anew when it is plugged in again") {
         watcher("argo.limit(50)").use { agent ->
             agent.perceives("light(3)").board.hangs()
-            agent.shouldBelieve("port(ttyACM0,timeout)", within = 2.seconds).board.unplug()
-            agent.shouldBelieve("port(ttyACM0,off)", within = 2.seconds).board.plugIn()
+            agent.shouldBelieve("port(ttyACM0,timeout)", within = 2.seconds).board.disconnects()
+            agent.shouldBelieve("port(ttyACM0,off)", within = 2.seconds).board.reconnects()
             agent.shouldBelieve("port(ttyACM0,on)", within = 5.seconds).perceives("light(4)").shouldBelieve("light(4)").shouldNotBelieve("stale(_)")
         }
     }

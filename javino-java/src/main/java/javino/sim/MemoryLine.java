@@ -104,7 +104,8 @@ public final class MemoryLine {
         }
     }
 
-    boolean isGone() {
+    /** Whether an end is closed or the line is unplugged. */
+    public boolean isGone() {
         lock.lock();
         try {
             return end != null;

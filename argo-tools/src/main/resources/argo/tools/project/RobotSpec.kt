@@ -20,9 +20,9 @@ class RobotSpec : FunSpec({
     test("it looks for its board again when the cable was out") {
         agent("robot.asl").use { robot ->
             robot.perceives("dist(front,90)")
-            robot.board.unplug()
+            robot.board.disconnects()
             robot.shouldPrint("there is no board")
-            robot.board.plugIn()
+            robot.board.reconnects()
             robot.perceives("dist(front,30)").shouldSend("ledOn", within = 5.seconds) // of the test's own time
         }
     }

@@ -3,8 +3,8 @@ package argo.testkit
 import jason.architecture.AgArch
 import jason.asSyntax.Literal
 
-/** Counts how often the agent has perceived something new; it stands in front of all its other architectures. */
-internal class PerceptionWitness : AgArch() {
+/** Counts how often the agent has perceived something new; it is the first of its architectures. */
+internal class PerceptionCounter : AgArch() {
     var perceptions = 0
         private set
 

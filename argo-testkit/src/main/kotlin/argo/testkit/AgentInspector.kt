@@ -16,10 +16,10 @@ import jason.runtime.SourcePath
 import jason.util.Config
 import java.nio.file.Path
 
-/** What an agent under test believes and intends. */
-internal class Mind(private val ts: TransitionSystem) {
+/** Reads the beliefs and intentions of an agent under test. */
+internal class AgentInspector(private val ts: TransitionSystem) {
     /** Its beliefs without their annotations and without rules, in alphabetical order. */
-    val beliefs: List<String> get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == JASONS }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
+    val beliefs: List<String> get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == KQML }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
 
     /** Its intentions, each with the goals that led to it, the latest first, and what it is about to do; in alphabetical order. */
     val intentions: List<String> get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).filter(String::isNotEmpty).sorted()
@@ -34,8 +34,8 @@ internal class Mind(private val ts: TransitionSystem) {
     }
 }
 
-/** The namespace of what Jason adds to every agent. */
-private const val JASONS = "kqml"
+/** The namespace of the plans and rules that Jason adds to every agent. */
+private const val KQML = "kqml"
 
 /** @throws IllegalArgumentException if [text] is not a condition as in a plan's context */
 internal fun formula(text: String): LogicalFormula = parsed(text, "a belief or a formula such as dist(front,X) & X < 40") {
@@ -59,11 +59,11 @@ internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try
  * Creates the agent in [file] behind [infra], as an infrastructure does. Jason's source path is one for the program.
  *
  * @param file null: it has no program
- * @param called what messages call the program
+ * @param called the program's name in messages
  * @throws IllegalArgumentException if Jason cannot read it
  */
 @Synchronized
-internal fun create(file: Path?, called: String, setUp: AgentSetUp, infra: InfraArch, witness: PerceptionWitness): TransitionSystem {
+internal fun create(file: Path?, called: String, setUp: AgentSetUp, infra: InfraArch, counter: PerceptionCounter): TransitionSystem {
     Config.get()[Config.START_WEB_MI] = "false"
     val paths = SourcePath().apply { (listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths).forEach(::addPath) }
     (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)
@@ -71,12 +71,12 @@ internal fun create(file: Path?, called: String, setUp: AgentSetUp, infra: Infra
     reading(file, called) { Agent.create(infra, setUp.agentClass.name, setUp.beliefBase, file?.toString(), settings) }
     val ts = infra.ts
     infra.insertAgArch(infra)
-    setUp.arch(setUp.bench).let {
+    setUp.arch?.invoke(setUp.platform)?.let {
         it.ts = ts
         infra.insertAgArch(it)
         it.init()
     }
-    infra.insertAgArch(witness)
+    infra.insertAgArch(counter)
     ts.setLogger(infra)
     ts.ag.setLogger(infra)
     return ts

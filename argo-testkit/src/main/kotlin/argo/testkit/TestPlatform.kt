@@ -6,8 +6,8 @@ import javino.LinkSettings
 import javino.NoSuchPortException
 import java.util.concurrent.TimeUnit
 
-/** What an agent under test runs on: [time], and the boards that a test has put on its ports. A port without one gets its own when it is opened. */
-internal class Bench(private val time: VirtualTime) : Platform {
+/** The platform of an agent under test: [time] and simulated boards. A port that the test has not named gets a board when it is opened. */
+internal class TestPlatform(private val time: VirtualTime) : Platform {
     private val boards = LinkedHashMap<String, Board>()
     private var unnamed: Board? = null
 
@@ -26,7 +26,7 @@ internal class Bench(private val time: VirtualTime) : Platform {
 
     override fun isPresent(port: String) = at(port).isPresent
 
-    /** The board on [port]; the first port that is asked for has the one that [first] has given out. */
+    /** The board on [port]; the first port that is named gets the board that [first] has returned. */
     fun at(port: String): Board = boards.getOrPut(port) { unnamed?.also { unnamed = null } ?: Board(time) }
 
     /** The board of the first port there is; of the first that the agent will open, if there is none yet. */
