@@ -6,6 +6,8 @@ import argo.acting.Commands
 import argo.acting.Reflexes
 import argo.calls.Failure
 import argo.filters.PerceptionFilter
+import argo.observing.AgentObserver
+import argo.observing.Observers
 import argo.perception.BeliefReader
 import argo.perception.BoardPercepts
 import argo.perception.EnvironmentPercepts
@@ -30,7 +32,6 @@ import argo.sensing.InCycleSensing
 import argo.sensing.SensingListener
 import argo.sensing.SensingPolicy
 import argo.sensing.StaleBeliefs
-import argo.view.AgentView
 import jason.architecture.AgArch
 import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
@@ -51,7 +52,7 @@ import java.util.logging.Logger
  *
  * and its agents use the internal actions `argo.port`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.change_filter`, `argo.age` and
  * `argo.explain`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`, which is when snapshots of the sensors are handed
- * over; `argo_percepts=4096`, how many percepts are believed at once; `argo_view=8080`, the port of a live view.
+ * over; `argo_percepts=4096`, how many percepts are believed at once; and those of observers, such as `argo_view=8080` of the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
  * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.
@@ -70,7 +71,6 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private lateinit var inCycle: InCycleSensing
     private val commands = CommandLedger()
     private val actedThrough = AtomicReference<OpenPort?>()
-    private var observer: AgentObserver = Unobserved
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
     internal lateinit var policy: SensingPolicy
@@ -93,10 +93,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private lateinit var reflexes: Reflexes
     private var criticalNews: List<Literal> = emptyList()
 
-    /** The agent's live view, if it has one: `argo_view=8080` among its options. There from [init] on. */
     @Volatile
-    var view: AgentView? = null
-        private set
+    private var observing = Observers(emptyList(), Logger.getLogger(Arch::class.java.name), platform.clock::nanos)
+
+    /** The agent's observers, such as its live view. There from [init] on. Any thread may ask. */
+    val observers: List<AgentObserver> get() = observing.observers
 
     override fun init() {
         super.init()
@@ -111,8 +112,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         handOver = if (policy == SensingPolicy.FRESH) FreshHandOver(commands, PerceptEvents(::eventsStand, platform.nowMs) { ts.c.events }) else EveryHandOver { log.warning(it) }
         states = PortStates(::portChanged)
         ports = Ports(agName, states, Listener(), paced = policy != SensingPolicy.IN_CYCLE, platform, ::settle) { log.warning(it) }
-        // a view that cannot be had is reported, and the agent does without
-        view = options.view?.let { AgentView.open(it, ViewedArch(this, states, board, waker, platform), log) }?.also { observer = it.observer }
+        observing = Observers(options.observers.open(ObservedArch(this, states, stale, board, waker, platform)), log, platform.clock::nanos)
     }
 
     /** An atomic plan holds back all events; with `events=requeue` those that no plan applies to come back for ever. */
@@ -123,7 +123,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         board.switchTo(filter)
         reflexes.forget()
         environment.switchTo(filter)
-        observer.filterChanged(filter)
+        observing.filterChanged(filter)
     }
 
     /** Why the active filter does with [percept] what it does. */
@@ -175,11 +175,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) = transmit(port, command, CommandOptions(urgent = true), outcome)
 
     private fun transmit(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
-        val observed = observer.commandIssued(port.link.port(), text)
-        val told = { failure: Failure? ->
-            observed(failure)
-            outcome(failure)
-        }
+        val told = observing.commandIssued(port.link.port(), text, outcome)
         if (policy == SensingPolicy.IN_CYCLE) told(port.commands.write(text, options)) else port.commands.submit(text, options, told)
     }
 
@@ -216,11 +212,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         waker.perceives()
         val environmentNews = environment.update(super.perceive())
         if (policy == SensingPolicy.IN_CYCLE) ports.current?.takeIf { isPerceiving && it.link.isOpen }?.let { inCycle.sense(it, intervalMs) }
-        if (isPerceiving) board.due()?.also(observer::filtered)?.let(handOver::put)
+        if (isPerceiving) board.due()?.also(observing::messageFiltered)?.let(handOver::put)
         val snapshot = handOver.take()?.takeIf { isPerceiving && it.port === ports.current }?.let(::current)
         if (snapshot != null) {
             sensed = snapshot.percepts
-            observer.handedOver(snapshot)
+            observing.messagePerceived(snapshot)
         }
         criticalNews = snapshot?.critical.orEmpty().map { it.percept }
         val staleNews = stale.update()
@@ -247,13 +243,13 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.canSleep() && !handOver.isReady() && !states.hasNews() && !environment.isWaiting() && !stale.hasNews() && !(isPerceiving && board.dueInMs() == 0L)
 
     override fun reasoningCycleFinished() {
-        observer.cycleFinished()
+        observing.cycleFinished()
         super.reasoningCycleFinished()
     }
 
     /** Gives up all ports and threads. Never waits for the line. */
     override fun stop() {
-        view?.close()
+        observing.close()
         if (::ports.isInitialized) ports.stop()
         if (!eachIsStopped) super.stop()
     }
@@ -263,7 +259,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {
         val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
-        observer.portChanged(port, status, reason)
+        observing.portChanged("$port", status.word, reason)
         log.log(level, "port $port is ${status.word}" + reason?.let { ": $it" }.orEmpty())
         waker.wake { !states.hasNews() }
     }
@@ -274,7 +270,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         override fun received(port: OpenPort, message: String, receivedNanos: Long) {
             if (port !== ports.current || !isPerceiving) return
             stale.renew()
-            val snapshot = board.snapshot(port, message, receivedNanos).also(observer::filtered)
+            val snapshot = board.snapshot(port, message, receivedNanos).also(observing::messageFiltered)
             startReflexes(snapshot)
             handOver.put(snapshot)
             ports.report(port, PortStatus.ON)

@@ -1,5 +1,6 @@
 package argo
 
+import argo.observing.ObserverOptions
 import argo.perception.PerceptLimit
 import argo.ports.whole
 import argo.sensing.SensingPolicy
@@ -18,14 +19,19 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
     /** How many percepts of a board are believed at once. */
     val mostPercepts: Int = mostPercepts()
 
-    /** What is written for the port of the live view; null: there is to be none. */
-    val view: String? = settings.getUserParameter(VIEW)
+    /** The observers that are asked for, such as a live view. */
+    val observers = ObserverOptions(observerOptions(), log)
 
     init {
-        settings.userParameters.keys.filter { it.startsWith("argo_") && it !in KNOWN }.forEach {
-            log.warning("$it is not an option of argo.Arch, which has $SENSING=${SensingPolicy.words}, ${PerceptLimit.OPTION}=N and $VIEW=a port number")
+        val known = listOf("$SENSING=${SensingPolicy.words}", "${PerceptLimit.OPTION}=N") + observers.usages
+        observers.unread.forEach {
+            val missing = MODULES[it]?.let { module -> "; what reads it is in the module $module (argo.jar has it), which is not on the class path" }
+            log.warning("$it is not an option of argo.Arch, which has ${known.joinToString()}" + missing.orEmpty())
         }
     }
+
+    private fun observerOptions(): Map<String, String> =
+        settings.userParameters.keys.filter { it.startsWith("argo_") && it !in OWN }.associateWith(settings::getUserParameter)
 
     private fun sensingPolicy(): SensingPolicy {
         val word = settings.getUserParameter(SENSING) ?: return SensingPolicy.FRESH
@@ -45,7 +51,9 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
 
     private companion object {
         const val SENSING = "argo_sensing"
-        const val VIEW = "argo_view"
-        val KNOWN = setOf(SENSING, VIEW, PerceptLimit.OPTION)
+        val OWN = setOf(SENSING, PerceptLimit.OPTION)
+
+        /** Modules of this project that add an option, for the message when one is missing. */
+        val MODULES = mapOf("argo_view" to "argo-view")
     }
 }

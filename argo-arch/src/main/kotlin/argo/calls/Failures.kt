@@ -1,5 +1,6 @@
 package argo.calls
 
+import argo.observing.CommandFailure
 import jason.JasonException
 import jason.asSyntax.ASSyntax
 import javino.ActionRefusedException
@@ -17,7 +18,7 @@ import javino.PortTimeoutException
  * @property error the atom in the annotation `error(…)` of the failed plan, for other plans to match
  * @property cause what was found and what to do, for a person
  */
-internal data class Failure(val error: String, val cause: String) {
+internal data class Failure(override val error: String, override val cause: String) : CommandFailure {
     /** The exception that fails the plan which called [call], such as `argo.act(ledOn)`. */
     fun of(call: String): JasonException = JasonException("$call: $cause", ASSyntax.createAtom(error))
 }

@@ -73,9 +73,11 @@ internal class BoardPercepts(
 
     private fun read(port: OpenPort?, texts: List<String>, kept: List<String>, receivedNanos: Long): Snapshot {
         val critical = session.critical.flatMap { found -> reader.read(found.percept).map { CriticalPercept(found.rule, it) } }
-        val percepts = limit.limited(kept.flatMap(reader::read), critical.map { it.percept })
+        val unreadable = HashSet<String>()
+        val believable = kept.flatMap { text -> reader.read(text).also { if (it.isEmpty()) unreadable += text } }
+        val percepts = limit.limited(believable, critical.map { it.percept })
         sightings.seen(if (session.seen == kept) percepts else session.seen.flatMap(reader::read), percepts, receivedNanos)
-        return Snapshot(port, texts, kept, filterVersion, percepts, receivedNanos, critical)
+        return Snapshot(port, texts, kept, filterVersion, percepts, receivedNanos, critical, unreadable)
     }
 
     private fun explainTo(log: Logger, texts: List<String>) {

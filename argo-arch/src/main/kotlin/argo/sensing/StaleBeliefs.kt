@@ -32,6 +32,9 @@ internal class StaleBeliefs(nowMs: () -> Long, private val listened: () -> OpenP
         return (now != believed).also { believed = now }
     }
 
+    /** Whether the agent believes it of [port]. */
+    fun isStale(port: Term): Boolean = port in believed
+
     /** Whether [update] would be news. */
     fun hasNews(): Boolean = silent() != believed
 

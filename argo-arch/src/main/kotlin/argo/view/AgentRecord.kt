@@ -1,11 +1,10 @@
 package argo.view
 
-import argo.AgentObserver
-import argo.calls.Failure
-import argo.ports.PortStatus
-import argo.perception.Snapshot
 import argo.filters.PerceptionFilter
-import jason.asSyntax.Term
+import argo.observing.AgentObserver
+import argo.observing.CommandFailure
+import argo.observing.IssuedCommand
+import argo.observing.PerceivedMessage
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicLong
 
@@ -47,22 +46,20 @@ internal class AgentRecord(private val beliefs: BeliefWatch, private val nanos: 
     /** How [port] came into the state it is in; null: not known. */
     fun changeOf(port: String): PortChange? = portChanges[port]
 
-    override fun filtered(snapshot: Snapshot) = changing { frames.add(snapshot) }
+    override fun messageFiltered(message: PerceivedMessage) = changing { frames.add(message) }
 
-    override fun handedOver(snapshot: Snapshot) = changing {
+    override fun messagePerceived(message: PerceivedMessage) = changing {
         handOvers.incrementAndGet()
         val now = nanos()
-        lastHandOver = HandedOver(now, now - snapshot.receivedNanos)
+        lastHandOver = HandedOver(now, now - message.receivedNanos)
     }
 
-    override fun commandIssued(port: String, text: String): (Failure?) -> Unit {
-        val done = commands.issue(port, text)
-        changes.incrementAndGet()
-        return { changing { done(it) } }
-    }
+    override fun commandIssued(command: IssuedCommand) = changing { commands.issued(command) }
 
-    override fun portChanged(port: Term, status: PortStatus, reason: String?) = changing {
-        if (portChanges.size < MOST_PORTS) portChanges["$port"] = PortChange(status.word, reason?.let(::shown), nanos())
+    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = changing { commands.ended(command, failure) }
+
+    override fun portChanged(port: String, status: String, reason: String?) = changing {
+        if (portChanges.size < MOST_PORTS) portChanges[port] = PortChange(status, reason?.let(::shown), nanos())
     }
 
     override fun filterChanged(filter: PerceptionFilter?) = changing { this.filter = filter }
@@ -71,6 +68,9 @@ internal class AgentRecord(private val beliefs: BeliefWatch, private val nanos: 
         cycles.incrementAndGet()
         beliefs.cycleFinished()
     }
+
+    /** There is nothing to give back. */
+    override fun close() = Unit
 
     private inline fun changing(event: () -> Unit) {
         event()

@@ -1,6 +1,8 @@
 package argo.view
 
-import argo.AgentObserver
+import argo.observing.AgentObserver
+import argo.observing.AgentObserverProvider
+import argo.observing.ObservedAgent
 import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.net.BindException
@@ -11,14 +13,18 @@ import java.util.logging.Logger
 
 /**
  * The live view of one agent: a page that browsers on this computer can open while the agent runs. An agent has one whose options
- * say `argo_view=8080`, or `argo_view=0` for any port that is free; [argo.Arch.view] is it.
+ * say `argo_view=8080`, or `argo_view=0` for any port that is free; it is among [argo.Arch.observers].
  *
  * Neither the agent nor its sensing ever waits for it. Safe for use by several threads.
  */
-class AgentView private constructor(private val agent: ViewedAgent, port: Int, log: Logger) {
+class AgentView private constructor(
+    private val agent: ObservedAgent,
+    port: Int,
+    log: Logger,
+    private val beliefs: BeliefWatch,
+    private val record: AgentRecord,
+) : AgentObserver by record {
     private val nanos: () -> Long = agent::nanos
-    private val beliefs = BeliefWatch(agent::beliefs, log, nanos)
-    private val record = AgentRecord(beliefs, nanos)
     private val browsers = Browsers(MOST_BROWSERS, nanos)
     private val states = Newest<ViewServer.Sent>()
     private val server = ViewServer(agent.name, port, ViewCommands(agent), browsers, states, nanos)
@@ -31,9 +37,6 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
 
     /** Where it is, such as `http://127.0.0.1:8080/`. */
     val address: URI get() = server.address
-
-    /** Is told what happens to the agent. */
-    internal val observer: AgentObserver get() = record
 
     /**
      * Shows a picture above all else: [picture] is asked for it by the view's thread, ten times a second at most and only while a browser
@@ -55,7 +58,7 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
     fun awaitEnd(limitMs: Long) = publisher.join(limitMs)
 
     /** Shows the browsers the agent's end and gives the port and all threads back. Returns at once; may be called twice. */
-    internal fun close() = closing.countDown()
+    override fun close() = closing.countDown()
 
     private fun publish() {
         try {
@@ -104,14 +107,14 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
         /**
          * Opens the view that the option [text] asks for, and logs where it is; null if it cannot be had, which is logged as well.
          */
-        fun open(text: String, agent: ViewedAgent, log: Logger): AgentView? {
+        fun open(text: String, agent: ObservedAgent, log: Logger): AgentView? {
             val port = text.trim().toIntOrNull()?.takeIf { it in 0..MOST_PORT }
             if (port == null) {
                 log.severe("argo_view=$text: a view has the number of a port from 0 to $MOST_PORT, 0 being any that is free, as in argo_view=8080; the agent runs without a view")
                 return null
             }
             return try {
-                AgentView(agent, port, log).also { log.info("the live view of ${agent.name} is at ${it.address}") }
+                opened(agent, port, log).also { log.info("the live view of ${agent.name} is at ${it.address}") }
             } catch (taken: BindException) {
                 log.severe("argo_view=$port: port $port cannot be had, it is in use or not allowed (${taken.message}); choose another, or 0 for any that is free. The agent runs without a view")
                 null
@@ -124,6 +127,19 @@ class AgentView private constructor(private val agent: ViewedAgent, port: Int, l
             }
         }
 
+        private fun opened(agent: ObservedAgent, port: Int, log: Logger): AgentView {
+            val beliefs = BeliefWatch(agent::beliefs, log, agent::nanos)
+            return AgentView(agent, port, log, beliefs, AgentRecord(beliefs, agent::nanos))
+        }
+
         private const val MOST_PORT = 65535
     }
+}
+
+/** Opens the live views of agents whose options have `argo_view`. */
+class AgentViewProvider : AgentObserverProvider {
+    override val option = "argo_view"
+    override val usage = "a port number"
+
+    override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? = AgentView.open(value, agent, log)
 }

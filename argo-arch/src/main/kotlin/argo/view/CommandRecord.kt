@@ -1,6 +1,7 @@
 package argo.view
 
-import argo.calls.Failure
+import argo.observing.CommandFailure
+import argo.observing.IssuedCommand
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -12,52 +13,45 @@ import kotlin.concurrent.withLock
  */
 internal class CommandRecord(private val nanos: () -> Long) {
     private val lock = ReentrantLock()
-    private val unfinished = LinkedHashMap<Long, Entry>()
-    private val finished = ArrayDeque<Entry>()
+    private val unfinished = LinkedHashMap<Long, IssuedCommand>()
+    private val finished = ArrayDeque<Ended>()
     private var issued = 0L
     private var done = 0L
 
     /** How many have gone out or failed. */
     val count: Long get() = lock.withLock { done }
 
-    /** Notes that [text] is to be sent to the board on [port]; the result takes how that ended. */
-    fun issue(port: String, text: String): (Failure?) -> Unit = lock.withLock {
-        val entry = Entry(++issued, port, shown(text), nanos())
-        if (unfinished.size < MOST_UNFINISHED) unfinished[entry.number] = entry
-        return { finish(entry, it) }
+    /** Notes that [command] waits to be sent. */
+    fun issued(command: IssuedCommand) = lock.withLock {
+        issued++
+        if (unfinished.size < MAX_UNFINISHED) unfinished[command.number] = command
     }
 
-    private fun finish(entry: Entry, failure: Failure?) = lock.withLock {
+    /** Notes how [command] has ended. */
+    fun ended(command: IssuedCommand, failure: CommandFailure?) = lock.withLock {
         done++
-        unfinished -= entry.number
-        if (finished.size == MOST_FINISHED) finished.removeLast()
-        finished.addFirst(entry.copy(doneNanos = nanos(), failure = failure))
+        unfinished -= command.number
+        if (finished.size == MAX_FINISHED) finished.removeLast()
+        finished.addFirst(Ended(command, nanos(), failure))
     }
 
     /** All that is known at [now]. The oldest of each port is taken to be on the line, since all but urgent commands go out in their order. */
     fun state(now: Long): CommandsState = lock.withLock {
         val ports = HashSet<String>()
         val waiting = unfinished.values.map { it.state(now, if (ports.add(it.port)) "line" else "waiting") }
-        CommandsState((issued - done).toInt(), waiting, finished.map { it.state(now, if (it.failure == null) "done" else "failed") })
+        CommandsState((issued - done).toInt(), waiting, finished.map { it.command.state(now, if (it.failure == null) "done" else "failed", it) })
     }
 
-    private data class Entry(
-        val number: Long,
-        val port: String,
-        val text: String,
-        val issuedNanos: Long,
-        val doneNanos: Long? = null,
-        val failure: Failure? = null,
-    ) {
-        fun state(now: Long, word: String) = CommandState(
-            number, port, text, word, ms(now - issuedNanos), doneNanos?.let { ms(it - issuedNanos) },
-            failure?.let { shown("${it.error}: ${it.cause}") },
-        )
-    }
+    private fun IssuedCommand.state(now: Long, word: String, end: Ended? = null) = CommandState(
+        number, port, shown(text), word, ms(now - issuedNanos), end?.let { ms(it.nanos - issuedNanos) },
+        end?.failure?.let { shown("${it.error}: ${it.cause}") },
+    )
+
+    private class Ended(val command: IssuedCommand, val nanos: Long, val failure: CommandFailure?)
 
     private companion object {
-        const val MOST_UNFINISHED = 50
-        const val MOST_FINISHED = 30
+        const val MAX_UNFINISHED = 50
+        const val MAX_FINISHED = 30
     }
 }
 

@@ -1,16 +1,14 @@
 package argo.view
 
-import argo.perception.BeliefReader
-import argo.perception.Snapshot
+import argo.observing.PerceivedMessage
 
 /**
  * What each sensor said last. Percepts that differ in numbers only are one sensor's, and a sensor that has said nothing for
  * [FORGOTTEN_NANOS] ns is forgotten. Not safe for use by several threads.
  */
 internal class PerceptRows {
-    private val reader = BeliefReader { } // the agent's own has said it to the log
     private val rows = LinkedHashMap<String, Row>()
-    private var port: Any? = null
+    private var port: String? = null
     private var more = 0
 
     /** When the last byte of the newest message came, by the agent's clock; null: there was none. */
@@ -18,27 +16,28 @@ internal class PerceptRows {
         private set
 
     /** Takes in the next message. */
-    fun add(snapshot: Snapshot) {
-        if (snapshot.port !== port) rows.clear()
-        port = snapshot.port
-        newestNanos = snapshot.receivedNanos
-        val kept = snapshot.kept.toHashSet()
-        val standIns = (kept - snapshot.texts.toSet()).mapTo(HashSet(), ::shape)
+    fun add(message: PerceivedMessage) {
+        if (message.portName != port) rows.clear()
+        port = message.portName
+        newestNanos = message.receivedNanos
+        val kept = message.kept.toHashSet()
+        val standIns = (kept - message.texts.toSet()).mapTo(HashSet(), ::shape)
         val seen = HashMap<String, Int>()
-        for (text in snapshot.texts.take(MOST_ROWS)) {
+        for (text in message.texts.take(MOST_ROWS)) {
             val shape = shape(text)
             val key = "${shown(shape)} ${seen.merge(shape, 1, Int::plus)}"
             val before = rows[key]
             val words = shown(text)
-            val since = if (before?.text == words) before.sinceNanos else snapshot.receivedNanos
-            rows[key] = Row(words, fate(text, kept, shape in standIns), snapshot.receivedNanos, since)
+            val since = if (before?.text == words) before.sinceNanos else message.receivedNanos
+            rows[key] = Row(words, fate(text, message.unreadable, kept, shape in standIns), message.receivedNanos, since)
         }
-        more = maxOf(0, snapshot.texts.size - MOST_ROWS)
+        more = maxOf(0, message.texts.size - MOST_ROWS)
         while (rows.size > MOST_ROWS) rows.remove(rows.minBy { it.value.seenNanos }.key)
     }
 
-    private fun fate(text: String, kept: Set<String>, isStoodFor: Boolean) = when {
-        text in kept -> if (reader.read(text).isEmpty()) "unreadable" else "kept"
+    private fun fate(text: String, unreadable: Set<String>, kept: Set<String>, isStoodFor: Boolean) = when {
+        text in unreadable -> "unreadable"
+        text in kept -> "kept"
         isStoodFor -> "held"
         else -> "dropped"
     }

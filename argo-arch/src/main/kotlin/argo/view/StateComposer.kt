@@ -1,5 +1,7 @@
 package argo.view
 
+import argo.observing.ObservedAgent
+import argo.observing.ObservedPort
 import java.util.logging.Level
 import java.util.logging.Logger
 
@@ -9,7 +11,7 @@ import java.util.logging.Logger
  * @param nanos a clock in ns that never goes back
  */
 internal class StateComposer(
-    private val agent: ViewedAgent,
+    private val agent: ObservedAgent,
     private val record: AgentRecord,
     private val beliefs: BeliefWatch,
     private val log: Logger,
@@ -65,9 +67,9 @@ internal class StateComposer(
         null
     }
 
-    private fun portState(port: ViewedPort, now: Long): PortState {
+    private fun portState(port: ObservedPort, now: Long): PortState {
         val change = record.changeOf(port.name)?.takeIf { it.status == port.status }
-        return PortState(shown(port.name), port.status, port.inUse, change?.reason, change?.let { ms(now - it.nanos) })
+        return PortState(shown(port.name), port.status, port.isInUse, change?.reason, change?.let { ms(now - it.nanos) })
     }
 
     private fun sensors(now: Long): SensorState {

@@ -3,6 +3,7 @@ package argo.view
 import argo.filters.FilterException
 import argo.filters.FilterNotFoundException
 import argo.filters.PerceptionFilter
+import argo.observing.ObservedAgent
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
@@ -16,7 +17,7 @@ import java.util.concurrent.TimeUnit
  * Does for the page what its buttons ask for. Files are looked for and read by the browser's thread, and the agent's does what
  * concerns the agent. Safe for use by several threads.
  */
-internal class ViewCommands(private val agent: ViewedAgent) {
+internal class ViewCommands(private val agent: ObservedAgent) {
     /**
      * Answers a request.
      *

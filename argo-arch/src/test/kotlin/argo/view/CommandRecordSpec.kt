@@ -1,6 +1,7 @@
 package argo.view
 
-import argo.calls.Failure
+import argo.observing.CommandFailure
+import argo.observing.IssuedCommand
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldHaveSize
@@ -9,7 +10,9 @@ import io.kotest.matchers.shouldBe
 
 class CommandRecordSpec : FunSpec({
     var now = 0L
+    var number = 0L
     fun record() = CommandRecord { now }.also { now = 0 }
+    fun CommandRecord.issue(port: String, text: String) = IssuedCommand(++number, port, text, now).also(::issued)
 
     test("the first command of each port is on the line, the others wait") {
         val record = record()
@@ -22,9 +25,9 @@ class CommandRecordSpec : FunSpec({
 
     test("a command that has gone out tells how long it took and how long ago it was given") {
         val record = record()
-        val done = record.issue("left", "a")
+        val command = record.issue("left", "a")
         now = 30_000_000
-        done(null)
+        record.ended(command, null)
         with(record.state(50_000_000).finished.single()) { listOf(state, tookMs, ageMs, error) shouldBe listOf("done", 30L, 50L, null) }
         record.state(now).unfinished.shouldBeEmpty()
         record.count shouldBe 1
@@ -32,18 +35,18 @@ class CommandRecordSpec : FunSpec({
 
     test("a command that failed tells why") {
         val record = record()
-        record.issue("left", "a")(Failure("port_gone", "the cable is out"))
+        record.ended(record.issue("left", "a"), CableOut)
         with(record.state(0).finished.single()) { state to error shouldBe ("failed" to "port_gone: the cable is out") }
     }
 
     test("however many there are, few are kept, and the others are counted") {
         val record = record()
-        val done = (1..10_000).map { record.issue("left", "c$it") }
+        val commands = (1..10_000).map { record.issue("left", "c$it") }
         val state = record.state(0)
         state.waiting shouldBe 10_000
         state.unfinished.size shouldBeLessThan 100
         state.unfinished.first().text shouldBe "c1"
-        done.forEach { it(null) }
+        commands.forEach { record.ended(it, null) }
         with(record.state(0)) {
             waiting shouldBe 0
             unfinished.shouldBeEmpty()
@@ -58,3 +61,8 @@ class CommandRecordSpec : FunSpec({
         record.state(0).unfinished.shouldHaveSize(1).single().text.length shouldBeLessThan 400
     }
 })
+
+private object CableOut : CommandFailure {
+    override val error = "port_gone"
+    override val cause = "the cable is out"
+}

@@ -1,6 +1,6 @@
 package argo.view
 
-import argo.perception.Snapshot
+import argo.observing.PerceivedMessage
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.collections.shouldHaveSize
@@ -11,12 +11,13 @@ import io.kotest.matchers.shouldBe
 private const val MS = 1_000_000L
 
 class PerceptRowsSpec : FunSpec({
-    fun frame(texts: List<String>, kept: List<String> = texts, atMs: Long = 0) = Snapshot(null, texts, kept, 0, emptyList(), atMs * MS)
+    fun frame(texts: List<String>, kept: List<String> = texts, atMs: Long = 0, unreadable: Set<String> = emptySet()): PerceivedMessage =
+        Message(texts, kept, unreadable, atMs * MS)
     fun PerceptRows.texts(nowMs: Long) = state(nowMs * MS).first.map { it.text }
 
     test("each percept is what the filter made of it") {
         val rows = PerceptRows()
-        rows.add(frame(listOf("dist(f,1)", "light(b,2)", "temp(20)", "X"), kept = listOf("dist(f,1)", "temp(19)", "X")))
+        rows.add(frame(listOf("dist(f,1)", "light(b,2)", "temp(20)", "X"), kept = listOf("dist(f,1)", "temp(19)", "X"), unreadable = setOf("X")))
         rows.state(0).first.map { it.text to it.fate } shouldBe
             listOf("dist(f,1)" to "kept", "light(b,2)" to "dropped", "temp(20)" to "held", "X" to "unreadable")
     }
@@ -59,3 +60,12 @@ class PerceptRowsSpec : FunSpec({
         shown.forEach { it.text.length shouldBeLessThan 400 }
     }
 })
+
+private class Message(
+    override val texts: List<String>,
+    override val kept: List<String>,
+    override val unreadable: Set<String>,
+    override val receivedNanos: Long,
+) : PerceivedMessage {
+    override val portName = "sim:robot"
+}

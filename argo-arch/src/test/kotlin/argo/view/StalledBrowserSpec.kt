@@ -2,6 +2,8 @@ package argo.view
 
 import argo.filters.PerceptionFilter
 import argo.jason.eventually
+import argo.observing.ObservedAgent
+import argo.observing.ObservedPort
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import jason.bb.BeliefBase
@@ -48,14 +50,14 @@ class StalledBrowserSpec : FunSpec({
     }
 })
 
-internal object Nobody : ViewedAgent {
+internal object Nobody : ObservedAgent {
     override val name = "bob"
     override val policy = "fresh"
     override val intervalMs = 50
     override val isPerceiving = false
     override val beliefs: BeliefBase = DefaultBeliefBase()
     override fun nanos() = System.nanoTime()
-    override fun ports() = emptyList<ViewedPort>()
+    override fun ports() = emptyList<ObservedPort>()
     override fun filterNames() = emptyList<String>()
     override fun filter(name: String): PerceptionFilter = throw UnsupportedOperationException()
     override fun explain(percept: String) = percept

@@ -12,4 +12,4 @@ internal fun TestMas.viewOf(agent: String): URI {
 }
 
 /** The view of [agent], as a project gets at it. */
-internal fun TestMas.agentView(agent: String): AgentView = checkNotNull(architecture(agent).view)
+internal fun TestMas.agentView(agent: String): AgentView = architecture(agent).observers.filterIsInstance<AgentView>().single()

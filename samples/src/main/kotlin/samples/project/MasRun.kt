@@ -38,7 +38,8 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
 
     /** The live view of [agent], once it is created; null: it has none. */
     fun viewOf(agent: String): AgentView? =
-        generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().firstNotNullOfOrNull { it.view }
+        generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().flatMap { it.observers }
+            .filterIsInstance<AgentView>().firstOrNull()
 
     /** Waits until an agent has ended the system, at most [millis] ms; returns the exit status that it wants, null if none has. */
     fun awaitEnd(millis: Long): Int? = try {

@@ -1,25 +1,27 @@
 package argo
 
 import argo.filters.PerceptionFilter
+import argo.observing.ObservedAgent
+import argo.observing.ObservedPort
 import argo.perception.BoardPercepts
 import argo.perception.filterNames
 import argo.perception.filterOf
 import argo.platform.Platform
 import argo.platform.Waker
 import argo.ports.PortStates
-import argo.view.ViewedAgent
-import argo.view.ViewedPort
+import argo.sensing.StaleBeliefs
 import jason.bb.BeliefBase
 import java.util.concurrent.atomic.AtomicBoolean
 
-/** [arch] as its live view sees it, and has it do things. */
-internal class ViewedArch(
+/** [arch] as its observers see it. */
+internal class ObservedArch(
     private val arch: Arch,
     private val states: PortStates,
+    private val stale: StaleBeliefs,
     private val board: BoardPercepts,
     private val waker: Waker,
     private val platform: Platform,
-) : ViewedAgent {
+) : ObservedAgent {
     override val name: String = arch.agName
     override val policy get() = arch.policy.word
     override val intervalMs get() = arch.intervalMs
@@ -28,9 +30,9 @@ internal class ViewedArch(
 
     override fun nanos() = platform.clock.nanos()
 
-    override fun ports(): List<ViewedPort> {
+    override fun ports(): List<ObservedPort> {
         val inUse = arch.portInUse()?.terms.orEmpty()
-        return states.all().map { (port, status) -> ViewedPort("$port", status.word, port in inUse) }
+        return states.all().map { (port, status) -> ObservedPort("$port", status.word, port in inUse, stale.isStale(port)) }
     }
 
     override fun filterNames() = filterNames(arch.ts.ag)

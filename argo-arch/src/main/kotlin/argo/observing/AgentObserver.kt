@@ -1,0 +1,82 @@
+package argo.observing
+
+import argo.filters.PerceptionFilter
+
+/**
+ * Follows what happens to one agent, as its live view or a recorder does. An [AgentObserverProvider] opens it; an agent may have several.
+ *
+ * Each function is called on the thread of the event: the agent's own, the sensing thread of a port or the thread that sends its commands. So
+ * it must return at once and be safe for use by several threads. An exception is caught, and the first one of an observer is logged: neither the
+ * agent nor its sensing ends by it. All functions but [close] do nothing unless they are overridden.
+ */
+interface AgentObserver : AutoCloseable {
+    /**
+     * [message] has passed through the filter. Called again with the same [PerceivedMessage.receivedNanos] when percepts that the filter had held
+     * back are due.
+     */
+    fun messageFiltered(message: PerceivedMessage) = Unit
+
+    /** The agent perceives [message] in this reasoning cycle. Called by the agent's thread. */
+    fun messagePerceived(message: PerceivedMessage) = Unit
+
+    /** [command] waits to be sent: the agent has called `argo.act`, or a critical rule has a reflex. */
+    fun commandIssued(command: IssuedCommand) = Unit
+
+    /** [command] has been sent, or the board has acted; else [failure] is the reason. Called once for each [commandIssued]. */
+    fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = Unit
+
+    /**
+     * A port has changed its state.
+     *
+     * @param port what the agent calls it
+     * @param status `on`, `off` or `timeout`
+     * @param reason why it is not on, for a person, if that is known
+     */
+    fun portChanged(port: String, status: String, reason: String?) = Unit
+
+    /** The agent perceives through [filter] from now on; null: through none. Called by the agent's thread. */
+    fun filterChanged(filter: PerceptionFilter?) = Unit
+
+    /** A reasoning cycle is over. Called by the agent's thread, and the place to read [ObservedAgent.beliefs]. */
+    fun cycleFinished() = Unit
+
+    /** The agent ends. Gives all resources back without waiting for them; events may still come. May be called twice. */
+    override fun close()
+}
+
+/** A message of a board and what the filter made of it. Does not change. */
+interface PerceivedMessage {
+    /** The port that it came from, by the name that it was opened by. */
+    val portName: String
+
+    /** The percepts as they came off the line. */
+    val texts: List<String>
+
+    /** The percepts that the filter lets through, and those that stand for held-back ones. */
+    val kept: List<String>
+
+    /** Those of [kept] that cannot be believed; the agent's log has the reason. */
+    val unreadable: Set<String>
+
+    /** When its last byte came, in ns of [ObservedAgent.nanos]. */
+    val receivedNanos: Long
+}
+
+/**
+ * A command for a board.
+ *
+ * @property number counts the agent's commands, from 1
+ * @property port the port that it is for, by the name that it was opened by
+ * @property text what is sent
+ * @property issuedNanos when it was issued, in ns of [ObservedAgent.nanos]
+ */
+data class IssuedCommand(val number: Long, val port: String, val text: String, val issuedNanos: Long)
+
+/** Why a command was not carried out, as far as is known. */
+interface CommandFailure {
+    /** The atom in the annotation `error(…)` of the failed plan. */
+    val error: String
+
+    /** What was found and what to do, for a person. */
+    val cause: String
+}

@@ -1,0 +1,25 @@
+package argo.observing
+
+import java.util.logging.Logger
+
+/**
+ * Opens observers of agents that ask for one by an option of their own, such as `agents: robot [argo_view=8080] agentArchClass argo.Arch;`.
+ *
+ * [java.util.ServiceLoader] finds it: a class with a public constructor without arguments, named in `META-INF/services/argo.observing.AgentObserverProvider`.
+ */
+interface AgentObserverProvider {
+    /** The option of the `.mas2j` that asks for an observer. It begins with `argo_`. */
+    val option: String
+
+    /** What the option is set to, in a few words for a person, such as `a port number`. */
+    val usage: String
+
+    /**
+     * Opens the observer of [agent]. Called by the thread that creates the agent, before its first reasoning cycle.
+     *
+     * @param value what the option is set to
+     * @param log the agent's log
+     * @return null if there can be none; then [log] has the reason, and the agent runs without
+     */
+    fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver?
+}

@@ -1,0 +1,60 @@
+package argo.observing
+
+import argo.filters.PerceptionFilter
+import jason.bb.BeliefBase
+
+/** An agent as its observers see it, and what they can ask of it. Any thread may call, but for [beliefs]. */
+interface ObservedAgent {
+    /** Its name in the multi-agent system. */
+    val name: String
+
+    /** When it gets a snapshot of its sensors: `fresh`, `every` or `in_cycle`. */
+    val policy: String
+
+    /** The sensing interval in ms. */
+    val intervalMs: Int
+
+    /** Whether it perceives its board. */
+    val isPerceiving: Boolean
+
+    /** What it believes. For the agent's thread only: see [AgentObserver.cycleFinished]. */
+    val beliefs: BeliefBase
+
+    /** The clock that its messages are timed by, in ns. It never goes back. */
+    fun nanos(): Long
+
+    /** The ports that it has asked for. */
+    fun ports(): List<ObservedPort>
+
+    /**
+     * The names of the filters that it could change to.
+     *
+     * @throws java.util.ServiceConfigurationError if a filter provider cannot be used
+     */
+    fun filterNames(): List<String>
+
+    /** The filter called [name]; throws what [argo.filters.format.FilterFinder.find] throws. */
+    fun filter(name: String): PerceptionFilter
+
+    /** Why the active filter keeps or drops the percept [percept], in words. */
+    fun explain(percept: String): String
+
+    /** Has it perceive through [filter], null being none, before its next cycle; then its thread calls [done]. */
+    fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit)
+
+    /** Has it start or stop perceiving before its next cycle; then its thread calls [done]. */
+    fun perceive(open: Boolean, done: () -> Unit)
+
+    /** Has it run a reasoning cycle soon. */
+    fun wake()
+}
+
+/**
+ * A port that an agent has asked for.
+ *
+ * @property name what the agent calls it
+ * @property status `on`, `off` or `timeout`
+ * @property isInUse whether it is the one for sensing and acting
+ * @property isStale whether the agent believes `stale(P)` of it
+ */
+data class ObservedPort(val name: String, val status: String, val isInUse: Boolean, val isStale: Boolean)

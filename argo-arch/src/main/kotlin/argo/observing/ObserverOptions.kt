@@ -1,0 +1,33 @@
+package argo.observing
+
+import javino.Services
+import java.util.logging.Level
+import java.util.logging.Logger
+
+/**
+ * The observers that an agent's options ask for.
+ *
+ * @param options those beginning with `argo_` that [argo.Arch] does not read itself, and their values
+ */
+internal class ObserverOptions(private val options: Map<String, String>, private val log: Logger) {
+    private val providers: List<AgentObserverProvider> =
+        if (options.isEmpty()) emptyList()
+        else Services.providers(AgentObserverProvider::class.java).distinctBy { it.type() }.mapNotNull { Services.make(it) }
+
+    /** The options that no provider reads. */
+    val unread: Set<String> get() = options.keys - providers.map { it.option }.toSet()
+
+    /** The options that there are providers for, such as `argo_view=a port number`. */
+    val usages: List<String> get() = providers.map { "${it.option}=${it.usage}" }
+
+    /** Opens the observers of [agent]. One that cannot be opened is logged, and the agent runs without. */
+    fun open(agent: ObservedAgent): List<AgentObserver> = providers.mapNotNull { provider ->
+        val value = options[provider.option] ?: return@mapNotNull null
+        try {
+            provider.open(value, agent, log)
+        } catch (broken: Throwable) { // not the agent's own code; also a library that is missing
+            log.log(Level.SEVERE, broken) { "${provider.option}=$value: ${provider.javaClass.name} failed, and the agent runs without" }
+            null
+        }
+    }
+}

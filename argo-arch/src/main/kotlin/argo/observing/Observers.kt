@@ -1,0 +1,57 @@
+package argo.observing
+
+import argo.filters.PerceptionFilter
+import java.util.concurrent.atomic.AtomicBoolean
+import java.util.concurrent.atomic.AtomicLong
+import java.util.logging.Level
+import java.util.logging.Logger
+
+/**
+ * Calls all [observers] of an agent, in their order. One that throws is reported to [log] once, and the others are called all the same.
+ *
+ * Safe for use by several threads.
+ *
+ * @param nanos the agent's clock, in ns
+ */
+internal class Observers(val observers: List<AgentObserver>, private val log: Logger, private val nanos: () -> Long) {
+    private val guarded = observers.map(::Guarded)
+    private val commands = AtomicLong()
+
+    fun messageFiltered(message: PerceivedMessage) = each { it.messageFiltered(message) }
+
+    fun messagePerceived(message: PerceivedMessage) = each { it.messagePerceived(message) }
+
+    /** Reports that [text] is to be sent on [port]; what it returns reports the command's end and calls [outcome]. */
+    fun <F : CommandFailure> commandIssued(port: String, text: String, outcome: (F?) -> Unit): (F?) -> Unit {
+        if (guarded.isEmpty()) return outcome
+        val command = IssuedCommand(commands.incrementAndGet(), port, text, nanos())
+        each { it.commandIssued(command) }
+        return { failure ->
+            each { it.commandEnded(command, failure) }
+            outcome(failure)
+        }
+    }
+
+    fun portChanged(port: String, status: String, reason: String?) = each { it.portChanged(port, status, reason) }
+
+    fun filterChanged(filter: PerceptionFilter?) = each { it.filterChanged(filter) }
+
+    fun cycleFinished() = each { it.cycleFinished() }
+
+    fun close() = each { it.close() }
+
+    private inline fun each(event: (AgentObserver) -> Unit) {
+        for (observer in guarded) {
+            try {
+                event(observer.observer)
+            } catch (broken: Throwable) { // not the agent's own code, and the agent must go on
+                if (broken is InterruptedException) Thread.currentThread().interrupt()
+                if (!observer.hasFailed.getAndSet(true)) log.log(Level.WARNING, broken) { "${observer.observer} failed, and is not reported again" }
+            }
+        }
+    }
+
+    private class Guarded(val observer: AgentObserver) {
+        val hasFailed = AtomicBoolean()
+    }
+}

@@ -1,0 +1,52 @@
+package argo.observing
+
+import argo.filters.PerceptionFilter
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.logging.Logger
+
+/** An observer that keeps what it is called with, one line for each call but [cycleFinished]. */
+internal class Diary(val agent: ObservedAgent) : AgentObserver {
+    val lines = ConcurrentLinkedQueue<String>()
+
+    override fun messageFiltered(message: PerceivedMessage) = note("filtered ${words(message)}")
+    override fun messagePerceived(message: PerceivedMessage) = note("perceived ${words(message)}")
+    override fun commandIssued(command: IssuedCommand) = note("issued ${command.number} ${command.text} on ${command.port}")
+    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = note("ended ${command.number} ${failure?.error ?: "well"}")
+    override fun portChanged(port: String, status: String, reason: String?) = note("port $port $status")
+    override fun filterChanged(filter: PerceptionFilter?) = note("filter ${filter?.name}")
+    override fun close() = note("closed")
+
+    private fun words(message: PerceivedMessage) = "${message.texts} kept ${message.kept} unreadable ${message.unreadable} of ${message.portName}"
+
+    private fun note(line: String) {
+        lines += line
+    }
+}
+
+/** An observer that throws whatever it is called for. */
+internal class Broken : AgentObserver {
+    override fun messageFiltered(message: PerceivedMessage) = error("broken")
+    override fun messagePerceived(message: PerceivedMessage) = throw StackOverflowError("broken")
+    override fun commandIssued(command: IssuedCommand) = throw NoClassDefFoundError("broken")
+    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = error("broken")
+    override fun portChanged(port: String, status: String, reason: String?) = error("broken")
+    override fun filterChanged(filter: PerceptionFilter?) = error("broken")
+    override fun cycleFinished() = error("broken")
+    override fun close() = error("broken")
+    override fun toString() = "an observer that throws"
+}
+
+/** Opens a [Diary] for `argo_diary`; for the value `none` it opens nothing. */
+class DiaryProvider : AgentObserverProvider {
+    override val option = "argo_diary"
+    override val usage = "a word"
+    override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? = if (value == "none") null else Diary(agent)
+}
+
+/** Opens a [Broken] for `argo_broken`; for the value `open` it throws. */
+class BrokenProvider : AgentObserverProvider {
+    override val option = "argo_broken"
+    override val usage = "a word"
+    override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? =
+        if (value == "open") throw NoClassDefFoundError("org/missing/Library") else Broken()
+}
