@@ -2,6 +2,7 @@ package javino.sim;
 
 import java.util.concurrent.locks.ReentrantLock;
 import javino.LineSettings;
+import javino.NoSuchPortException;
 import javino.PortBusyException;
 import javino.PortException;
 import javino.PortGoneException;
@@ -17,6 +18,7 @@ final class BoardSocket {
     private final String port;
     private final SimulatedBoard board;
     private volatile Run current; // the latest, over or not
+    private volatile boolean unplugged;
 
     BoardSocket(String port, SimulatedBoard board) {
         this.port = port;
@@ -30,21 +32,31 @@ final class BoardSocket {
             if (current != null) {
                 current.requireOver();
             }
-            current = new Run(MemoryLine.paced(port, settings));
-            current.thread.start();
-            return current.line.computer();
+            Run run = new Run(MemoryLine.paced(port, settings));
+            current = run;
+            if (unplugged) { // asked behind the assignment: unplug() sees this run, or this sees that it is unplugged
+                throw new NoSuchPortException(port, "the simulated board " + port + " was unplugged while it was opened");
+            }
+            run.thread.start();
+            return run.line.computer();
         } finally {
             opening.unlock();
         }
     }
 
-    /** Takes the line away from a board that is running. */
+    /** Takes the line away from a board that is running; it cannot be opened again. */
     void unplug() {
+        unplugged = true;
         Run run = current;
         if (run != null) {
             run.line.unplug();
             run.thread.interrupt();
         }
+    }
+
+    boolean isRunning() {
+        Run run = current;
+        return run != null && run.thread.isAlive();
     }
 
     private final class Run implements Runnable {

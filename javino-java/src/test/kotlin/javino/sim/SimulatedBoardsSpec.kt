@@ -95,4 +95,11 @@ class SimulatedBoardsSpec : FunSpec({
             shouldThrow<PortGoneException> { computer.read(ByteArray(1), 0, 1, 60_000) }.message shouldContain "no such wheel"
         }
     }
+
+    test("a board that is unplugged while it is opened does not run") {
+        val socket = BoardSocket("sim:late") { error("runs") }
+        socket.unplug() // another thread has found the socket, and opens it behind this
+        shouldThrow<NoSuchPortException> { socket.open(LineSettings.defaults()) }.port() shouldBe "sim:late"
+        socket.isRunning shouldBe false
+    }
 })
