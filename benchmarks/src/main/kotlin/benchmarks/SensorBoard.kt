@@ -1,10 +1,10 @@
 package benchmarks
 
-import javino.Frame
-import javino.FrameDecoder
+import javino.LineClock
 import javino.PerceptsRequest
 import javino.Protocol
 import javino.Transport
+import javino.sim.BoardLoop
 import javino.sim.SimulatedBoard
 
 /**
@@ -29,54 +29,24 @@ class SensorBoard(
 
     /** Runs until [line] is gone. */
     override fun run(line: Transport) {
-        val talk = Talk(line)
-        val buffer = ByteArray(BUFFER)
-        val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line()), speaks, talk::handle)
-        while (true) decoder.acceptAll(buffer, line.read(buffer, 0, buffer.size, READ_MS))
-    }
-
-    private fun FrameDecoder.acceptAll(buffer: ByteArray, count: Int) =
-        if (count == 0) idle(System.nanoTime()) else accept(buffer, 0, count, System.nanoTime())
-
-    private inner class Talk(private val line: Transport) {
-        private var answers = 0
-        private var sequence = 0
-        private var last: Frame? = null
-
-        fun handle(frame: Frame) {
-            if (PerceptsRequest.isIn(frame.text())) answer(frame) else act(frame)
-        }
-
-        private fun answer(request: Frame) {
-            val bytes = bytesOf(percepts(++answers), request.version())
-            val start = System.nanoTime()
-            line.write(bytes, 0, bytes.size, WRITE_MS)
-            witness.answered(answers, start + bytes.size * line.line().byteNanos(), request.length() + bytes.size)
-        }
-
-        private fun act(action: Frame) {
-            if (action.version() == 1 || action != last) witness.acted(action.text())
-            last = action
-            if (action.version() == 1) return
-            val outcome = Frame.version2(ByteArray(0), Frame.ACK, action.sequence()).toBytes()
-            line.write(outcome, 0, outcome.size, WRITE_MS)
-        }
-
-        private fun bytesOf(text: String, version: Int): ByteArray {
-            if (version == 1) return Frame.of(text).toBytes()
-            val parts = text.chunked(Frame.MAX_PAYLOAD)
-            return parts.withIndex().fold(ByteArray(0)) { bytes, (i, part) ->
-                val flags = if (i < parts.lastIndex) Frame.MORE else 0
-                bytes + Frame.version2(part.toByteArray(Charsets.ISO_8859_1), flags, sequence).toBytes().also { sequence = (sequence + 1) % SEQUENCES }
+        val loop = BoardLoop(line, speaks, LineClock.system())
+        var answers = 0
+        while (true) {
+            val message = loop.next(READ_MS) ?: continue
+            if (PerceptsRequest.isIn(message.text())) {
+                val answer = loop.bytesOf(percepts(++answers))
+                val start = System.nanoTime()
+                loop.write(*answer)
+                witness.answered(answers, start + answer.size * line.line().byteNanos(), message.length() + answer.size)
+            } else {
+                witness.acted(message.text())
+                loop.acknowledge(message)
             }
         }
     }
 
     companion object {
-        private const val BUFFER = 512
         private const val READ_MS = 1000
-        private const val WRITE_MS = 10_000
-        private const val SEQUENCES = 16
 
         /** What a robot with sensors on its four sides says: twelve percepts, all of which differ from those of [n] - 1. */
         fun robot(n: Int): String {

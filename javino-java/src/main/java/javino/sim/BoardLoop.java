@@ -15,8 +15,8 @@ import javino.Protocol;
 import javino.Transport;
 
 /**
- * The part that all boards' programs have in common: finds the messages in the bytes of a line, one after the other, and answers each in its
- * version of the protocol. In version 2 an action that is repeated is acknowledged again, and not handed out again.
+ * What all boards' programs have in common: takes messages from a line, one after the other, and answers each in its version of the
+ * protocol. In version 2 an action that is repeated is acknowledged again, but not returned again.
  *
  * <p>One loop serves one opening of the port. Its thread calls all methods; {@link #write} and {@link #bytesOf} are safe on any thread.
  */
@@ -25,7 +25,7 @@ public final class BoardLoop {
 
     private final Transport line;
     private final LineClock clock;
-    private final Lock writing; // a fake board's test sends on its own thread
+    private final Lock writing; // a test sends on its own thread
     private final Condition never; // of the same lock
     private final FrameDecoder decoder;
     private final Deque<Frame> arrived = new ArrayDeque<>();
@@ -35,7 +35,7 @@ public final class BoardLoop {
     private Frame acted; // the last action that wanted to be acknowledged; null: there was none
     private int actedWith; // the outcome's flag
     private long read; // bytes
-    private volatile long handled; // bytes, of all messages in which the last has been handed out
+    private volatile long handled; // bytes, all messages of which have been handled
     private volatile int silences;
 
     /**
@@ -114,7 +114,7 @@ public final class BoardLoop {
         read += line.read(buffer, 0, buffer.length, 0);
     }
 
-    /** The message taken last has been dealt with, as far as others can see. */
+    /** Notes that the message taken last has been handled, as far as others can see. */
     void markHandled() {
         if (arrived.isEmpty() && decoder.nanosUntilIdle(clock.nanos()) == Long.MAX_VALUE) {
             handled = read;
@@ -163,8 +163,8 @@ public final class BoardLoop {
     }
 
     /**
-     * Writes bytes, and returns when the last has left: a board does not read while it sends. To a port that has been closed they are lost, as
-     * they are on a device; {@link #next} throws when what was received before has been taken.
+     * Writes bytes, and returns when the last has left: a board does not read while it sends. If the port has been closed they are lost, as
+     * on a device; {@link #next} throws as soon as all that was received has been taken.
      */
     public void send(byte... bytes) throws PortException, InterruptedException {
         try {

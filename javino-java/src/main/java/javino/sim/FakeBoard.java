@@ -29,6 +29,8 @@ import javino.PortException;
  * the board runs.
  */
 public final class FakeBoard implements AutoCloseable {
+    private static final int MAX_DRAIN_MILLIS = 10_000;
+
     private final String name;
     private final FakeBoardScript script = new FakeBoardScript();
     private final FakeBoardRecord record;
@@ -201,21 +203,26 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Fails if something came that was not to come, or did not come that was, unless the board is lenient.
+     * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms and not while it is
+     * {@linkplain #stall stalled}; then fails if it received what it was not to receive, or did not receive what it was, unless it is lenient.
      *
-     * @throws AssertionError that lists what was amiss and all that came
+     * @throws AssertionError that lists what was amiss and all messages received
      */
     public void verify() {
         if (strict) {
+            sketch.awaitDrained(() -> SimulatedBoards.isRunning(name), MAX_DRAIN_MILLIS);
             record.verify();
         }
     }
 
-    /** Unplugs the board, and then does as {@link #verify}. */
+    /** Does as {@link #verify}, and unplugs the board. */
     @Override
     public void close() {
-        unplug();
-        verify();
+        try {
+            verify();
+        } finally {
+            unplug();
+        }
     }
 
     /** How a board handles a message: after a delay it answers, or does not. Without an answer it stays silent. */

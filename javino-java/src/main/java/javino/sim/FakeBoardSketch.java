@@ -1,12 +1,10 @@
 package javino.sim;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
+import java.util.function.BooleanSupplier;
 import javino.Frame;
-import javino.FrameDecoder;
 import javino.LineClock;
 import javino.PortException;
 import javino.Protocol;
@@ -15,27 +13,24 @@ import javino.Transport;
 /** The program that runs on a {@link FakeBoard}: reads a message, does what the script says, and begins again. */
 final class FakeBoardSketch implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
-    private static final int WRITE_MILLIS = 10_000;
-    private static final int BUFFER = 256;
+    private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
     private final LineClock clock;
     private final Lock lock;
     private final Condition changed;
-    private final Lock writing; // the script answers on the board's thread, tests send on theirs
     private final FakeBoardScript script;
     private final FakeBoardRecord record;
-    private Transport open; // guarded by lock, as is stalled
+    private BoardLoop open; // guarded by lock, as is stalled
     private boolean stalled;
     private volatile int queueSize = Integer.MAX_VALUE;
     private volatile int loopMillis;
     private volatile int bootMillis;
-    private volatile FakeBoardVoice voice = new FakeBoardVoice(Protocol.V1);
+    private volatile Protocol protocol = Protocol.V1;
 
     FakeBoardSketch(FakeBoardScript script, FakeBoardRecord record, LineClock clock) {
         this.clock = clock;
         lock = clock.newLock(false);
         changed = lock.newCondition();
-        writing = clock.newLock(false);
         this.script = script;
         this.record = record;
     }
@@ -53,7 +48,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     }
 
     void version2() {
-        voice = new FakeBoardVoice(Protocol.AUTO);
+        protocol = Protocol.AUTO;
     }
 
     void stall(boolean value) {
@@ -68,163 +63,159 @@ final class FakeBoardSketch implements SimulatedBoard {
 
     @Override
     public void run(Transport line) throws PortException, InterruptedException {
-        setOpen(line);
+        BoardLoop loop = new BoardLoop(line, protocol, clock);
+        setOpen(loop);
         try {
-            boot(line);
-            voice.reset();
-            Deque<Frame> queue = new ArrayDeque<>();
-            long timeout = FrameDecoder.interByteTimeoutNanos(line.line());
-            FrameDecoder decoder = new FrameDecoder(timeout, voice.reads(), frame -> enqueue(queue, frame));
+            boot(loop);
             while (true) {
                 awaitRunning();
-                receive(line, decoder, queue.isEmpty() ? READ_MILLIS : 0);
-                awaitRunning();
-                if (!queue.isEmpty()) {
-                    handle(queue.remove(), line);
+                loop.receive(READ_MILLIS);
+                if (awaitRunning()) {
+                    loop.receive(0);
                 }
-                pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
+                loseWhatDoesNotFit(loop);
+                Frame message = loop.take();
+                if (message != null) {
+                    handle(message, loop);
+                }
+                        loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
-            setClosed(line);
+            setClosed(loop);
         }
     }
 
-    private void boot(Transport line) throws PortException, InterruptedException {
+    private void boot(BoardLoop loop) throws PortException, InterruptedException {
         if (bootMillis > 0) {
-            pause(TimeUnit.MILLISECONDS.toNanos(bootMillis));
-            byte[] lost = new byte[MemoryLine.CAPACITY];
-            line.read(lost, 0, lost.length, 0);
+            loop.pause(TimeUnit.MILLISECONDS.toNanos(bootMillis));
+            loop.ignore();
         }
     }
 
-    /** Does nothing for so long. */
-    private void pause(long nanos) throws InterruptedException {
-        lock.lockInterruptibly();
-        try {
-            long end = clock.nanos() + nanos;
-            for (long left = nanos; left > 0; left = end - clock.nanos()) {
-                clock.await(changed, left);
-            }
-        } finally {
-            lock.unlock();
+    private void loseWhatDoesNotFit(BoardLoop loop) {
+        while (loop.waiting() > queueSize) {
+            record.overwritten(loop.overwrite().text());
         }
     }
 
-    /** Waits for bytes, and takes all that came by then. */
-    private void receive(Transport line, FrameDecoder decoder, int timeoutMillis) throws PortException {
-        byte[] buffer = new byte[BUFFER];
-        int count = line.read(buffer, 0, buffer.length, timeoutMillis);
-        while (count > 0) {
-            decoder.acceptUnbroken(buffer, 0, count, clock.nanos());
-            count = line.read(buffer, 0, buffer.length, 0);
-        }
-        decoder.idle(clock.nanos());
-    }
-
-    private void enqueue(Deque<Frame> queue, Frame message) {
-        if (queue.size() == queueSize) {
-            record.overwritten(queue.remove().text());
-        }
-        queue.add(message);
-    }
-
-    private void handle(Frame frame, Transport line) throws PortException, InterruptedException {
-        if (voice.isRepeated(frame)) {
-            answer(voice.outcome(frame), line);
-            return;
-        }
+    private void handle(Frame frame, BoardLoop loop) throws PortException, InterruptedException {
         String message = frame.text();
         FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
         record.received(message, rule != null);
-        if (rule != null) {
-            pause(TimeUnit.MILLISECONDS.toNanos(rule.delayMillis()));
-            answer(rule.reply(message, text -> voice.message(text, frame.version())), line);
+        loop.markHandled(); // what follows does not change what has been received
+        if (rule == null) {
+            loop.acknowledge(frame);
+            return;
         }
-        voice.handled(frame, rule != null && rule.isRefused());
-        answer(voice.outcome(frame), line);
-    }
-
-    private void answer(byte[] answer, Transport line) throws PortException, InterruptedException {
+        loop.pause(TimeUnit.MILLISECONDS.toNanos(rule.delayMillis()));
+        byte[] answer = rule.reply(message, loop::bytesOf);
         if (answer != null) {
-            write(line, answer);
-            pause(answer.length * line.line().byteNanos()); // a board does not read while it sends
+            loop.send(answer);
+        }
+        if (rule.isRefused()) {
+            loop.refuse(frame);
+        } else {
+            loop.acknowledge(frame);
         }
     }
 
-    /** Writes a message to the port that is open. */
+    /** Sends a message to the port that is open. */
     void send(String message) throws PortException {
-        write(voice.message(message));
+        BoardLoop loop = requireOpen();
+        loop.write(loop.bytesOf(message));
     }
 
     /** Writes bytes to the port that is open. */
     void write(byte[] bytes) throws PortException {
-        Transport line;
-        lock.lock();
-        try {
-            line = open;
-        } finally {
-            lock.unlock();
-        }
-        if (line == null) {
-            throw new IllegalStateException("the board has nobody to send to: its port is not open");
-        }
-        write(line, bytes);
+        requireOpen().write(bytes);
     }
 
-    private void write(Transport line, byte[] bytes) throws PortException {
-        writing.lock();
+    private BoardLoop requireOpen() {
+        lock.lock();
         try {
-            line.write(bytes, 0, bytes.length, WRITE_MILLIS);
+            if (open == null) {
+                throw new IllegalStateException("the board has nobody to send to: its port is not open");
+            }
+            return open;
         } finally {
-            writing.unlock();
+            lock.unlock();
         }
     }
 
     void awaitOpen(String port, int timeoutMillis) {
-        long left = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+        if (!await(() -> open != null, timeoutMillis)) {
+            throw new AssertionError("nobody opened " + port + " within " + timeoutMillis + " ms");
+        }
+    }
+
+    /**
+     * Waits until all that was sent to the board has been received, but not for a board that is stalled, or that does not run.
+     *
+     * @param starting whether the board's thread lives, so that this program runs or is about to
+     */
+    void awaitDrained(BooleanSupplier starting, int timeoutMillis) {
         lock.lock();
         try {
-            while (open == null) {
-                if (left <= 0) {
-                    throw new AssertionError("nobody opened " + port + " within " + timeoutMillis + " ms");
-                }
-                left = changed.awaitNanos(left);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new AssertionError("interrupted while waiting for somebody to open " + port, e);
+            BoardLoop first = open;
+            int silences = first == null ? 0 : first.silences();
+            await(() -> stalled || (open == null ? !starting.getAsBoolean() : open.isDrained(open == first ? silences : 0)), timeoutMillis);
         } finally {
             lock.unlock();
         }
     }
 
-    private void setOpen(Transport line) {
+    /** Waits until {@code reached}, which is asked under the lock; false if it is not within {@code timeoutMillis}. */
+    private boolean await(BooleanSupplier reached, int timeoutMillis) {
         lock.lock();
         try {
-            open = line;
+            long end = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+            while (!reached.getAsBoolean()) {
+                long left = end - clock.nanos();
+                if (left <= 0) {
+                    return false;
+                }
+                clock.await(changed, Math.min(left, POLL_NANOS));
+            }
+            return true;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError("interrupted while waiting for a fake board", e);
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void setOpen(BoardLoop loop) {
+        lock.lock();
+        try {
+            open = loop;
             changed.signalAll();
         } finally {
             lock.unlock();
         }
     }
 
-    private void setClosed(Transport line) {
+    private void setClosed(BoardLoop loop) {
         lock.lock();
         try {
-            if (open == line) { // a board that was plugged in again may be open anew by now
+            if (open == loop) { // a board that was plugged in again may be open anew by now
                 open = null;
             }
+            changed.signalAll();
         } finally {
             lock.unlock();
         }
     }
 
-    private void awaitRunning() throws InterruptedException {
+    /** Waits while the board is stalled; returns whether it was. */
+    private boolean awaitRunning() throws InterruptedException {
         lock.lockInterruptibly();
         try {
+            boolean waited = stalled;
             while (stalled) {
                 changed.await();
             }
+            return waited;
         } finally {
             lock.unlock();
         }

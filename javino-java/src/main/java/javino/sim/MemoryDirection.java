@@ -14,6 +14,7 @@ final class MemoryDirection {
     private final long byteNanos;
     private int first;
     private int count;
+    private long taken;
     private long lineFreeAt;
     private boolean used;
 
@@ -44,13 +45,19 @@ final class MemoryDirection {
 
     /** Takes bytes that have arrived by {@code now}, and returns how many. */
     int take(byte[] target, int off, int len, long now) {
-        int taken = 0;
-        while (taken < len && count > 0 && readyAt[first] - now <= 0) {
-            target[off + taken] = bytes[first];
+        int moved = 0;
+        while (moved < len && count > 0 && readyAt[first] - now <= 0) {
+            target[off + moved] = bytes[first];
             first = (first + 1) % bytes.length;
             count--;
-            taken++;
+            moved++;
         }
+        taken += moved;
+        return moved;
+    }
+
+    /** The number of bytes taken so far. */
+    long taken() {
         return taken;
     }
 

@@ -130,7 +130,7 @@ public final class MemoryLine {
         }
     }
 
-    private final class End implements Transport {
+    final class End implements Transport {
         private final MemoryDirection in;
         private final MemoryDirection out;
 
@@ -197,6 +197,16 @@ public final class MemoryLine {
                     }
                     await(out.room, deadline - now);
                 }
+            } finally {
+                lock.unlock();
+            }
+        }
+
+        /** Whether the bytes read from this end are {@code count}, and no other is on its way to it. */
+        boolean isRead(long count) {
+            lock.lock();
+            try {
+                return in.isEmpty() && in.taken() == count;
             } finally {
                 lock.unlock();
             }

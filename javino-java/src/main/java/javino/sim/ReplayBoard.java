@@ -1,14 +1,10 @@
 package javino.sim;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.Lock;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javino.Frame;
-import javino.FrameDecoder;
 import javino.LineClock;
 import javino.PerceptsRequest;
 import javino.PortException;
@@ -16,18 +12,15 @@ import javino.Protocol;
 import javino.Transport;
 
 /**
- * A board that says what a board said once: {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(Recording.read(file)))}, or without that the
- * port {@code replay:FILE}.
+ * A board that sends what a board sent once, from a recording: the port {@code replay:FILE}, or
+ * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(Recording.read(file)))}.
  *
  * <p>If the recorded board was asked for its percepts, it answers each request with what that board had said by then, counted from the
  * first request, and with the last of it when the recording is over. Else it says everything unasked at its time, counted from the opening
  * of the port, and falls silent. It speaks both versions of the protocol, and takes any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
-    private static final int BUFFER = 256;
     private static final int READ_MILLIS = 100;
-    private static final int WRITE_MILLIS = 10_000;
-    private static final long NANOS_PER_MILLI = 1_000_000L;
 
     private final List<Recording.Entry> said;
     private final boolean asked;
@@ -117,40 +110,25 @@ public final class ReplayBoard implements SimulatedBoard {
 
     /** One use of the port. */
     private final class Run {
-        private final Transport line;
-        private final FakeBoardVoice voice = new FakeBoardVoice(Protocol.AUTO);
-        private final Deque<Frame> queue = new ArrayDeque<>();
-        private final FrameDecoder decoder;
-        private final byte[] buffer = new byte[BUFFER];
+        private final BoardLoop loop;
         private final long openedNanos = clock.nanos();
         private Long firstRequestNanos;
-        private int version = 1; // of what was heard last
         private int next; // of what was said: the number of the next; of what is said unasked, it goes on counting in further rounds
 
         Run(Transport line) {
-            this.line = line;
-            decoder = new FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line()), voice.reads(), queue::add);
+            loop = new BoardLoop(line, Protocol.AUTO, clock);
         }
 
         void run() throws PortException, InterruptedException {
             while (true) {
-                receive(millisToWait());
-                while (!queue.isEmpty()) {
-                    handle(queue.remove());
+                Frame message = loop.next(millisToWait());
+                if (message != null) {
+                    handle(message);
                 }
                 if (!asked) {
                     speak();
                 }
             }
-        }
-
-        private void receive(int timeoutMillis) throws PortException {
-            int count = line.read(buffer, 0, buffer.length, timeoutMillis);
-            while (count > 0) {
-                decoder.acceptUnbroken(buffer, 0, count, clock.nanos());
-                count = line.read(buffer, 0, buffer.length, 0);
-            }
-            decoder.idle(clock.nanos());
         }
 
         private int millisToWait() {
@@ -165,30 +143,23 @@ public final class ReplayBoard implements SimulatedBoard {
         }
 
         private long millisSince(long nanos) {
-            return (clock.nanos() - nanos) / NANOS_PER_MILLI;
+            return TimeUnit.NANOSECONDS.toMillis(clock.nanos() - nanos);
         }
 
         private void speak() throws PortException, InterruptedException {
             while (!isOver() && offsetMillis(next) <= millisSince(openedNanos)) {
-                say(said.get(next++ % said.size()).message(), version);
+                say(said.get(next++ % said.size()).message());
             }
         }
 
         private void handle(Frame frame) throws PortException, InterruptedException {
-            version = frame.version();
-            if (!voice.isRepeated(frame)) {
-                String message = frame.text();
-                if (!PerceptsRequest.isIn(message)) {
-                    commands.accept(message);
-                } else if (asked) {
-                    say(answer(), frame.version());
-                }
-                voice.handled(frame, false);
+            String message = frame.text();
+            if (!PerceptsRequest.isIn(message)) {
+                commands.accept(message);
+            } else if (asked) {
+                say(answer());
             }
-            byte[] outcome = voice.outcome(frame);
-            if (outcome != null) {
-                write(outcome);
-            }
+            loop.acknowledge(frame);
         }
 
         private String answer() {
@@ -219,26 +190,10 @@ public final class ReplayBoard implements SimulatedBoard {
             return from;
         }
 
-        private void say(String message, int version) throws PortException, InterruptedException {
-            for (String part : version == 1 ? parts(message) : List.of(message)) {
-                write(voice.message(part, version));
+        private void say(String message) throws PortException, InterruptedException {
+            for (String part : loop.version() == 1 ? parts(message) : List.of(message)) {
+                loop.say(part);
             }
-        }
-
-        private void pause(long nanos) throws InterruptedException {
-            Lock lock = clock.newLock(false);
-            Condition never = lock.newCondition();
-            lock.lock();
-            try {
-                clock.await(never, nanos);
-            } finally {
-                lock.unlock();
-            }
-        }
-
-        private void write(byte[] bytes) throws PortException, InterruptedException {
-            line.write(bytes, 0, bytes.length, WRITE_MILLIS);
-            pause(bytes.length * line.line().byteNanos()); // a board does not read while it sends
         }
     }
 }

@@ -67,6 +67,12 @@ public final class SimulatedBoards {
         });
     }
 
+    /** Whether the program of the board that is plugged in under this name runs, or is about to. */
+    static boolean isRunning(String name) {
+        BoardSocket socket = locked(() -> SOCKETS.get(name));
+        return socket != null && socket.isRunning();
+    }
+
     static Transport open(String name, LineSettings line) throws PortException {
         BoardSocket socket = locked(() -> {
             plugInServices();
