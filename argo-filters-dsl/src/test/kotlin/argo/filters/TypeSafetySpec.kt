@@ -1,6 +1,5 @@
 package argo.filters
 
-import argo.filters.*
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FreeSpec
 import io.kotest.engine.spec.tempdir
@@ -43,6 +42,7 @@ private val NO_SENSE = listOf(
 )
 
 private const val DECLARATIONS = """
+import argo.filters.*
 
 object Distance : PerceptType("distance") {
     val side by atom()

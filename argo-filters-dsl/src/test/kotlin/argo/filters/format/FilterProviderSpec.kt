@@ -67,7 +67,7 @@ class FilterProviderSpec : StringSpec({
 
     "two providers may not offer different filters of one name" {
         shouldThrow<FilterNotFoundException> { finder(NightFilters::class.java, DayFilters::class.java).find("shared") }.message shouldContain
-            "offered by argo.filters.NightFilters and argo.filters.DayFilters"
+            "offered by argo.filters.format.NightFilters and argo.filters.format.DayFilters"
     }
 
     "a filter that is refused in Kotlin is told with its provider and the reason, also the second time" {
