@@ -53,15 +53,14 @@ public class CycleBenchmark {
     public void start() throws Exception {
         FilterSession<String> session = FilterSession.Companion.ofTexts();
         session.switchTo(kept.equals("one") ? keepOne() : null);
-        PerceptReader reader = new PerceptReader(0);
         AgArch arch = new AgArch() {
             private static final long serialVersionUID = 1L;
 
             @Override
             public Collection<Literal> perceive() {
                 List<Literal> believed = new ArrayList<>();
-                for (String percept : session.perceive(frame(), frame)) {
-                    believed.add(reader.read(percept));
+                for (String percept : session.perceive(frame(), frame).getKept()) {
+                    believed.add(PerceptReader.read(percept));
                 }
                 return believed;
             }

@@ -1,6 +1,6 @@
 package benchmarks;
 
-import argo.filters.jason.JasonLiterals;
+import argo.filters.jason.LiteralTextKt;
 import argo.filters.matching.PerceptMatcher;
 import argo.filters.jason.PerceptReader;
 import argo.filters.matching.PerceptMatcherKt;
@@ -36,7 +36,6 @@ public class FilterBenchmark {
     private final PerceptMatcher byArgument = matcher(NOT_FRONT);
     private final PerceptMatcher tenRules = matcher(ON_TEMP + otherRules(9));
     private final PerceptMatcher thousandRules = matcher(ON_TEMP + otherRules(999));
-    private final PerceptReader reader = new PerceptReader(0); // keeps nothing: each percept is read anew
     private String temp = "temp(r,36)";
     private String dist = "dist(r,227)";
 
@@ -70,7 +69,7 @@ public class FilterBenchmark {
 
     @Benchmark
     public boolean dropAfterJasonsParser() throws ParseException {
-        return JasonLiterals.drops(byArgument, ASSyntax.parseLiteral(dist));
+        return byArgument.drops(LiteralTextKt.perceptText(ASSyntax.parseLiteral(dist)));
     }
 
     @Benchmark
@@ -80,6 +79,6 @@ public class FilterBenchmark {
 
     @Benchmark
     public Literal readKept() {
-        return reader.read(dist);
+        return PerceptReader.read(dist);
     }
 }

@@ -20,7 +20,6 @@ import jason.asSyntax.Term
  * @param warn takes the one line that is said about a text that is not read
  */
 internal class BeliefReader(private val warn: (String) -> Unit) {
-    private val parser = PerceptReader(kept = 0) // what is kept is kept here, with what became of it
     private val known = object : LinkedHashMap<String, Reading>(16, 0.75f, true) {
         override fun removeEldestEntry(eldest: Map.Entry<String, Reading>) = size > room
     }
@@ -42,7 +41,7 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
     }
 
     private fun parse(percept: String): Reading = try {
-        val literal = parser.read(percept)
+        val literal = PerceptReader.read(percept)
         when {
             literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
             !literal.isGround || literal.ns.isVar -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")

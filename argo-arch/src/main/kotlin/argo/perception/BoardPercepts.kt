@@ -1,9 +1,10 @@
 package argo.perception
 
-import argo.filters.CriticalPercept
 import argo.filters.PerceptionFilter
+import argo.filters.jason.MessagePerception
+import argo.filters.jason.MessageSession
+import argo.filters.jason.perceptText
 import argo.filters.matching.Explanation
-import argo.filters.matching.FilterSession
 import argo.filters.matching.perceptsOf
 import argo.ports.OpenPort
 import jason.asSyntax.Literal
@@ -31,7 +32,7 @@ internal class BoardPercepts(
     private val nowMs: () -> Long,
 ) {
     private val lock = ReentrantLock()
-    private val session = FilterSession.ofTexts()
+    private val session = MessageSession(reader::read, limit::limited)
     private var filterVersion = 0L
     private var newest: Snapshot? = null
 
@@ -47,7 +48,7 @@ internal class BoardPercepts(
     fun switchTo(filter: PerceptionFilter?) = lock.withLock {
         request = perceptsRequest(filter)
         session.switchTo(filter)
-        dueMs = session.nextDueMs
+        dueMs = null
         filterVersion++
     }
 
@@ -67,17 +68,7 @@ internal class BoardPercepts(
 
     private fun snapshot(port: OpenPort?, texts: List<String>, receivedNanos: Long): Snapshot {
         explainTo(log, texts)
-        val kept = session.perceive(texts, nowMs())
-        return remember(read(port, texts, kept, receivedNanos))
-    }
-
-    private fun read(port: OpenPort?, texts: List<String>, kept: List<String>, receivedNanos: Long): Snapshot {
-        val critical = session.critical.flatMap { found -> reader.read(found.percept).map { CriticalPercept(found.rule, it) } }
-        val unreadable = HashSet<String>()
-        val believable = kept.flatMap { text -> reader.read(text).also { if (it.isEmpty()) unreadable += text } }
-        val percepts = limit.limited(believable, critical.map { it.percept })
-        sightings.seen(if (session.seen == kept) percepts else session.seen.flatMap(reader::read), percepts, receivedNanos)
-        return Snapshot(port, texts, kept, filterVersion, percepts, receivedNanos, critical, unreadable)
+        return remember(port, session.perceive(texts, nowMs()), receivedNanos)
     }
 
     private fun explainTo(log: Logger, texts: List<String>) {
@@ -93,8 +84,8 @@ internal class BoardPercepts(
         if (dueInMs() != 0L || !lock.tryLock()) return null
         try {
             val last = newest ?: return null
-            val kept = session.due(nowMs()) ?: return null
-            return remember(read(last.port, last.texts, kept, last.receivedNanos))
+            val due = session.due(nowMs()) ?: return null
+            return remember(last.port, due, last.receivedNanos)
         } finally {
             lock.unlock()
         }
@@ -106,14 +97,14 @@ internal class BoardPercepts(
         dueMs = null
     }
 
-    private fun remember(snapshot: Snapshot): Snapshot {
-        newest = snapshot
-        dueMs = session.nextDueMs
-        return snapshot
+    private fun remember(port: OpenPort?, of: MessagePerception, receivedNanos: Long): Snapshot {
+        sightings.seen(of.seen, of.percepts, receivedNanos)
+        dueMs = of.texts.nextDueMs
+        return Snapshot(port, of.texts.received, of.texts.kept, filterVersion, of.percepts, receivedNanos, of.critical, of.unreadable).also { newest = it }
     }
 
     /** Why the active filter does with [percept] what it does. */
-    fun explain(percept: Literal): String = explain("$percept")
+    fun explain(percept: Literal): String = explain(perceptText(percept))
 
     /** Why the active filter does with the text [percept] what it does. */
     fun explain(percept: String): String = lock.withLock { session.explain(percept, nowMs()).toString() }

@@ -15,6 +15,7 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
     private val session = literalSession()
     private var last: List<Literal> = known.toList()
     private var filterIsNew = false
+    private var dueMs: Long? = null
 
     /** What of it the agent perceives now. */
     var percepts: List<Literal> = last
@@ -23,6 +24,7 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
     /** Perceives through [filter] from the next perception on; null: everything. */
     fun switchTo(filter: PerceptionFilter?) {
         session.switchTo(filter)
+        dueMs = null
         filterIsNew = true
     }
 
@@ -31,12 +33,15 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
         if (news != null) last = news.toList()
         val now = if (news != null || filterIsNew) session.perceive(last, nowMs()) else session.due(nowMs())
         filterIsNew = false
-        if (now != null) percepts = now
+        if (now != null) {
+            percepts = now.kept
+            dueMs = now.nextDueMs
+        }
         return now != null
     }
 
     /** In how many ms a percept that the filter holds back is due; null if none is held back. */
-    fun dueInMs(): Long? = session.nextDueMs?.let { maxOf(0, it - nowMs()) }
+    fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
     /** Whether [update] has something to do even without news. */
     fun isWaiting(): Boolean = filterIsNew || dueInMs() == 0L

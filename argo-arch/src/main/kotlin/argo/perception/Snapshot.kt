@@ -1,6 +1,6 @@
 package argo.perception
 
-import argo.filters.CriticalPercept
+import argo.filters.matching.CriticalPercept
 import argo.observing.PerceivedMessage
 import argo.ports.OpenPort
 import jason.asSyntax.Literal

@@ -1,7 +1,7 @@
 package argo.perception
 
 import argo.acting.CommandLedger
-import argo.filters.CriticalPercept
+import argo.filters.matching.CriticalPercept
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.filters.Rule

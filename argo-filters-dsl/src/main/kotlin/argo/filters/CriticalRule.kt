@@ -30,10 +30,3 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
         }
     }
 }
-
-/**
- * A percept that [rule] takes for critical.
- *
- * @property percept the percept as it came
- */
-data class CriticalPercept<P>(val rule: CriticalRule, val percept: P)

@@ -87,10 +87,10 @@ internal class ValueReader(private val text: CharSequence, start: Int, private v
     }
 
     private fun predicate(): Predicate? {
-        val scanner = FunctorScanner(text, at, end)
-        if (!scanner.scan() || Syntax.isDotted(text, scanner.functorStart, scanner.functorEnd)) return null
-        at = scanner.functorEnd
-        return scanner.predicate()
+        val head = HeadScanner(text, at, end)
+        if (head.functorEnd < 0 || Syntax.isDotted(text, head.functorStart, head.functorEnd)) return null
+        at = head.functorEnd
+        return head.predicate()
     }
 
     private fun blanks(): Int = Syntax.skipBlanks(text, at, end).also { at = it }

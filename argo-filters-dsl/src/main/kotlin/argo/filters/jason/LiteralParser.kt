@@ -2,7 +2,7 @@ package argo.filters.jason
 
 import argo.filters.Syntax
 import argo.filters.Value
-import argo.filters.matching.NumberText
+import argo.filters.matching.DecimalReader
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.Atom
@@ -100,7 +100,7 @@ internal class LiteralParser(private val text: String) {
         val start = blanks()
         if (start >= end || text[start] !in '0'..'9') return null
         at = Syntax.numberEnd(text, start, end)
-        val plain = NumberText.plain(text, start, at)
+        val plain = DecimalReader.plain(text, start, at)
         val number = NumberTermImpl(if (plain.isNaN()) text.substring(start, at).toDouble() else plain)
         number.srcInfo = SOURCE
         return number

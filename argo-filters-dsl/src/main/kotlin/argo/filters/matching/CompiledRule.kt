@@ -2,10 +2,12 @@ package argo.filters.matching
 
 import argo.filters.Condition
 import argo.filters.CriticalRule
+import argo.filters.Operator
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
 import argo.filters.Syntax
+import argo.filters.Test
 import argo.filters.Value
 import argo.filters.ValueReader
 
@@ -15,69 +17,100 @@ import argo.filters.ValueReader
  * @property critical the critical rule that it is of, or null
  */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
-    private val negated = rule.predicate.negated
-    private val namespace = rule.predicate.namespace
+    private val predicate = rule.predicate
     private val arity = rule.arity ?: ANY
-    val conditions: Array<CompiledCondition> = rule.conditions.map(::CompiledCondition).toTypedArray()
+    private val compiled = rule.conditions.map { if (it is Condition.Argument) ArgumentCondition(it) else AnnotationCondition(it as Condition.Annotation) }.toTypedArray()
     val rate: Rate? = rule.rate
 
-    /** Whether a percept of the rule's functor is in its predicate and has its arity. */
-    fun isFor(negated: Boolean, namespace: String, arity: Int): Boolean =
-        negated == this.negated && (this.arity == ANY || arity == this.arity) && namespace == this.namespace
+    /** Whether [percept], whose functor is the rule's, is in its predicate and has its arity. */
+    fun isFor(percept: PerceptText): Boolean = (arity == ANY || percept.arity == arity) && percept.isOf(predicate)
 
-    fun meets(percept: PerceptForm): Boolean = conditions.all(percept::meets)
-
-    /** As the other form, for the percept in [text] whose functor ends at [functorEnd] and whose outline goes on with [tail]. */
-    fun meets(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
-        for (condition in conditions) if (!condition.holds(text, functorEnd, end, tail)) return false
+    /** Whether [percept], whose functor is the rule's, meets the rule. */
+    fun isMetBy(percept: PerceptText): Boolean {
+        if (!isFor(percept)) return false
+        for (condition in compiled) if (!condition.isMetBy(percept)) return false
         return true
     }
+
+    /** The first condition that [percept] does not meet. */
+    fun failing(percept: PerceptText): Condition = rule.conditions[compiled.indexOfFirst { !it.isMetBy(percept) }]
 
     private companion object {
         const val ANY = -1
     }
 }
 
-/** A condition in the form in which it is applied: on the argument at [argument], or on the annotations called [annotation]. */
-internal class CompiledCondition(val condition: Condition) {
-    val argument: Int = (condition as? Condition.Argument)?.index ?: -1
-    val annotation: Predicate? = (condition as? Condition.Annotation)?.name
-    private val tests: Array<CompiledTest> = when (condition) {
-        is Condition.Argument -> listOf(condition.test)
-        is Condition.Annotation -> condition.tests
-    }.map(::CompiledTest).toTypedArray()
+/** A condition in the form in which it is applied. */
+private sealed interface CompiledCondition {
+    fun isMetBy(percept: PerceptText): Boolean
+}
 
-    /** Whether it holds for the percept in [text] whose functor ends at [functorEnd] and whose outline goes on with [tail]. */
-    fun holds(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean = when {
-        argument >= Outline.arity(tail) -> false
-        argument >= 0 -> meets(text, Outline.argument(text, functorEnd, end, argument), end)
-        else -> anyAnnotationMeets(text, Outline.annotations(tail), end)
+private class ArgumentCondition(private val condition: Condition.Argument) : CompiledCondition {
+    private val test = CompiledTest(condition.test)
+
+    override fun isMetBy(percept: PerceptText) = percept.argumentMeets(condition.index, test)
+}
+
+private class AnnotationCondition(private val condition: Condition.Annotation) : CompiledCondition {
+    private val tests = condition.tests.map(::CompiledTest)
+
+    override fun isMetBy(percept: PerceptText) = percept.anyAnnotationMeets { annotation ->
+        annotation is Value.Structure && annotation.predicate == condition.name && tests.all { it.isMetBy(annotation.arguments.firstOrNull()) }
     }
+}
 
-    private fun meets(text: CharSequence, start: Int, end: Int): Boolean {
-        val partEnd = Outline.partEnd(text, start, end, ')')
-        for (test in tests) if (!test.meets(text, start, partEnd)) return false
-        return true
+/** A test of a term in its text; only what is neither a plain atom nor a plain number is read into a [Value] first. */
+internal class CompiledTest(private val test: Test) {
+    private val operator = (test as? Test.Compare)?.operator ?: Operator.EQ
+    private val values: Set<Value> = when (test) {
+        is Test.Compare -> setOf(test.value)
+        is Test.OneOf -> test.values
+        is Test.Matches -> emptySet()
     }
+    private val atoms: Array<String> = values.mapNotNull(::plainAtom).toTypedArray()
+    private val numbers: DoubleArray = values.filterIsInstance<Value.Number>().map(Value.Number::value).toDoubleArray()
 
-    private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {
-        if (open == end) return false
-        var start = Syntax.skipBlanks(text, open + 1, end)
-        while (start < end && text[start] != ']') {
-            val partEnd = Outline.partEnd(text, start, end, ']')
-            if (meetsAnnotation(ValueReader(text, start, partEnd).readWhole())) return true
-            start = Syntax.skipBlanks(text, if (text[partEnd] == ',') partEnd + 1 else partEnd, end)
+    /** Whether the term that [text] holds from [start], where it is not blank, to [end] meets the test. Never throws. */
+    fun isMetBy(text: CharSequence, start: Int, end: Int): Boolean {
+        if (test is Test.Matches) return isMetBy(ValueReader(text, start, end).readWhole())
+        if (text[start] in 'a'..'z') {
+            val wordEnd = Syntax.wordEnd(text, start, end)
+            if (Syntax.skipBlanks(text, wordEnd, end) == end && !Syntax.isReserved(text, start, wordEnd)) {
+                return decides(isAnAtom(text, start, wordEnd), Double.NaN)
+            }
         }
+        val number = DecimalReader.plain(text, start, end)
+        return if (number.isNaN()) isMetBy(ValueReader(text, start, end).readWhole()) else decides(isANumber(number), number)
+    }
+
+    /** Whether [value] meets the test; null stands for a term that is not ground and plain. */
+    fun isMetBy(value: Value?): Boolean = when {
+        value == null -> false
+        test is Test.Matches -> test.matches(value.toString())
+        else -> decides(value in values, (value as? Value.Number)?.value ?: Double.NaN)
+    }
+
+    /** Whether a term meets the test that [isEqual] to one of the values or not, and is [number]: NaN, which has no order, if it is none. */
+    private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
+        Operator.EQ -> isEqual
+        Operator.NE -> !isEqual
+        Operator.GT -> number > numbers[0]
+        Operator.GE -> number >= numbers[0]
+        Operator.LT -> number < numbers[0]
+        Operator.LE -> number <= numbers[0]
+    }
+
+    private fun isAnAtom(text: CharSequence, start: Int, end: Int): Boolean {
+        for (atom in atoms) if (atom.length == end - start && Syntax.isAt(text, start, atom)) return true
         return false
     }
 
-    /** Whether [value], null where there is none, meets all tests. */
-    fun meets(value: Value?): Boolean {
-        for (test in tests) if (!test.meets(value)) return false
-        return true
+    private fun isANumber(number: Double): Boolean {
+        for (wanted in numbers) if (wanted == number) return true
+        return false
     }
 
-    /** Whether [value] is an annotation that this condition is on, and meets it. */
-    fun meetsAnnotation(value: Value?): Boolean =
-        value is Value.Structure && value.predicate == annotation && meets(value.arguments.firstOrNull())
+    /** The word of an atom without quotes, negation, namespace, arguments and annotations. */
+    private fun plainAtom(value: Value): String? =
+        (value as? Value.Structure)?.predicate?.functor?.takeIf { value == Value.Structure(Predicate(it)) && it[0] != '\'' }
 }

@@ -33,38 +33,36 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         fun noPercept(percept: String, filter: PerceptionFilter) =
             Explanation(percept, Outcome.KEPT, null, " by filter ${filter.name}: its text is not a percept, and filters leave that to the parser")
 
-        fun of(matcher: PerceptMatcher, percept: PerceptForm): Explanation {
+        fun of(matcher: PerceptMatcher, percept: PerceptText): Explanation {
             val critical = matcher.criticalRules(percept).firstOrNull()
             if (critical != null) return critical(matcher, percept, critical)
-            val met = matcher.rulesThatMeet(percept)
+            val met = matcher.rulesMetBy(percept)
             val rule = met.firstOrNull { matcher.filter.mode == Mode.KEEP || it.rate == null }
             val outcome = if (matcher.drops(met)) Outcome.DROPPED else Outcome.KEPT
             val reason = if (rule == null) notMet(matcher, percept, met) else met(matcher, rule)
             return Explanation("$percept", outcome, rule?.rule, " by filter ${matcher.filter.name}: $reason")
         }
 
-        private fun critical(matcher: PerceptMatcher, percept: PerceptForm, met: CriticalRule): Explanation {
+        private fun critical(matcher: PerceptMatcher, percept: PerceptText, met: CriticalRule): Explanation {
             val number = matcher.filter.critical.indexOfFirst { it === met } + 1
             return Explanation("$percept", Outcome.KEPT, met.rule, " by filter ${matcher.filter.name}: critical rule $number meets it: $met")
         }
 
-        fun heldBack(matcher: PerceptMatcher, percept: PerceptForm, hold: Hold<*>, nowMs: Long): Explanation {
+        fun heldBack(matcher: PerceptMatcher, percept: PerceptText, hold: Hold<*>, nowMs: Long): Explanation {
             val time = " for another ${hold.dueMs - nowMs} ms by filter ${matcher.filter.name}"
             return Explanation("$percept", Outcome.HELD_BACK, hold.rule.rule, "$time: ${met(matcher, hold.rule)}; ${hold.lastPercept} stands for it")
         }
 
         private fun met(matcher: PerceptMatcher, rule: CompiledRule) = "${numbered(matcher, rule)} meets it: ${rule.rule}"
 
-        private fun notMet(matcher: PerceptMatcher, percept: PerceptForm, met: List<CompiledRule>): String {
+        private fun notMet(matcher: PerceptMatcher, percept: PerceptText, met: List<CompiledRule>): String {
             val rules = matcher.rulesOn(percept)
-            if (rules.isEmpty()) return "it has no rule on ${percept.predicate} with ${percept.arity} arguments"
+            if (rules.isEmpty()) return "it has no rule on ${percept.predicate()} with ${percept.arity} arguments"
             return rules.joinToString("; ") { rule ->
-                val verdict = if (rule in met) "holds nothing back now" else "does not meet it, since not: ${failing(rule, percept)}"
+                val verdict = if (rule in met) "holds nothing back now" else "does not meet it, since not: ${rule.failing(percept)}"
                 "${numbered(matcher, rule)} $verdict"
             }
         }
-
-        private fun failing(rule: CompiledRule, percept: PerceptForm) = rule.conditions.first { !percept.meets(it) }.condition
 
         private fun numbered(matcher: PerceptMatcher, rule: CompiledRule) =
             "rule ${matcher.filter.rules.indexOfFirst { it === rule.rule } + 1}"

@@ -24,7 +24,7 @@ internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, private val last
  * What the rates of a filter's rules remember: the percept that each let through last, for each percept up to its numbers.
  *
  * Bounded: of a board that sends percepts of more kinds than [CAPACITY], those that came longest ago are forgotten and let through anew, and
- * percepts longer than [LONGEST] characters are not remembered, so never held back.
+ * percepts longer than [MAX_LENGTH] characters are not remembered, so never held back.
  */
 internal class RateMemory<P>(filter: PerceptionFilter?) {
     private data class Key(val rule: CompiledRule, val percept: String)
@@ -42,9 +42,9 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
      * How [percept], which [met] the rules, is held back at [nowMs]; empty if it is not: it is let through or dropped for good. The first
      * says until when.
      */
-    fun holds(met: List<CompiledRule>, form: PerceptForm, percept: P, nowMs: Long): List<Hold<P>> {
+    fun holds(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long): List<Hold<P>> {
         if (met.isEmpty() || met.any { it.rate == null }) return emptyList()
-        val holds = met.mapNotNull { hold(it, form, percept, nowMs) }
+        val holds = met.mapNotNull { hold(it, text, percept, nowMs) }
         return when {
             mode == Mode.DROP -> holds.sortedByDescending { it.dueMs }
             holds.size == met.size -> holds.sortedBy { it.dueMs }
@@ -53,19 +53,19 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
     }
 
     /** Remembers that [percept], which [met] the rules, is let through at [nowMs]. */
-    fun letThrough(met: List<CompiledRule>, form: PerceptForm, percept: P, nowMs: Long) {
+    fun letThrough(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long) {
         for (rule in met) {
-            if (rule.rate == null || isLong(form)) continue
-            val key = Key(rule, form.key(ANY_NUMBER))
+            if (rule.rate == null || isLong(text)) continue
+            val key = Key(rule, text.key(ANY_NUMBER))
             val last = memory[key]
-            if (last?.percept == percept) last.heldSinceMs = null else memory[key] = LetThrough(percept, nowMs, numbers(form))
+            if (last?.percept == percept) last.heldSinceMs = null else memory[key] = LetThrough(percept, nowMs, numbers(text))
         }
     }
 
-    private fun hold(rule: CompiledRule, form: PerceptForm, percept: P, nowMs: Long): Hold<P>? {
-        val rate = rule.rate?.takeUnless { isLong(form) } ?: return null
-        val last = memory[Key(rule, form.key(ANY_NUMBER))]?.takeIf { it.percept != percept } ?: return null
-        if (hasMoved(rate, last, form)) return null
+    private fun hold(rule: CompiledRule, text: PerceptText, percept: P, nowMs: Long): Hold<P>? {
+        val rate = rule.rate?.takeUnless { isLong(text) } ?: return null
+        val last = memory[Key(rule, text.key(ANY_NUMBER))]?.takeIf { it.percept != percept } ?: return null
+        if (hasMoved(rate, last, text)) return null
         val dueMs = if (rate.everyMs != null) after(last.atMs, rate.everyMs) else after(last.heldSinceMs ?: nowMs, Rate.SETTLING_MS)
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }
@@ -73,25 +73,25 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
     /** [ms] after [startMs], or as far in the future as the clock goes. */
     private fun after(startMs: Long, ms: Long) = if (startMs > Long.MAX_VALUE - ms) Long.MAX_VALUE else startMs + ms
 
-    private fun isLong(form: PerceptForm) = form.toString().length > LONGEST
+    private fun isLong(text: PerceptText) = text.length > MAX_LENGTH
 
-    private fun hasMoved(rate: Rate, last: LetThrough<P>, form: PerceptForm): Boolean = rate.deadbands.any { deadband ->
+    private fun hasMoved(rate: Rate, last: LetThrough<P>, text: PerceptText): Boolean = rate.deadbands.any { deadband ->
         val arguments = deadband.argument?.let(::listOf) ?: last.numbers.keys
-        arguments.any { hasMoved(last.numbers[it], if (it < form.arity) form.number(it) else null, deadband.width) }
+        arguments.any { hasMoved(last.numbers[it], text.number(it), deadband.width) }
     }
 
     /** An argument that is no number has no deadband to stay in. */
     private fun hasMoved(last: Double?, now: Double?, width: Double) = last == null || now == null || Math.abs(now - last) >= width
 
-    private fun numbers(form: PerceptForm): Map<Int, Double> =
-        (0 until form.arity).mapNotNull { index -> form.number(index)?.let { index to it } }.toMap()
+    private fun numbers(text: PerceptText): Map<Int, Double> =
+        (0 until text.arity).mapNotNull { index -> text.number(index)?.let { index to it } }.toMap()
 
     companion object {
         /** No value is written so: numbers of any size give one key. */
         const val ANY_NUMBER = "#"
 
         private const val CAPACITY = 4_096
-        private const val LONGEST = 1_024
+        private const val MAX_LENGTH = 1_024
         private const val INITIAL_CAPACITY = 16
         private const val LOAD_FACTOR = 0.75f
     }

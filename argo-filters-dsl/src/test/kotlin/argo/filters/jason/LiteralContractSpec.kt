@@ -14,6 +14,8 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Atom
 import jason.asSyntax.Literal
 import jason.asSyntax.LiteralImpl
+import jason.asSyntax.NumberTermImpl
+import jason.asSyntax.StringTermImpl
 import jason.asSyntax.VarTerm
 
 class LiteralContractSpec : StringSpec({
@@ -22,7 +24,7 @@ class LiteralContractSpec : StringSpec({
         checkAll(5_000, filters, perceptTexts) { filter, text ->
             val matcher = filter.matcher()
             val decision = matcher.drops(text)
-            withClue("$filter on $text") { decision shouldBe matcher.drops(ASSyntax.parseLiteral(text)) }
+            withClue("$filter on $text") { decision shouldBe matcher.drops(perceptText(ASSyntax.parseLiteral(text))) }
             if (decision) dropped++
         }
         dropped shouldBeGreaterThan 100
@@ -31,6 +33,14 @@ class LiteralContractSpec : StringSpec({
     "a literal that no text could stand for is kept, whatever the filter" {
         val matchers = listOf(PerceptionFilter("k", emptyList(), PerceptionFilter.Mode.KEEP), PerceptionFilter("d", Rule("true"))).map { it.matcher() }
         val literals = listOf(VarTerm("X"), LiteralImpl(Literal.LNeg, "true"), LiteralImpl("No functor"), LiteralImpl(Atom("No namespace"), Literal.LPos, "d"), LiteralImpl(VarTerm("N"), Literal.LPos, "d"))
-        for (literal in literals) for (matcher in matchers) withClue("$literal") { matcher.drops(literal) shouldBe false }
+        for (literal in literals) for (matcher in matchers) withClue("$literal") { matcher.drops(perceptText(literal)) shouldBe false }
+    }
+
+    "the text of a literal is one that a board could send, with quotes and line breaks escaped" {
+        for (text in listOf("say(\"a \\\"b\\\"\\n\")", "d(-5)", "d([a,\"x\",[b]])", "house::~d(f(1))[q(0.5)]", "d(1e999)", "d(-(1e999))")) {
+            val literal = ASSyntax.parseLiteral(text)
+            withClue(text) { ASSyntax.parseLiteral(perceptText(literal)) shouldBe literal }
+        }
+        perceptText(ASSyntax.createLiteral("d", StringTermImpl("a\rb"), NumberTermImpl(1.0))) shouldBe "d(_,1)"
     }
 })

@@ -1,6 +1,6 @@
 package argo.filters.jason
 
-import argo.filters.matching.NumberText
+import argo.filters.matching.DecimalReader
 import argo.filters.perceptTexts
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
@@ -9,8 +9,6 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
-import io.kotest.matchers.types.shouldBeSameInstanceAs
-import io.kotest.matchers.types.shouldNotBeSameInstanceAs
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
@@ -39,7 +37,7 @@ private fun anatomy(term: Term): String = buildString {
 
 private fun shouldReadAsJason(text: String) = withClue(text) {
     val expected = ASSyntax.parseLiteral(text)
-    val found = PerceptReader().read(text)
+    val found = PerceptReader.read(text)
     anatomy(found) shouldBe anatomy(expected)
     // two readings of one text are not always equal to Jason: [-1] is an expression, and annotations are compared as if they were ordered
     val again = ASSyntax.parseLiteral(text)
@@ -83,7 +81,7 @@ class PerceptReaderSpec : StringSpec({
     "it reads every number to the same double" {
         checkAll(5_000, Arb.numericDouble()) { shouldReadAsJason("d(${it.toBigDecimal().toPlainString()},$it)") }
         checkAll(5_000, Arb.list(Arb.element("0", "1", "9", "5", "."), 1..18).map { it.joinToString("") }) { text ->
-            val value = NumberText.plain(text, 0, text.length)
+            val value = DecimalReader.plain(text, 0, text.length)
             if (!value.isNaN()) value shouldBe text.toDouble()
         }
     }
@@ -92,33 +90,17 @@ class PerceptReaderSpec : StringSpec({
         val tokens = Arb.list(Arb.element("d", "(", ")", "[", "]", ",", "|", "\"", "'", "\\", "~", ":", ".", "-", "+", "1", "1.5e", "X", " ", "\n", "/", "true", "not", "a", "é", "&", "_9999999999", "{", "}", "!", ";", "<", "=", "*"), 0..10)
         checkAll(20_000, tokens.map { it.joinToString("") }) { text ->
             val expected = try { ASSyntax.parseLiteral(text) } catch (_: Exception) { null } catch (_: Error) { null }
-            if (expected == null) withClue(text) { shouldThrow<PerceptSyntaxException> { PerceptReader().read(text) } } else shouldReadAsJason(text)
+            if (expected == null) withClue(text) { shouldThrow<PerceptSyntaxException> { PerceptReader.read(text) } } else shouldReadAsJason(text)
         }
     }
 
     "what is no literal is refused with its text and the cause" {
-        shouldThrow<PerceptSyntaxException> { PerceptReader().read("dist(f 3)") }.message shouldContain "'dist(f 3)' is not a literal that Jason can read: "
-        shouldThrow<PerceptSyntaxException> { PerceptReader().read("x".repeat(500) + "(") }.message!!.length shouldBe shouldThrow<PerceptSyntaxException> { PerceptReader().read("x".repeat(501) + "(") }.message!!.length
+        shouldThrow<PerceptSyntaxException> { PerceptReader.read("dist(f 3)") }.message shouldContain "'dist(f 3)' is not a literal that Jason can read: "
+        shouldThrow<PerceptSyntaxException> { PerceptReader.read("x".repeat(500) + "(") }.message!!.length shouldBe shouldThrow<PerceptSyntaxException> { PerceptReader.read("x".repeat(501) + "(") }.message!!.length
     }
 
     "nesting without end is refused, not a stack overflow" {
-        shouldThrow<PerceptSyntaxException> { PerceptReader().read("d(" + "(".repeat(100_000) + "1" + ")".repeat(100_000) + ")") }.message shouldContain "nested too deep"
-        shouldThrow<PerceptSyntaxException> { PerceptReader().read("d(" + "[".repeat(100_000)) }
-    }
-
-    "the literal of unchanged text is given again, as long as it is kept" {
-        val reader = PerceptReader(kept = 2)
-        val first = reader.read("a(1)")
-        reader.read("a(1)") shouldBeSameInstanceAs first
-        reader.read("b")
-        reader.read("a(1)") shouldBeSameInstanceAs first
-        reader.read("c")
-        reader.read("a(1)") shouldBeSameInstanceAs first
-        val second = reader.read("b")
-        reader.read("c")
-        reader.read("d")
-        reader.read("b") shouldNotBeSameInstanceAs second
-        shouldThrow<IllegalArgumentException> { PerceptReader(-1) }
-        PerceptReader(0).read("a") shouldBe ASSyntax.parseLiteral("a")
+        shouldThrow<PerceptSyntaxException> { PerceptReader.read("d(" + "(".repeat(100_000) + "1" + ")".repeat(100_000) + ")") }.message shouldContain "nested too deep"
+        shouldThrow<PerceptSyntaxException> { PerceptReader.read("d(" + "[".repeat(100_000)) }
     }
 })

@@ -1,7 +1,6 @@
 package argo.filters.matching
 
 import argo.filters.Condition
-import argo.filters.CriticalPercept
 import argo.filters.CriticalRule
 import argo.filters.Deadband
 import argo.filters.DropRules
@@ -17,10 +16,9 @@ import argo.filters.Value
 import argo.filters.filters
 import argo.filters.format.JsonFilters
 import argo.filters.format.XmlFilters
-import argo.filters.jason.criticalRules
-import argo.filters.jason.drops
-import argo.filters.jason.explain
+import argo.filters.jason.perceptText
 import argo.filters.lt
+import argo.filters.matching.CriticalPercept
 import argo.filters.perceptTexts
 import argo.filters.perceptionFilter
 import argo.filters.reflex
@@ -73,7 +71,7 @@ class CriticalRuleSpec : FreeSpec({
         val dropping = PerceptionFilter("d", listOf(Rule("dist"), Rule("light")), critical = listOf(stop)).matcher()
         dropping.drops("dist(f,14)") shouldBe false
         dropping.drops("dist(f,15)") shouldBe true
-        dropping.drops(ASSyntax.parseLiteral("dist(f,14)")) shouldBe false
+        dropping.drops(perceptText(ASSyntax.parseLiteral("dist(f,14)"))) shouldBe false
         dropping.drops("light(3)") shouldBe true
         val keeping = PerceptionFilter("k", listOf(Rule("light")), PerceptionFilter.Mode.KEEP, critical = listOf(stop)).matcher()
         listOf("dist(f,14)", "dist(f,15)", "light(3)", "temp(4)").filterNot(keeping::drops) shouldContainExactly listOf("dist(f,14)", "light(3)")
@@ -83,7 +81,7 @@ class CriticalRuleSpec : FreeSpec({
         checkAll(2_000, filters, perceptTexts) { filter, text ->
             val matcher = filter.matcher()
             val rules = matcher.criticalRules(text)
-            matcher.criticalRules(ASSyntax.parseLiteral(text)) shouldBe rules
+            matcher.criticalRules(perceptText(ASSyntax.parseLiteral(text))) shouldBe rules
             if (rules.isNotEmpty()) matcher.drops(text) shouldBe false
         }
     }
@@ -97,7 +95,7 @@ class CriticalRuleSpec : FreeSpec({
     }
 
     "rates do not hold its percepts back, and hold back the others" {
-        val session = FilterSession.ofTexts()
+        val session = Played(FilterSession.ofTexts())
         session.switchTo(PerceptionFilter("f", listOf(Rule(Predicate("dist"), rate = Rate(100, setOf(Deadband(1, 50.0))))), critical = listOf(stop)))
         session.perceive(listOf("dist(f,30)"), 0) shouldContainExactly listOf("dist(f,30)")
         session.critical.shouldBeEmpty()
@@ -111,7 +109,7 @@ class CriticalRuleSpec : FreeSpec({
     }
 
     "a switch to its filter does not freeze its percepts, and a switch away forgets them" {
-        val session = FilterSession.ofTexts()
+        val session = Played(FilterSession.ofTexts())
         session.perceive(listOf("dist(f,14)", "dist(b,90)"), 0)
         session.switchTo(PerceptionFilter("f", listOf(Rule("dist")), onSwitch = PerceptionFilter.OnSwitch.FREEZE, critical = listOf(stop)))
         session.perceive(listOf("dist(f,14)"), 1) shouldContainExactly listOf("dist(f,14)", "dist(b,90)")

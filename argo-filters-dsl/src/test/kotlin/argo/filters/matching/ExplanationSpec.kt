@@ -10,7 +10,7 @@ import argo.filters.Rule
 import argo.filters.Test
 import argo.filters.Value
 import argo.filters.filters
-import argo.filters.jason.explain
+import argo.filters.jason.perceptText
 import argo.filters.matching.Explanation.Outcome
 import argo.filters.perceptTexts
 import io.kotest.core.spec.style.StringSpec
@@ -42,7 +42,7 @@ class ExplanationSpec : StringSpec({
     }
 
     "it explains literals as texts" {
-        dropping.explain(ASSyntax.parseLiteral("dist(b,1)")).toString() shouldBe dropping.explain("dist(b,1)").toString()
+        dropping.explain(perceptText(ASSyntax.parseLiteral("dist(b,1)"))).toString() shouldBe dropping.explain("dist(b,1)").toString()
     }
 
     "it agrees with what the matcher does" {

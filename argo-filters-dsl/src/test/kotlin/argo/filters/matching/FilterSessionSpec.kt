@@ -21,7 +21,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import jason.asSyntax.ASSyntax
 
-private fun session(rules: String, root: String = ""): FilterSession<String> = FilterSession.ofTexts().also {
+private fun session(rules: String, root: String = ""): Played<String> = Played(FilterSession.ofTexts()).also {
     it.switchTo(XmlFilters.read("<PerceptionFilter $root>$rules</PerceptionFilter>", "test.xml"))
 }
 
@@ -30,7 +30,7 @@ private const val WITHIN_5 = "<filter><predicate>dist</predicate><parameter id='
 
 class FilterSessionSpec : FreeSpec({
     "without a filter everything is perceived" {
-        FilterSession.ofTexts().perceive(listOf("a", "b(1)", "not a percept"), 0) shouldContainExactly listOf("a", "b(1)", "not a percept")
+        FilterSession.ofTexts().perceive(listOf("a", "b(1)", "not a percept"), 0).kept shouldContainExactly listOf("a", "b(1)", "not a percept")
     }
 
     "a filter without rates decides over each percept by itself" {
@@ -166,7 +166,7 @@ class FilterSessionSpec : FreeSpec({
 
     "whatever comes and whenever, the last value is delivered in the end" {
         checkAll(500, Arb.list(Arb.int(0..20), 1..12), Arb.list(Arb.int(0..150), 12..12), rates) { values, pauses, rate ->
-            val session = FilterSession.ofTexts()
+            val session = Played(FilterSession.ofTexts())
             session.switchTo(PerceptionFilter("f", listOf(Rule(Predicate("dist"), rate = rate))))
             var now = 0L
             var believed = emptyList<String>()
@@ -184,14 +184,14 @@ class FilterSessionSpec : FreeSpec({
         val lightOnly = PerceptionFilter("lightOnly", Rule("dist"))
 
         "what the new one hides is forgotten" {
-            val session = FilterSession.ofTexts()
+            val session = Played(FilterSession.ofTexts())
             session.perceive(percepts, 0)
             session.switchTo(lightOnly)
             session.perceive(percepts, 1) shouldContainExactly listOf("light(f,3)")
         }
 
         "it is frozen if the new one says so, until the next change" {
-            val session = FilterSession.ofTexts()
+            val session = Played(FilterSession.ofTexts())
             session.perceive(percepts, 0)
             session.switchTo(PerceptionFilter("frozen", lightOnly.rules, onSwitch = PerceptionFilter.OnSwitch.FREEZE))
             session.perceive(listOf("dist(f,9)", "light(f,4)"), 1) shouldContainExactly listOf("light(f,4)", "dist(f,1)", "dist(b,2)")
@@ -201,7 +201,7 @@ class FilterSessionSpec : FreeSpec({
         }
 
         "a frozen percept gives way to one that differs from it in numbers only" {
-            val session = FilterSession.ofTexts()
+            val session = Played(FilterSession.ofTexts())
             session.perceive(listOf("dist(f,227)", "dist(b,300)"), 0)
             val far = Rule("dist", Condition.Argument(1, Test.Compare(Operator.GT, Value.of("200"))))
             session.switchTo(PerceptionFilter("near", listOf(far), onSwitch = PerceptionFilter.OnSwitch.FREEZE))
@@ -214,7 +214,7 @@ class FilterSessionSpec : FreeSpec({
             session.perceive(listOf("dist(f,1)"), 0)
             session.perceive(listOf("dist(f,2)"), 50)
             session.switchTo(session.filter)
-            session.nextDueMs shouldBe null
+            session.due(100) shouldBe null
             session.perceive(listOf("dist(f,3)"), 60) shouldContainExactly listOf("dist(f,3)")
         }
     }
@@ -227,7 +227,7 @@ class FilterSessionSpec : FreeSpec({
     }
 
     "literals are filtered as texts are" {
-        val literals = literalSession()
+        val literals = Played(literalSession())
         literals.switchTo(session(EVERY_100).filter)
         literals.perceive(listOf(ASSyntax.parseLiteral("dist(f,1)")), 0)
         literals.perceive(listOf(ASSyntax.parseLiteral("dist(f,-2)")), 50).map { "$it" } shouldContainExactly listOf("dist(f,1)")

@@ -6,7 +6,7 @@ import argo.filters.PerceptionFilter
 import argo.filters.Rule
 import argo.filters.Test
 import argo.filters.Value
-import argo.filters.jason.drops
+import argo.filters.jason.perceptText
 import argo.filters.rule
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.StringSpec
@@ -57,7 +57,7 @@ class HostileTextSpec : StringSpec({
         val text = "d(" + "[".repeat(200) + "]".repeat(200) + ")"
         dropsAll.drops(text) shouldBe true
         matcher.drops(text) shouldBe false
-        matcher.drops(ASSyntax.parseLiteral(text)) shouldBe false
+        matcher.drops(perceptText(ASSyntax.parseLiteral(text))) shouldBe false
     }
 
     "no text makes a matcher throw" {

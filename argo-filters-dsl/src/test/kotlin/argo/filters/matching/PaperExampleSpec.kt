@@ -1,7 +1,7 @@
 package argo.filters.matching
 
 import argo.filters.format.XmlFilters
-import argo.filters.jason.drops
+import argo.filters.jason.perceptText
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
@@ -35,7 +35,7 @@ class PaperExampleSpec : StringSpec({
 
     "it leaves the same of the percepts as literals" {
         val matcher = filter.matcher()
-        percepts.map(ASSyntax::parseLiteral).filterNot { matcher.drops(it) }.map { "$it" } shouldBe listOf("distance(front,227)")
+        percepts.map(ASSyntax::parseLiteral).filterNot { matcher.drops(perceptText(it)) }.map { "$it" } shouldBe listOf("distance(front,227)")
     }
 
     "it is called as its file is" { filter.name shouldBe "frontDistance" }

@@ -7,7 +7,7 @@ import argo.filters.Rule
 import argo.filters.Test
 import argo.filters.Value
 import argo.filters.format.XmlFilters
-import argo.filters.jason.drops
+import argo.filters.jason.perceptText
 import argo.filters.rule
 import argo.filters.xml
 import io.kotest.assertions.withClue
@@ -22,7 +22,7 @@ private fun parameter(operator: String, value: String, id: Int = 0) = "<paramete
 
 private fun decides(matcher: PerceptMatcher, percept: String, dropped: Boolean) = withClue(percept) {
     matcher.drops(percept) shouldBe dropped
-    matcher.drops(ASSyntax.parseLiteral(percept)) shouldBe dropped
+    matcher.drops(perceptText(ASSyntax.parseLiteral(percept))) shouldBe dropped
 }
 
 class PerceptMatcherSpec : FreeSpec({

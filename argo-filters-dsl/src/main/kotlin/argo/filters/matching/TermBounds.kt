@@ -3,18 +3,20 @@ package argo.filters.matching
 import argo.filters.Syntax
 
 /**
- * The outline of a percept in its text: where its parts begin and end. Nothing here builds a term or allocates, and nothing throws,
- * whatever the text.
+ * Where the terms of a percept begin and end in its text. Nothing here builds a term or allocates, and nothing throws, whatever the text.
  *
  * Quotes, brackets and comments are respected. Nesting beyond [MAX_DEPTH] is no percept.
  */
-internal object Outline {
+internal object TermBounds {
     const val NONE = -1
+
+    /** What [tail] returns where there is no percept. */
+    const val NO_TAIL = -1L
     private const val MAX_DEPTH = 256
 
     /**
      * What follows a functor that ends at [functorEnd]: the arity and where the annotations open, which [arity] and [annotations] take
-     * apart, or [NONE] if the text up to [end] is no percept.
+     * apart, or [NO_TAIL] if the text up to [end] is no percept.
      */
     fun tail(text: CharSequence, functorEnd: Int, end: Int): Long {
         var arity = 0
@@ -22,14 +24,14 @@ internal object Outline {
         if (i < end && text[i] == '(') {
             do {
                 i = partEnd(text, Syntax.skipBlanks(text, i + 1, end), end, ')')
-                if (i < 0) return NONE.toLong()
+                if (i < 0) return NO_TAIL
                 arity++
             } while (text[i] == ',')
             i = Syntax.skipBlanks(text, i + 1, end)
         }
         val annotations = i
         if (i < end && text[i] == '[') i = annotationsEnd(text, i, end)
-        return if (i == end) arity.toLong() shl Int.SIZE_BITS or annotations.toLong() else NONE.toLong()
+        return if (i == end) arity.toLong() shl Int.SIZE_BITS or annotations.toLong() else NO_TAIL
     }
 
     fun arity(tail: Long): Int = (tail shr Int.SIZE_BITS).toInt()
@@ -43,6 +45,9 @@ internal object Outline {
         repeat(index) { start = Syntax.skipBlanks(text, partEnd(text, start, end, ')') + 1, end) }
         return start
     }
+
+    /** Where the annotation starts that follows the bracket or comma at [before], after blanks; a closing bracket if none follows. */
+    fun annotation(text: CharSequence, before: Int, end: Int): Int = Syntax.skipBlanks(text, before + 1, end)
 
     /** The comma or [close] that ends the part which starts at [start], or [NONE] if there is none or the part is empty. */
     fun partEnd(text: CharSequence, start: Int, end: Int, close: Char): Int {

@@ -2,8 +2,8 @@ package argo.filters.matching
 
 import argo.filters.Syntax
 
-/** Reads numbers as boards write them, in place. */
-internal object NumberText {
+/** Reads decimal numbers as boards write them, in place. */
+internal object DecimalReader {
     /** Beyond as many digits the quotient of two exact doubles is no longer the nearest double. */
     private const val MAX_DIGITS = 15
     private val POWERS = DoubleArray(MAX_DIGITS + 1).also { powers ->

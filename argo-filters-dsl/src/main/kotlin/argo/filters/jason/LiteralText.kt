@@ -1,0 +1,59 @@
+package argo.filters.jason
+
+import argo.filters.Value
+import argo.filters.ValueReader
+import argo.filters.matching.FilterSession
+import jason.asSyntax.ArithExpr
+import jason.asSyntax.ArithFunctionTerm
+import jason.asSyntax.BinaryStructure
+import jason.asSyntax.CyclicTerm
+import jason.asSyntax.InternalActionLiteral
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Literal
+import jason.asSyntax.NumberTermImpl
+import jason.asSyntax.Plan
+import jason.asSyntax.PlanBody
+import jason.asSyntax.Rule
+import jason.asSyntax.StringTerm
+import jason.asSyntax.Term
+import jason.asSyntax.Trigger
+
+/** A session over percepts that are Jason literals, as they come from a Jason environment; without a filter at first. */
+fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
+
+/**
+ * The text of [percept] as a board would send it, for filters to decide over. Never throws.
+ *
+ * It differs from `toString` in strings, whose quotes and line breaks are escaped here. A string that no text can hold is written as a variable,
+ * and so are terms nested deeper than filters look.
+ */
+fun perceptText(percept: Literal): String = text(percept, 0)
+
+private fun text(term: Term, depth: Int): String = when {
+    depth > ValueReader.MAX_DEPTH -> NO_VALUE
+    term.isVar -> term.toString() // to Jason a variable is a list, a string and a number as well
+    term is StringTerm -> term.string?.let(Value.Text::ofOrNull)?.toString() ?: NO_VALUE
+    term is NumberTermImpl -> number(term.solve())
+    term is ArithExpr && term.arity == 1 -> "(${term.functor}${text(term.getTerm(0), depth + 1)})"
+    term is ListTerm -> if (term.tail == null) term.asList.joinToString(",", "[", "]") { text(it, depth + 1) } else NO_VALUE
+    term is Literal && isPlain(term) -> structure(term, depth)
+    else -> term.toString()
+}
+
+private fun number(number: Double) = if (number.isNaN()) NO_VALUE else Value.Number(number).toString()
+
+private fun structure(literal: Literal, depth: Int): String = buildString {
+    if (literal.ns != Literal.DefaultNS) append(literal.ns).append("::")
+    if (literal.negated()) append('~')
+    append(literal.functor)
+    if (literal.hasTerm()) literal.terms.joinTo(this, ",", "(", ")") { text(it, depth + 1) }
+    if (literal.hasAnnot()) literal.annots.asList.joinTo(this, ",", "[", "]") { text(it, depth + 1) }
+}
+
+private fun isPlain(literal: Literal) = when (literal) {
+    is BinaryStructure, is ArithFunctionTerm, is InternalActionLiteral, is PlanBody, is Plan, is Trigger, is Rule, is CyclicTerm -> false
+    else -> true
+}
+
+/** A variable, which no condition is true for. */
+private const val NO_VALUE = "_"
