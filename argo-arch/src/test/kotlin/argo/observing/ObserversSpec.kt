@@ -15,7 +15,8 @@ private const val LOOKS = """
     +!start <- argo.port("sim:robot"); argo.limit(5); argo.change_filter(front); argo.percepts(open); argo.act(hello).
     +dist(f,_) <- argo.act(seen).
 """
-private const val FRONT = """<PerceptionFilter><filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter></PerceptionFilter>"""
+private const val FRONT =
+    """<PerceptionFilter><filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter></PerceptionFilter>"""
 
 class ObserversSpec : FunSpec({
     fun TestMas.diary() = architecture("bob").observers.filterIsInstance<Diary>().single()
@@ -33,7 +34,9 @@ class ObserversSpec : FunSpec({
             mas.kill("bob")
             eventually({ diary.lines }) { "closed" in diary.lines }
             val message = "[dist(f,38), dist(b,90), X] kept [dist(f,38), X] unreadable [X] of sim:robot"
-            diary.lines.toList().shouldContainInOrder("port \"sim:robot\" on", "filter front", "filtered $message", "perceived $message", "issued 2 seen on sim:robot", "ended 2 well")
+            diary.lines.toList().shouldContainInOrder(
+                "port \"sim:robot\" on", "filter front", "filtered $message", "perceived $message", "issued 2 seen on sim:robot", "ended 2 well",
+            )
             diary.lines.toList().shouldContainInOrder("issued 1 hello on sim:robot", "ended 1 well")
             diary.agent.name shouldBe "bob"
         }
@@ -67,6 +70,14 @@ class ObserversSpec : FunSpec({
             mas.bob("argo_speed" to "9", program = "")
             mas.log shouldContain "argo_speed is not an option of argo.Arch, which has argo_sensing="
             mas.log shouldContain "argo_diary=a word"
+        }
+    }
+
+    test("a live view without its module is reported with what is missing, and the agent runs") {
+        onRobot("dist(f,38);") { board, mas ->
+            mas.bob("argo_view" to "8080")
+            board.awaitMessage("seen", 20_000)
+            mas.log shouldContain "what reads it is in the module argo-view (argo.jar has it), which is not on the class path"
         }
     }
 

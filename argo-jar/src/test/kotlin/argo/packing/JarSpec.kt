@@ -20,8 +20,8 @@ class JarSpec : FunSpec({
     val jar = Source.read(file)
     val own = jar.classes.filter { it.startsWith("argo/") && !it.startsWith("argo/shaded/") || it.startsWith("javino/") || it.startsWith("jason/") }
 
-    test("it holds the architecture, the filters, the links and the tools") {
-        listOf("argo/Arch", "argo/port", "argo/filters/PerceptionFilter", "javino/Link", "argo/tools/MainKt").forEach { own shouldContain it }
+    test("it holds the architecture, the live view, the filters, the links and the tools") {
+        listOf("argo/Arch", "argo/port", "argo/view/AgentView", "argo/filters/PerceptionFilter", "javino/Link", "argo/tools/MainKt").forEach { own shouldContain it }
         JarFile(file.toFile()).use { it.manifest.mainAttributes.getValue("Main-Class") } shouldBe "argo.tools.MainKt"
     }
 

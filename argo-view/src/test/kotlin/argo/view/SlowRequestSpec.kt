@@ -1,6 +1,5 @@
 package argo.view
 
-import argo.jason.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.net.Socket

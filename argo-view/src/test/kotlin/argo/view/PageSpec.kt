@@ -1,7 +1,5 @@
 package argo.view
 
-import argo.jason.TestMas
-import argo.jason.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
@@ -23,11 +21,11 @@ private const val FRONT = """<PerceptionFilter><filter><predicate>dist</predicat
 class PageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
 
-    fun shown(answer: String, test: Chromium.(TestMas) -> Unit) = FakeBoard.plugIn("robot").use { board ->
+    fun shown(answer: String, test: Chromium.(ViewedMas) -> Unit) = FakeBoard.plugIn("robot").use { board ->
         board.lenient().whenAsked("getPercepts").answer(answer)
-        TestMas().use { mas ->
+        ViewedMas().use { mas ->
             mas.file("front.xml", FRONT)
-            mas.agent("bob", AGENT, options = mapOf("argo_view" to "0"))
+            mas.agent("bob", AGENT)
             Chromium.open(mas.viewOf("bob")).use { page ->
                 page.await { texts("#sensors .text").isNotEmpty() && texts("#beliefs .text").size > 2 && texts("#commands .text").size == 2 }
                 mas.agentView("bob").show { DistancePicture(73.2, 40.0, 200.0, "cm", "driving") }

@@ -1,7 +1,6 @@
 package argo.view
 
 import argo.filters.PerceptionFilter
-import argo.jason.eventually
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
 import io.kotest.core.spec.style.FunSpec

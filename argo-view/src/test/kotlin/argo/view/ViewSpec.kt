@@ -1,7 +1,5 @@
 package argo.view
 
-import argo.jason.TestMas
-import argo.jason.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.nulls.shouldBeNull
@@ -25,13 +23,13 @@ private val FILLING = "a(1);b(2);c(3);d(\"${"x".repeat(180)}\");"
 private const val FRONT = """<PerceptionFilter><filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter></PerceptionFilter>"""
 
 class ViewSpec : FunSpec({
-    fun watched(program: String = LOOKS, answer: String = "dist(f,38);dist(b,90);light(4);", test: (TestMas, FakeBoard, URI) -> Unit) =
+    fun watched(program: String = LOOKS, answer: String = "dist(f,38);dist(b,90);light(4);", test: (ViewedMas, FakeBoard, URI) -> Unit) =
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer(answer)
-            TestMas().use { mas ->
+            ViewedMas().use { mas ->
                 mas.file("front.xml", FRONT)
                 mas.file("filters/wrong.xml", "<PerceptionFilter><filter/></PerceptionFilter>")
-                mas.agent("bob", program, options = mapOf("argo_view" to "0"))
+                mas.agent("bob", program)
                 test(mas, board, mas.viewOf("bob"))
             }
         }
@@ -212,9 +210,9 @@ class ViewSpec : FunSpec({
     test("several browsers watch several agents, each what it asked for") {
         FakeBoard.plugIn("robot").use { board ->
             board.lenient()
-            TestMas().use { mas ->
-                mas.agent("ann", "likes(tea).", options = mapOf("argo_view" to "0"))
-                mas.agent("bob", "likes(milk).", options = mapOf("argo_view" to "0"))
+            ViewedMas().use { mas ->
+                mas.agent("ann", "likes(tea).")
+                mas.agent("bob", "likes(milk).")
                 listOf("ann" to "likes(tea)", "bob" to "likes(milk)").forEach { (agent, belief) ->
                     val watchers = (1..3).map { Watcher(mas.viewOf(agent)) }
                     watchers.forEach { it.await { state -> state.agent == agent && state.beliefs.beliefs.any { b -> b.text == belief } } }
@@ -269,8 +267,8 @@ class ViewSpec : FunSpec({
     }
 
     test("50 agents with views that are watched and killed leave no thread") {
-        TestMas().use { mas ->
-            (1..50).forEach { mas.agent("bob$it", "likes(tea).", options = mapOf("argo_view" to "0")) }
+        ViewedMas().use { mas ->
+            (1..50).forEach { mas.agent("bob$it", "likes(tea).") }
             val watchers = (1..50 step 5).map { Watcher(mas.viewOf("bob$it")).apply { await { true } } }
             (1..50).forEach { mas.kill("bob$it") }
             eventually(::viewThreads) { viewThreads().isEmpty() }
@@ -280,8 +278,8 @@ class ViewSpec : FunSpec({
 
     test("a port that is taken is reported, and the agent runs without a view") {
         ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->
-            TestMas().use { mas ->
-                mas.agent("bob", "!start.\n+!start <- +ready.", options = mapOf("argo_view" to "${taken.localPort}"))
+            ViewedMas().use { mas ->
+                mas.agent("bob", "!start.\n+!start <- +ready.", view = "${taken.localPort}")
                 eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
                 mas.log shouldContain "argo_view=${taken.localPort}: port ${taken.localPort} cannot be had"
             }
@@ -291,8 +289,8 @@ class ViewSpec : FunSpec({
     context("a view that cannot be meant is reported, and the agent runs without") {
         listOf("true", "-1", "65536", "80 80", "\"\"", "8080.5").forEach { word ->
             test("argo_view=$word") {
-                TestMas().use { mas ->
-                    mas.agent("bob", "!start.\n+!start <- +ready.", options = mapOf("argo_view" to word))
+                ViewedMas().use { mas ->
+                    mas.agent("bob", "!start.\n+!start <- +ready.", view = word)
                     eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
                     mas.log shouldContain "a view has the number of a port from 0 to 65535"
                     viewThreads() shouldBe emptyList()

@@ -1,0 +1,83 @@
+package argo.view
+
+import argo.Arch
+import jason.asSemantics.Intention
+import jason.asSyntax.ASSyntax
+import jason.infra.local.RunLocalMAS
+import jason.runtime.RuntimeServicesFactory
+import jason.runtime.Settings
+import java.net.URI
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
+import kotlin.io.path.createDirectories
+import kotlin.io.path.createTempDirectory
+import kotlin.io.path.writeText
+
+/** A real Jason in this process, for agents with live views. One at a time. */
+internal class ViewedMas : AutoCloseable {
+    private val directory: Path = createTempDirectory("argo-view")
+    private val mas = RunLocalMAS()
+    private val records = ConcurrentLinkedQueue<LogRecord>()
+    private val handler = object : Handler() {
+        override fun publish(record: LogRecord) { records += record }
+        override fun flush() = Unit
+        override fun close() = Unit
+    }
+
+    init {
+        val logging = directory.resolve("logging.properties").apply { writeText("handlers =\n.level = INFO\n") }
+        mas.init(arrayOf("--empty-mas", "--no-net", "--log-conf", logging.toString()))
+        Logger.getLogger("").addHandler(handler)
+        mas.create()
+        mas.start()
+    }
+
+    /** What has been logged so far, one message a line. */
+    val log: String get() = records.joinToString("\n") { it.message.orEmpty() }
+
+    /** Starts an agent with [program] whose option `argo_view` is [view]. */
+    fun agent(name: String, program: String, view: String = "0") {
+        val source = directory.resolve("$name.asl").apply { writeText(program) }
+        val settings = Settings().apply { setOptions(hashMapOf<String, Any>("argo_view" to view)) }
+        val services = RuntimeServicesFactory.get()
+        services.startAgent(services.createAgent(name, source.toString(), null, listOf("argo.Arch"), null, settings, null))
+    }
+
+    /** Writes a file of the project, beside its agents. */
+    fun file(name: String, text: String) {
+        directory.resolve(name).apply { parent.createDirectories() }.writeText(text)
+    }
+
+    /** Gives agent [name] the goal. */
+    fun achieve(name: String, goal: String) {
+        mas.getAg(name).ts.c.addAchvGoal(ASSyntax.parseLiteral(goal), Intention.EmptyInt)
+        mas.getAg(name).wake()
+    }
+
+    /** Stops agent [name] as `.kill_agent` does. */
+    fun kill(name: String) {
+        RuntimeServicesFactory.get().killAgent(name, "test", 0)
+    }
+
+    /** The agent's beliefs, as text without their sources. */
+    fun beliefs(name: String): Set<String> =
+        mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toSet()
+
+    /** The view of agent [name], as a project gets at it. */
+    fun agentView(name: String): AgentView =
+        generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().flatMap { it.observers }.filterIsInstance<AgentView>().single()
+
+    /** Where the view of agent [name] is, by the log. */
+    fun viewOf(name: String): URI = URI(checkNotNull(Regex("the live view of $name is at (http://127\\.0\\.0\\.1:\\d+/)").find(log)).groupValues[1])
+
+    override fun close() {
+        mas.finish(0, false, 0) // on a thread of its own
+        eventually({ mas.ags.keys }) { mas.ags.isEmpty() }
+        Logger.getLogger("").removeHandler(handler)
+        Files.walk(directory).use { files -> files.sorted(Comparator.reverseOrder()).forEach(Files::delete) }
+    }
+}
