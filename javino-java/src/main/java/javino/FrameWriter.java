@@ -61,12 +61,13 @@ final class FrameWriter {
         lock();
         try {
             turns.add(turn);
-            long deadline = clock.nanos() + timeoutMillis * NANOS_PER_MILLI;
+            long due = clock.nanos();
+            long deadline = due + timeoutMillis * NANOS_PER_MILLI;
             while (true) {
                 requireLine();
                 long now = clock.nanos();
                 long wait = turns.peek() != turn ? Long.MAX_VALUE
-                        : kind == Kind.ACTION ? pacer.nanosUntilAction(bytes, now) : pacer.nanosUntilRequest(now);
+                        : kind == Kind.ACTION ? pacer.nanosUntilAction(bytes, now) : pacer.nanosUntilRequest(due, now);
                 if (wait == 0) {
                     return;
                 }

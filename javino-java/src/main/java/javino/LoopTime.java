@@ -1,29 +1,43 @@
 package javino;
 
 import java.util.Arrays;
+import java.util.concurrent.TimeUnit;
 
 /**
- * How long a board's sketch may take from one look at the line to the next, as far as its answers show it: a request waits for the next
- * look, so the time from its last byte to the first byte of its answer is a part of one round, a random one.
+ * How long a version 1 board takes from one look at the line to the next, estimated from its answers. The delay of an answer is the time until
+ * the board's next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is always
+ * about the same. So the differences of delays show the loop.
  *
- * <p>The estimate is twice the longest of the last {@value #SAMPLES}: as many, since requests that are sent in step with the sketch see the
- * same short part of its round again and again. Of each {@value #ALONE_AMONG} the longest does not count, or one hiccup of this computer or of
- * the board would keep commands apart for a minute. Times are nanoseconds. Guarded by its user's lock.
+ * <p>The estimate is twice the range of the last {@value #SAMPLES} delays, and four times that of fewer than {@value #FEW}, which may
+ * not have met the whole of the loop. One in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this
+ * computer does not slow commands down.
+ *
+ * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
+ * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.
+ * Guarded by its user's lock.
  */
 final class LoopTime {
     static final int SAMPLES = 256;
-    private static final int ALONE_AMONG = 64;
-    /** A board that takes longer to answer is measuring something, not looking elsewhere; or what came is no answer. */
-    private static final long MAX_DELAY_NANOS = 50_000_000L;
-    /** The longest estimate. */
-    static final long MAX_NANOS = 2 * MAX_DELAY_NANOS;
+    /** Fewer delays say nothing. */
+    static final int MIN_SAMPLES = 8;
+    private static final int OUTLIER_AMONG = 64;
+    private static final int FEW = 24;
+    private static final int LEARNING_REQUESTS = 32;
+    private static final int PROBE_AMONG = 8;
+    private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
+    /** The fractional parts of its multiples are spread evenly. */
+    private static final double GOLDEN_RATIO = 0.6180339887498949;
+    /** A later answer belongs to an earlier request, or the board waits for a sensor. */
+    private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
 
     private final long[] delays = new long[SAMPLES];
     private int count;
     private int next;
+    private long range;
     private long longest;
+    private int requests;
 
-    /** Says that an answer began {@code delayNanos} after its request had left; less than 0 counts as 0. */
+    /** Records that an answer began {@code delayNanos} after its request had left; less than 0 counts as 0. */
     void answeredAfter(long delayNanos) {
         if (delayNanos > MAX_DELAY_NANOS) {
             return;
@@ -33,11 +47,32 @@ final class LoopTime {
         count = Math.min(count + 1, SAMPLES);
         long[] sorted = Arrays.copyOf(delays, count);
         Arrays.sort(sorted);
-        longest = sorted[count - 1 - count / ALONE_AMONG];
+        int outliers = count / OUTLIER_AMONG;
+        range = count < MIN_SAMPLES ? 0 : sorted[count - 1 - Math.max(1, outliers)] - sorted[outliers];
+        longest = sorted[count - 1];
     }
 
-    /** The estimate; 0 before the first answer. */
+    /** Records that a request was written. */
+    void asked() {
+        requests++;
+    }
+
+    /** How much later than it may the next request is to be written. */
+    long probeDelayNanos() {
+        if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
+            return 0;
+        }
+        int probe = requests < LEARNING_REQUESTS ? requests : requests / PROBE_AMONG;
+        return (long) (probe * GOLDEN_RATIO % 1 * Math.max(MIN_PROBE_NANOS, longest));
+    }
+
+    /** Whether enough answers have been timed for an estimate. */
+    boolean isKnown() {
+        return count >= MIN_SAMPLES;
+    }
+
+    /** The estimate. */
     long nanos() {
-        return 2 * longest;
+        return (count < FEW ? 4 : 2) * range;
     }
 }

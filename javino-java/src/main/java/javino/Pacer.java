@@ -1,39 +1,41 @@
 package javino;
 
+import java.util.concurrent.TimeUnit;
+
 /**
  * When the next frame may be handed to the driver: a function of the time and of what was written and received before.
  *
- * <p>Two things hold a frame back. The pace: the driver is given a frame when the one before has left the line by the baud rate. And
- * courtesy to version 1 boards, which hold few received messages, overwrite one that they have not handled with the next, and do not read
- * while they send an answer:
+ * <p>Two things hold a frame back. The pace: the driver is given a frame when the one before has left the line by the baud rate. And the
+ * limits of version 1 boards. They read all that has arrived between two rounds of their {@code loop()}, with room for one message, and
+ * restart if the beginning of a frame follows a message in what they read. They do not read while they send an answer. So
  * <ul>
- *   <li>an action ends {@code spacing} after the frame before it, and a request starts {@code spacing} after the last action;
+ *   <li>a frame starts an inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as far as
+ *       {@link LoopTime} knows it, and at least what was asked for;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
- *       an AVR. It may be busy until the answer is complete and {@code spacing} has passed, or until it has been silent for
- *       {@value #QUIET_MILLIS} ms;
- *   <li>a request waits until it has had time for the actions it got meanwhile.
+ *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms.
  * </ul>
- * {@code spacing} is what was asked for, or more for a board whose answers show that it looks at the line more seldom, see
- * {@link LoopTime}. Version 2 boards hold what they receive, and acknowledge actions, of which one is on its way at a time. They are left their receive buffer,
- * and no other courtesy. A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
+ * Version 2 boards keep what they receive, and acknowledge actions, of which one is on its way at a time. For them only the receive buffer
+ * counts. A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
     /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
 
-    private static final long NANOS_PER_MILLI = 1_000_000L;
-    private static final long QUIET_NANOS = QUIET_MILLIS * NANOS_PER_MILLI;
+    /** The least gap while the board's loop is not known. */
+    static final int UNKNOWN_GAP_MILLIS = 10;
+
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
+    private static final int GAP_BYTES = 2;
 
     private final boolean paced;
     private final long byteNanos;
-    private final long spacingNanos;
+    private final long minGapNanos;
     private final int boardQueue;
     private boolean version2;
 
     private long lineFreeAt;
-    private long frameEnd; // of the last frame
-    private long actionEnd; // of the last action
+    private long lastEnd; // of the last frame, or of the answer behind it
     private final LoopTime loop = new LoopTime();
     private long requestEnd;
     private boolean answerBegun;
@@ -47,11 +49,10 @@ final class Pacer {
     Pacer(LinkSettings settings, long now) {
         paced = settings.paced();
         byteNanos = settings.line().byteNanos();
-        spacingNanos = settings.spacingMillis() * NANOS_PER_MILLI;
+        minGapNanos = TimeUnit.MILLISECONDS.toNanos(settings.spacingMillis());
         boardQueue = settings.boardQueue();
         lineFreeAt = now;
-        frameEnd = now - spacingNanos;
-        actionEnd = now - spacingNanos;
+        lastEnd = now - gap();
         busyUntil = now;
         version2 = settings.protocol() == Protocol.V2;
     }
@@ -63,29 +64,26 @@ final class Pacer {
 
     /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
     long nanosUntilAction(int bytes, long now) {
-        if (!paced) {
-            return 0;
-        }
-        long at = version2 ? lineFreeAt : later(lineFreeAt, frameEnd + spacing() - bytes * byteNanos);
-        if (overfills(bytes)) {
-            at = later(at, busyUntil);
-        }
-        return Math.max(0, at - now);
+        return nanosUntil(overfills(bytes) ? later(earliest(), busyUntil) : earliest(), now);
     }
 
-    /** Nanoseconds from {@code now} until a request may be written; 0: now. */
-    long nanosUntilRequest(long now) {
-        if (!paced) {
-            return 0;
-        }
-        if (version2) {
-            return Math.max(0, lineFreeAt - now);
-        }
-        long at = later(lineFreeAt, actionEnd + spacing());
-        if (actionsMeanwhile > 0) {
-            at = later(at, busyUntil);
-        }
-        return Math.max(0, at - now);
+    /**
+     * Nanoseconds from {@code now} until a request may be written; 0: now.
+     *
+     * @param due when it would have been written on a free line
+     */
+    long nanosUntilRequest(long due, long now) {
+        long free = !version2 && actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
+        long probeDelay = version2 || minGapNanos == 0 ? 0 : loop.probeDelayNanos();
+        return nanosUntil(later(free, due) + probeDelay, now);
+    }
+
+    private long earliest() {
+        return version2 ? lineFreeAt : later(lineFreeAt, lastEnd + gap());
+    }
+
+    private long nanosUntil(long at, long now) {
+        return paced ? Math.max(0, at - now) : 0;
     }
 
     /**
@@ -101,30 +99,26 @@ final class Pacer {
             actionsMeanwhile++;
             bytesMeanwhile += bytes;
         }
-        actionEnd = wrote(bytes, start, now);
-        return actionEnd;
+        return wrote(bytes, start, now);
     }
 
     /** Says that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wrote(bytes, start, now);
+        loop.asked();
         answerBegun = false;
         actionSinceRequest = false;
         actionsMeanwhile = 0;
         bytesMeanwhile = 0;
         awaitingAnswer = true;
-        busyUntil = frameEnd + QUIET_NANOS;
-        return frameEnd;
+        busyUntil = requestEnd + QUIET_NANOS;
+        return requestEnd;
     }
 
     private long wrote(int bytes, long start, long now) {
-        if (paced) {
-            lineFreeAt = later(later(start, lineFreeAt) + bytes * byteNanos, now);
-            frameEnd = lineFreeAt;
-        } else {
-            frameEnd = now;
-        }
-        return frameEnd;
+        lineFreeAt = paced ? later(later(start, lineFreeAt) + bytes * byteNanos, now) : now;
+        lastEnd = lineFreeAt;
+        return lastEnd;
     }
 
     /** Says that {@code bytes} were there when the line was looked at: the first of them came earlier, by the time that the others took. */
@@ -144,18 +138,21 @@ final class Pacer {
             return;
         }
         awaitingAnswer = false;
+        busyUntil = now;
         if (!actionSinceRequest) {
-            frameEnd = now - LoopTime.MAX_NANOS - spacingNanos; // the board has handled all it got: what comes next need not keep its distance
-            lineFreeAt = now; // so all has left, if the line is faster than its rate says, as a pseudo-terminal is
-            busyUntil = now;
-        } else {
-            busyUntil = now + spacing();
+            lineFreeAt = now; // all has left, if the line is faster than its rate, as a pseudo-terminal is
+            lastEnd = now;
         }
+        lastEnd = later(lastEnd, now);
     }
 
-    /** The distance to keep: what was asked for, and what the board's loop needs; none if none was asked for. */
-    private long spacing() {
-        return spacingNanos == 0 ? 0 : Math.max(spacingNanos, loop.nanos());
+    /** The inter-frame gap. */
+    private long gap() {
+        if (minGapNanos == 0) {
+            return 0;
+        }
+        long loopNanos = loop.isKnown() ? loop.nanos() + GAP_BYTES * byteNanos : TimeUnit.MILLISECONDS.toNanos(UNKNOWN_GAP_MILLIS);
+        return Math.max(minGapNanos, loopNanos);
     }
 
     private boolean overfills(int bytes) {

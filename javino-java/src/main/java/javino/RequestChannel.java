@@ -21,6 +21,7 @@ final class RequestChannel {
     private final ResponseCorrelator answers;
     private final Negotiation negotiation;
     private final long startedAt; // when a board that has not answered is taken to run
+    private final int spacingMillis;
     private volatile Protocol protocol;
     private volatile boolean ready;
     private volatile boolean heard; // the board has said something
@@ -38,6 +39,7 @@ final class RequestChannel {
         answers = new ResponseCorrelator(inbox, clock);
         negotiation = new Negotiation(this, inbox, answers, clock, settings);
         protocol = settings.protocol();
+        spacingMillis = settings.spacingMillis();
         startedAt = clock.nanos() + settings.bootMillis() * NANOS_PER_MILLI;
         ready = settings.bootMillis() == 0;
     }
@@ -193,7 +195,7 @@ final class RequestChannel {
     }
 
     private long write(Frame frame, int timeoutMillis, FrameWriter.BeforeWrite beforeWrite) throws PortException {
-        return writer.write(FrameWriter.Kind.REQUEST, frame, timeoutMillis, () -> {
+        return writer.write(FrameWriter.Kind.REQUEST, frame, timeoutMillis + spacingMillis, () -> {
             beforeWrite.run();
             inbox.sends(frame);
         });

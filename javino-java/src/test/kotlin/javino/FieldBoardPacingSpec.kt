@@ -18,7 +18,14 @@ private const val MILLI = 1_000_000L
 private data class Order(val atMillis: Int, val length: Int)
 
 /** A link and a field board in virtual time: percepts are asked for again and again, and actions come as ordered. */
-private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, private val intervalNanos: Long, orders: List<Order>) {
+private class FieldExchange(
+    baud: Int,
+    loopNanos: Long,
+    answerLength: Int,
+    private val intervalNanos: Long,
+    orders: List<Order>,
+    buildNanos: Long = 0,
+) {
     private val settings = LinkSettings.defaults().withBaud(baud)
     private val byteNanos = settings.line().byteNanos()
     private val answer = Frame.of("x".repeat(answerLength))
@@ -29,7 +36,7 @@ private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, priva
     private var requestDue = 0L
     private var asking = false
     private var answerBytes = 0
-    val board = FieldBoardModel(byteNanos, loopNanos, answer)
+    val board = FieldBoardModel(byteNanos, loopNanos, answer, buildNanos)
     val actions = due.map { it.second }
     var requests = 0
         private set
@@ -45,7 +52,7 @@ private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, priva
                 queue += FieldBoardModel.REQUEST
             }
             write(now)
-            while (onLine.isNotEmpty() && onLine.first().first <= now) board.receive(onLine.removeFirst().second)
+            while (onLine.isNotEmpty() && onLine.first().first <= now) board.receive(onLine.removeFirst().second, now)
             repeat(board.advance(now)) { answerByte(now) }
         }
     }
@@ -54,7 +61,7 @@ private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, priva
         val message = queue.firstOrNull() ?: return
         val bytes = Frame.of(message).toBytes()
         val request = message == FieldBoardModel.REQUEST
-        if ((if (request) pacer.nanosUntilRequest(now) else pacer.nanosUntilAction(bytes.size, now)) > 0) return
+        if ((if (request) pacer.nanosUntilRequest(requestDue, now) else pacer.nanosUntilAction(bytes.size, now)) > 0) return
         queue.removeFirst()
         val end = if (request) pacer.wroteRequest(bytes.size, now, now) else pacer.wroteAction(bytes.size, now, now)
         bytes.forEachIndexed { i, byte -> onLine += end - (bytes.size - 1 - i) * byteNanos to byte }
@@ -75,16 +82,18 @@ private class FieldExchange(baud: Int, loopNanos: Long, answerLength: Int, priva
 
 class FieldBoardPacingSpec : FunSpec({
     val bauds = Arb.element(9_600, 19_200, 57_600, 115_200, 1_000_000)
-    val loops = Arb.element(0L, 1 * MILLI, 5 * MILLI, 8 * MILLI)
+    val loops = Arb.element(0L, 1 * MILLI, 2 * MILLI, 3 * MILLI, 5 * MILLI, 8 * MILLI, 10 * MILLI)
+    val builds = Arb.element(0L, 0L, 1 * MILLI, 11 * MILLI)
     val answers = Arb.element(0, 37, 150, 200, 255)
     val intervals = Arb.element(0L, 0L, 5 * MILLI, 20 * MILLI)
     val orders = Arb.list(Arb.int(0..600), 0..25)
 
-    test("a field board loses no message, whatever comes when") {
-        checkAll(400, bauds, loops, answers, intervals, orders) { baud, loop, answer, interval, times ->
+    test("a field board loses no message and never restarts, whatever comes when") {
+        checkAll(1000, bauds, loops, answers, intervals, orders, builds) { baud, loop, answer, interval, times, build ->
             val longest = if (loop == 0L) 150 else 50 // no link can help a board whose receive buffer is shorter than one message
-            val exchange = FieldExchange(baud, loop, answer, interval, times.mapIndexed { i, at -> Order(at, 2 + i * 37 % longest) })
+            val exchange = FieldExchange(baud, loop, answer, interval, times.mapIndexed { i, at -> Order(at, 2 + i * 37 % longest) }, build)
             exchange.runUntil(6_000 * MILLI)
+            exchange.board.restarts shouldBe 0
             exchange.board.lost.shouldBeEmpty()
             exchange.board.overflowed shouldBe 0
             exchange.board.handled.filter { it != FieldBoardModel.REQUEST } shouldContainExactly exchange.actions
@@ -94,7 +103,7 @@ class FieldBoardPacingSpec : FunSpec({
 
     test("an agent that acts all the time still perceives, and one that perceives all the time still acts") {
         val exchange = FieldExchange(9_600, 5 * MILLI, 150, 0, (0 until 1_000 step 10).map { Order(it, 5) })
-        exchange.runUntil(3_000 * MILLI)
+        exchange.runUntil(4_000 * MILLI)
         exchange.board.handled.filter { it != FieldBoardModel.REQUEST } shouldContainExactly exchange.actions
         exchange.answers shouldBeGreaterThan 5
     }

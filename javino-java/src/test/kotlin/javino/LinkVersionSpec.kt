@@ -54,8 +54,9 @@ private class BusyBoard(val model: FieldBoardModel) : LineEnd {
         if (!ready) Frame.of("ready;").toBytes().let { end.write(it, 0, it.size, 0) }
         ready = true
         val buffer = ByteArray(64)
-        repeat(end.read(buffer, 0, buffer.size, 0)) { model.receive(buffer[it]) }
-        repeat(model.advance((now * 1e6).toLong())) {
+        val nanos = (now * 1e6).toLong()
+        repeat(end.read(buffer, 0, buffer.size, 0)) { model.receive(buffer[it], nanos) }
+        repeat(model.advance(nanos)) {
             if (unsent.isEmpty()) unsent += Frame.of("dist(f,1);").toBytes().toList()
             end.write(byteArrayOf(unsent.removeFirst()), 0, 1, 0)
         }
@@ -233,6 +234,7 @@ class LinkVersionSpec : FunSpec({
                 bench.link.send("ledOn", 5_000)
                 bench.awayFor(2 * loop)
                 board.model.overflowed shouldBe 0
+                board.model.restarts shouldBe 0
                 board.model.lost.shouldBeEmpty()
                 board.model.handled.filter { it != REQUEST } shouldContainExactly listOf("x".repeat(40), "ledOn")
             }

@@ -4,14 +4,37 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 private const val MILLI = 1_000_000L
+private const val GAP = 10 * MILLI // until answers have been timed
 private const val BYTE_9600 = 1_041_666L
 
 private fun pacer(settings: LinkSettings = LinkSettings.defaults()) = Pacer(settings, 0)
 
+/** A pacer that has timed [delays], of answers to requests without actions in between, and the time by then. */
+private fun timed(settings: LinkSettings, delays: List<Long>): Pair<Pacer, Long> {
+    val pacer = pacer(settings)
+    var now = 0L
+    for (delay in delays) {
+        val asked = pacer.wroteRequest(17, now, now)
+        pacer.received(1, asked + delay)
+        now = asked + delay + 100 * MILLI
+        pacer.answered(now)
+    }
+    return pacer to now
+}
+
+/** The gap that is kept behind a frame after answers with [delays]. */
+private fun gapAfter(delays: List<Long>, settings: LinkSettings = LinkSettings.defaults()): Long {
+    val (pacer, now) = timed(settings, delays)
+    val sent = pacer.wroteAction(11, now, now)
+    return pacer.nanosUntilAction(11, sent)
+}
+
+private fun ms(vararg delays: Int) = delays.map { it * MILLI }
+
 class PacerSpec : FunSpec({
     test("the first frame goes at once") {
         pacer().nanosUntilAction(11, 0) shouldBe 0
-        pacer().nanosUntilRequest(0) shouldBe 0
+        pacer().nanosUntilRequest(0, 0) shouldBe 0
     }
 
     test("a frame has left when its bytes have had their time") {
@@ -19,41 +42,31 @@ class PacerSpec : FunSpec({
         pacer().wroteRequest(17, 5, 5) shouldBe 5 + 17 * BYTE_9600
     }
 
-    test("the next frame goes when the one before has left") {
-        val pacer = pacer()
-        pacer.wroteAction(11, 0, 0)
-        pacer.nanosUntilAction(11, 0) shouldBe 11 * BYTE_9600
-        pacer.nanosUntilAction(11, 11 * BYTE_9600 - 1) shouldBe 1
-        pacer.nanosUntilAction(11, 11 * BYTE_9600) shouldBe 0
+    test("the next frame starts a gap behind the end of the one before, however long both are") {
+        for (length in listOf(7, 60)) for (baud in listOf(9_600, 1_000_000)) {
+            val pacer = pacer(LinkSettings.defaults().withBaud(baud))
+            val end = pacer.wroteAction(length, 0, 0)
+            pacer.nanosUntilAction(length, 0) shouldBe end + GAP
+            pacer.nanosUntilAction(length, end + GAP - 1) shouldBe 1
+            pacer.nanosUntilAction(length, end + GAP) shouldBe 0
+            pacer.nanosUntilRequest(0, end) shouldBe GAP
+        }
     }
 
     test("a driver that took its time moves the line on") {
         pacer().wroteAction(11, 0, 700 * MILLI) shouldBe 700 * MILLI
     }
 
-    test("on a fast line actions end as far apart as the board needs") {
-        val pacer = pacer(LinkSettings.defaults().withBaud(1_000_000))
-        val end = pacer.wroteAction(10, 0, 0)
-        end shouldBe 100_000
-        pacer.nanosUntilAction(10, end) shouldBe 10 * MILLI - 100_000
-    }
-
-    test("a request goes only when the board has had time for the last action") {
-        val pacer = pacer()
-        val end = pacer.wroteAction(11, 0, 0)
-        pacer.nanosUntilRequest(end) shouldBe 10 * MILLI
-    }
-
-    test("while the board may be busy with an answer it gets as many actions as it can hold") {
+    test("while the board may be busy with an answer it gets as many actions as it can hold, the first a gap behind the request") {
         val pacer = pacer()
         val asked = pacer.wroteRequest(17, 0, 0)
-        pacer.nanosUntilAction(11, asked) shouldBe 0
-        val sent = pacer.wroteAction(11, asked, asked)
+        pacer.nanosUntilAction(11, asked) shouldBe GAP
+        val sent = pacer.wroteAction(11, asked + GAP, asked + GAP)
         pacer.nanosUntilAction(11, sent) shouldBe asked + 50 * MILLI - sent
     }
 
     test("a board with a longer queue gets more of them, but no more bytes than its receive buffer holds") {
-        val pacer = pacer(LinkSettings.defaults().withBoardQueue(4))
+        val pacer = pacer(LinkSettings.defaults().withBoardQueue(4).withSpacingMillis(0))
         val asked = pacer.wroteRequest(17, 0, 0)
         val first = pacer.wroteAction(30, asked, asked)
         pacer.nanosUntilAction(30, first) shouldBe 0
@@ -65,25 +78,25 @@ class PacerSpec : FunSpec({
         val asked = pacer.wroteRequest(17, 0, 0)
         pacer.nanosUntilAction(61, asked) shouldBe 50 * MILLI
         pacer.answered(asked + 20 * MILLI)
-        pacer.nanosUntilAction(61, asked + 20 * MILLI) shouldBe 0
+        pacer.nanosUntilAction(61, asked + 20 * MILLI) shouldBe GAP
     }
 
-    test("after an answer the board has time for the action that it got meanwhile, and needs none if it got no action") {
+    test("a frame starts a gap behind an answer, whether or not an action went out meanwhile") {
         val pacer = pacer()
         val asked = pacer.wroteRequest(17, 0, 0)
         val sent = pacer.wroteAction(11, asked, asked)
-        pacer.answered(sent)
-        pacer.nanosUntilAction(11, sent) shouldBe 10 * MILLI
+        pacer.answered(sent + MILLI)
+        pacer.nanosUntilAction(11, sent + MILLI) shouldBe GAP
         val again = pacer.wroteRequest(17, sent + 20 * MILLI, sent + 20 * MILLI)
-        pacer.answered(again)
-        pacer.nanosUntilAction(11, again) shouldBe 0
+        pacer.answered(again + MILLI)
+        pacer.nanosUntilAction(11, again + MILLI) shouldBe GAP
     }
 
     test("an answer that comes before its request can have left shows that the line is faster than its rate, and free") {
         val pacer = pacer()
         pacer.wroteRequest(17, 0, 0)
         pacer.answered(MILLI)
-        pacer.nanosUntilAction(11, MILLI) shouldBe 0
+        pacer.nanosUntilAction(11, MILLI) shouldBe GAP
     }
 
     test("an answer says nothing of an action that was written after its request") {
@@ -91,65 +104,96 @@ class PacerSpec : FunSpec({
         val late = pacer.wroteRequest(17, 0, 0) + 60 * MILLI // a slow board, which is taken to be silent
         val sent = pacer.wroteAction(11, late, late)
         pacer.answered(late + MILLI)
-        pacer.nanosUntilAction(11, late + MILLI) shouldBe sent - (late + MILLI)
-        pacer.nanosUntilRequest(late + MILLI) shouldBe sent + 10 * MILLI - (late + MILLI)
+        pacer.nanosUntilAction(11, late + MILLI) shouldBe sent + GAP - (late + MILLI)
     }
 
     test("a message that nobody asked for says nothing of the line") {
         val pacer = pacer()
         val sent = pacer.wroteAction(11, 0, 0)
         pacer.answered(MILLI)
-        pacer.nanosUntilAction(11, MILLI) shouldBe sent - MILLI
+        pacer.nanosUntilAction(11, MILLI) shouldBe sent + GAP - MILLI
     }
 
-    test("a board that looks at the line more seldom than messages are spaced gets them farther apart") {
-        val pacer = pacer()
-        val asked = pacer.wroteRequest(17, 0, 0)
-        pacer.received(1, asked + 30 * MILLI)
-        pacer.answered(asked + 40 * MILLI)
-        val sent = pacer.wroteAction(11, asked + 40 * MILLI, asked + 40 * MILLI)
-        pacer.nanosUntilRequest(sent) shouldBe 60 * MILLI
-        (pacer.nanosUntilAction(11, sent) > 48 * MILLI) shouldBe true
+    test("until eight answers have been timed the gap is ten milliseconds, then at least two") {
+        gapAfter(List(7) { 12 * MILLI }) shouldBe GAP
+        gapAfter(List(8) { 12 * MILLI }) shouldBe 2 * BYTE_9600
+        gapAfter(List(8) { 12 * MILLI }, LinkSettings.defaults().withBaud(115_200)) shouldBe 2 * MILLI
     }
 
-    test("a board that takes long to measure is not taken for one that never looks, and one that holds messages is not waited for") {
-        fun apart(settings: LinkSettings): Long {
-            val pacer = pacer(settings)
-            val asked = pacer.wroteRequest(17, 0, 0)
-            pacer.received(1, asked + 400 * MILLI)
-            pacer.answered(asked + 410 * MILLI)
-            val sent = pacer.wroteAction(11, asked + 410 * MILLI, asked + 410 * MILLI)
-            return pacer.nanosUntilRequest(sent)
+    test("the gap is twice the differences of the answers' delays, whatever they have in common") {
+        val spread = List(30) { (it % 6) * MILLI } // a loop of 5 ms
+        gapAfter(spread) shouldBe 10 * MILLI + 2 * BYTE_9600
+        gapAfter(spread.map { it + 12 * MILLI }) shouldBe 10 * MILLI + 2 * BYTE_9600 // a library that takes 12 ms to build its answer
+    }
+
+    test("few answers may not have met the whole of a loop, so their differences count fourfold") {
+        gapAfter(ms(0, 0, 1, 1, 2, 2, 3, 3)) shouldBe 12 * MILLI + 2 * BYTE_9600
+    }
+
+    test("one answer that is late does not slow commands down, two do") {
+        for (others in listOf(10, 40, 200)) {
+            val delays = List(others) { 12 * MILLI }
+            gapAfter(delays + 42 * MILLI) shouldBe 2 * BYTE_9600
         }
-        apart(LinkSettings.defaults()) shouldBe 10 * MILLI
-        apart(LinkSettings.defaults().withSpacingMillis(0)) shouldBe 0
+        gapAfter(List(40) { 12 * MILLI } + ms(42, 42)) shouldBe 60 * MILLI + 2 * BYTE_9600
     }
 
-    test("only the last answers count for how often a board looks at the line") {
-        val loop = LoopTime()
-        loop.nanos() shouldBe 0
-        loop.answeredAfter(20 * MILLI)
-        loop.nanos() shouldBe 40 * MILLI
-        repeat(LoopTime.SAMPLES) { loop.answeredAfter(-1) }
-        loop.nanos() shouldBe 0
+    test("only the last answers count") {
+        val slow = List(30) { (it % 6) * MILLI }
+        gapAfter(slow + List(LoopTime.SAMPLES) { 3 * MILLI }) shouldBe 2 * BYTE_9600
     }
 
-    test("one answer among many that was late is not taken for a board that looks seldom") {
-        val loop = LoopTime()
-        repeat(63) { loop.answeredAfter(2 * MILLI) }
-        loop.answeredAfter(45 * MILLI)
-        loop.nanos() shouldBe 4 * MILLI
-        loop.answeredAfter(45 * MILLI)
-        loop.nanos() shouldBe 90 * MILLI
+    test("a board that takes long to measure is not taken for one whose loop takes long") {
+        gapAfter(ms(400, 300, 200, 100, 400, 300, 200, 100, 400)) shouldBe GAP
+    }
+
+    test("the gap that was asked for is kept at least, and none if none was asked for") {
+        gapAfter(List(9) { 12 * MILLI }, LinkSettings.defaults().withSpacingMillis(50)) shouldBe 50 * MILLI
+        gapAfter(List(30) { (it % 6) * MILLI }, LinkSettings.defaults().withSpacingMillis(5)) shouldBe 10 * MILLI + 2 * BYTE_9600
+        gapAfter(List(30) { (it % 6) * MILLI }, LinkSettings.defaults().withSpacingMillis(0)) shouldBe 0
     }
 
     test("bytes that are read late, all at once, do not make the board late") {
-        val pacer = pacer()
-        val asked = pacer.wroteRequest(17, 0, 0)
-        pacer.received(30, asked + 40 * MILLI) // 30 bytes take 31.25 ms
-        pacer.answered(asked + 50 * MILLI)
-        val sent = pacer.wroteAction(11, asked + 50 * MILLI, asked + 50 * MILLI)
-        pacer.nanosUntilRequest(sent) shouldBe 2 * (40 * MILLI - 29 * BYTE_9600)
+        fun gap(pieces: Int): Long {
+            val pacer = pacer()
+            var now = 0L
+            for (i in 0 until 30) {
+                val asked = pacer.wroteRequest(17, now, now)
+                if (i % 2 == 0) pacer.received(1, asked + 5 * MILLI) else pacer.received(pieces, asked + 5 * MILLI + (pieces - 1) * BYTE_9600)
+                now = asked + 100 * MILLI
+                pacer.answered(now)
+            }
+            return pacer.nanosUntilAction(11, now)
+        }
+        gap(30) shouldBe gap(1)
+    }
+
+    test("requests that follow each answer at once still meet the whole of the loop: some go later than they may") {
+        val (pacer, start) = timed(LinkSettings.defaults().withBaud(115_200), emptyList())
+        var now = start
+        val delays = List(100) {
+            val wait = pacer.nanosUntilRequest(now, now)
+            val asked = pacer.wroteRequest(17, now + wait, now + wait)
+            pacer.received(1, asked + MILLI)
+            now = asked + 2 * MILLI
+            pacer.answered(now)
+            if (it < LoopTime.MIN_SAMPLES) wait - GAP else wait - 2 * MILLI
+        }.drop(1)
+        delays.take(31).map { it / (2_500_000L) }.toSet() shouldBe setOf(0L, 1L, 2L, 3L) // each quarter of 10 ms
+        delays.drop(31).count { it > 0 } shouldBe 9
+    }
+
+    test("a line that is not paced, a board that keeps messages, and one of version 2 are asked when they may be") {
+        for (settings in LinkSettings.defaults().run { listOf(withPaced(false), withSpacingMillis(0), withProtocol(Protocol.V2)) }) {
+            val pacer = pacer(settings)
+            var now = 0L
+            repeat(20) {
+                now = pacer.wroteRequest(17, now, now) + MILLI
+                pacer.received(1, now)
+                pacer.answered(now)
+                pacer.nanosUntilRequest(now, now) shouldBe 0
+            }
+        }
     }
 
     test("bytes that arrive say that the board is still busy") {
@@ -160,24 +204,6 @@ class PacerSpec : FunSpec({
         pacer.nanosUntilAction(11, sent) shouldBe asked + 90 * MILLI - sent
     }
 
-    test("a complete answer lets the other actions go when the board has had time for the first") {
-        val pacer = pacer()
-        val asked = pacer.wroteRequest(17, 0, 0)
-        pacer.wroteAction(11, asked, asked)
-        val answered = asked + 40 * MILLI
-        pacer.answered(answered)
-        pacer.nanosUntilAction(11, answered) shouldBe 10 * MILLI
-        pacer.nanosUntilRequest(answered) shouldBe 10 * MILLI
-    }
-
-    test("an answer that met no action holds nothing back") {
-        val pacer = pacer()
-        val asked = pacer.wroteRequest(17, 0, 0)
-        pacer.answered(asked + 40 * MILLI)
-        pacer.nanosUntilAction(11, asked + 40 * MILLI) shouldBe 0
-        pacer.nanosUntilRequest(asked + 40 * MILLI) shouldBe 0
-    }
-
     test("a line that is not paced holds nothing back") {
         val pacer = pacer(LinkSettings.defaults().withPaced(false))
         pacer.wroteAction(255, 0, 1) shouldBe 1
@@ -186,13 +212,14 @@ class PacerSpec : FunSpec({
             pacer.nanosUntilAction(255, 2) shouldBe 0
             pacer.wroteAction(255, 2, 2)
         }
-        pacer.nanosUntilRequest(2) shouldBe 0
+        pacer.nanosUntilRequest(2, 2) shouldBe 0
     }
 
     test("the origin of time does not matter") {
-        val pacer = Pacer(LinkSettings.defaults(), Long.MAX_VALUE - 5)
-        val end = pacer.wroteAction(11, Long.MAX_VALUE - 5, Long.MAX_VALUE - 5)
-        pacer.nanosUntilAction(11, Long.MAX_VALUE - 5) shouldBe 11 * BYTE_9600
-        pacer.nanosUntilRequest(end) shouldBe 10 * MILLI
+        val start = Long.MAX_VALUE - 5
+        val pacer = Pacer(LinkSettings.defaults(), start)
+        val end = pacer.wroteAction(11, start, start)
+        pacer.nanosUntilAction(11, start) shouldBe 11 * BYTE_9600 + GAP
+        pacer.nanosUntilRequest(start, end) shouldBe GAP
     }
 })

@@ -5,17 +5,34 @@ import javino.FrameDecoder
 import javino.LineClock
 import javino.PerceptsRequest
 import javino.Transport
+import java.util.concurrent.TimeUnit
 
 /**
- * A board as they are in the field: version 1 of the Javino protocol, one message at a time.
+ * A board with the field's library: version 1 of the Javino protocol, one message at a time.
  *
- * A command takes effect when its last byte has arrived. While the board sends an answer it does not read; of several messages
- * that have arrived meanwhile it handles the last one only. How long an answer takes is the line's business: every byte takes
- * ten bit times at the rate that the port was opened with. Percepts that do not fit into one message are sent in several.
+ * Between two rounds of its `loop()` it reads all that has arrived, with room for one message. The first byte of the next frame empties the
+ * message, so that the sketch calls a null pointer and the board restarts; from the fifth byte on the message is forgotten. While the board
+ * sends an answer it does not read. How long an answer takes is the line's business: every byte takes ten bit times at the rate that the
+ * port was opened with. Percepts that do not fit into one message are sent in several.
  *
  * @param clock what bytes are timed by; the line's own
+ * @param loopMs what a round of `loop()` takes, in ms; 0: every byte is looked at when it arrives
+ * @param startMs what a restart takes, in ms
  */
-class FieldBoard(private val sketch: Sketch, private val clock: LineClock = LineClock.system()) {
+class FieldBoard(
+    private val sketch: Sketch,
+    private val clock: LineClock = LineClock.system(),
+    private val loopMs: Int = 0,
+    private val startMs: Int = 100,
+) {
+    private var message: String? = null
+    private var bytesBehind = 0 // read behind the message
+
+    /** How often the board has restarted because frames followed each other too closely. */
+    @Volatile
+    var restarts = 0
+        private set
+
     /**
      * Runs the board until its [line] is gone.
      *
@@ -23,14 +40,20 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
      * @throws InterruptedException when this thread is interrupted
      */
     fun run(line: Transport) {
-        var message: String? = null
-        val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line())) { message = it.text() }
+        message = null
+        val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line())) {
+            message = it.text()
+            bytesBehind = 0
+        }
         val unread = Unread(line, clock)
         while (true) {
-            val burst = unread.take()
+            val burst = unread.take(TimeUnit.MILLISECONDS.toNanos(loopMs.toLong()))
             if (burst.isEmpty()) decoder.idle(clock.nanos())
-            decoder.accept(burst, 0, burst.size, clock.nanos())
-            message?.let { handle(it, line, unread) }
+            for (byte in burst) {
+                bytesBehind++
+                decoder.accept(byte, clock.nanos())
+            }
+            message?.takeIf { bytesBehind <= CLEARING }?.let { if (bytesBehind == 0) handle(it, line, unread) else restart(unread, decoder) }
             message = null
         }
     }
@@ -39,6 +62,18 @@ class FieldBoard(private val sketch: Sketch, private val clock: LineClock = Line
         if (message != PerceptsRequest.ALL) return sketch.act(message)
         val answer = messages(perceptsOf(sketch.percepts())).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
         unread.lookAwayUntil(line.beginToSay(answer, clock))
+    }
+
+    private fun restart(unread: Unread, decoder: FrameDecoder) {
+        restarts++
+        unread.lookAwayUntil(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(startMs.toLong()))
+        unread.forget()
+        decoder.reset()
+    }
+
+    private companion object {
+        /** Bytes of the next frame behind which an emptied message is still taken for one. */
+        const val CLEARING = 4
     }
 }
 
@@ -63,12 +98,18 @@ private class Unread(private val line: Transport, private val clock: LineClock) 
         } while (left > 0)
     }
 
-    /** The next bytes to read; empty if none came for a while. */
-    fun take(): ByteArray {
-        if (waiting.isEmpty()) read(1, READ_LIMIT_MS)
-        val count = maxOf(burst, minOf(1, waiting.size))
+    /** The next bytes to read, after a round of the loop that takes [loopNanos]; empty if none came for a while. */
+    fun take(loopNanos: Long): ByteArray {
+        if (loopNanos > 0 && burst == 0) lookAwayUntil(clock.nanos() + loopNanos) else if (waiting.isEmpty()) read(1, READ_LIMIT_MS)
+        val count = if (loopNanos > 0) burst else maxOf(burst, minOf(1, waiting.size))
         burst = 0
         return waiting.copyOf(count).also { waiting = waiting.copyOfRange(count, waiting.size) }
+    }
+
+    /** What has arrived is lost. */
+    fun forget() {
+        waiting = ByteArray(0)
+        burst = 0
     }
 
     private fun read(most: Int, limitMs: Long): Int = line.read(arrived, 0, most, limitMs.toInt()).also { waiting += arrived.copyOf(it) }

@@ -1,5 +1,6 @@
 package samples.board
 
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import javino.Frame
@@ -10,20 +11,23 @@ import javino.sim.MemoryLine
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
+import kotlin.time.Duration.Companion.seconds
 
 private const val DEADLINE_S = 30L
 
 /** A board on a line at 9600 baud, whose commands are kept. */
-private class Bench(private val percepts: String) : AutoCloseable {
+private class Bench(private val percepts: String, loopMs: Int = 0) : AutoCloseable {
     private val line = MemoryLine.paced("bench", LineSettings.defaults())
     val computer: Transport = line.computer()
     val commands = LinkedBlockingQueue<String>()
+    private val sketch = object : Sketch {
+        override fun percepts() = this@Bench.percepts
+        override fun act(command: String) = commands.put(command)
+    }
+    val field = FieldBoard(sketch, loopMs = loopMs)
     private val board = thread(name = "board") {
         try {
-            FieldBoard(object : Sketch {
-                override fun percepts() = this@Bench.percepts
-                override fun act(command: String) = commands.put(command)
-            }).run(line.board())
+            field.run(line.board())
         } catch (_: PortGoneException) {
             // the bench is cleared
         } catch (_: InterruptedException) {
@@ -77,6 +81,26 @@ class FieldBoardSpec : FunSpec({
             bench.receive(206) shouldBe "fffeC8$percepts"
             bench.nextCommand() shouldBe "two"
             bench.send("three")
+            bench.nextCommand() shouldBe "three"
+        }
+    }
+
+    test("a board that finds the beginning of a frame behind a message restarts, and loses both") {
+        Bench("x".repeat(200)).use { bench ->
+            bench.send("getPercepts", "one")
+            bench.write("fff") // arrives while the board answers
+            bench.receive(206)
+            eventually(20.seconds) { bench.field.restarts shouldBe 1 }
+            eventually(20.seconds) {
+                bench.send("two")
+                bench.commands.poll(200, TimeUnit.MILLISECONDS) shouldBe "two"
+            }
+        }
+    }
+
+    test("a board that looks seldom forgets a message that a whole one follows") {
+        Bench("", loopMs = 200).use { bench ->
+            bench.send("one", "two", "three")
             bench.nextCommand() shouldBe "three"
         }
     }
