@@ -9,8 +9,8 @@ import java.util.concurrent.TimeUnit;
  * limits of version 1 boards. They read all that has arrived between two rounds of their {@code loop()}, with room for one message, and
  * restart if the beginning of a frame follows a message in what they read. They do not read while they send an answer. So
  * <ul>
- *   <li>a frame starts an inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as far as
- *       {@link LoopTime} knows it, and at least what was asked for;
+ *   <li>a frame starts an inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
+ *       far as {@link LoopTime} knows it, and at least what was asked for;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
  *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms.
  * </ul>

@@ -159,7 +159,8 @@ class PacerSpec : FunSpec({
             var now = 0L
             for (i in 0 until 30) {
                 val asked = pacer.wroteRequest(17, now, now)
-                if (i % 2 == 0) pacer.received(1, asked + 5 * MILLI) else pacer.received(pieces, asked + 5 * MILLI + (pieces - 1) * BYTE_9600)
+                val count = if (i % 2 == 0) 1 else pieces
+                pacer.received(count, asked + 5 * MILLI + (count - 1) * BYTE_9600)
                 now = asked + 100 * MILLI
                 pacer.answered(now)
             }

@@ -53,8 +53,12 @@ class FieldBoard(
                 bytesBehind++
                 decoder.accept(byte, clock.nanos())
             }
-            message?.takeIf { bytesBehind <= CLEARING }?.let { if (bytesBehind == 0) handle(it, line, unread) else restart(unread, decoder) }
+            val complete = message ?: continue
             message = null
+            when (bytesBehind) {
+                0 -> handle(complete, line, unread)
+                in 1..CLEARING -> restart(unread, decoder)
+            }
         }
     }
 

@@ -1,9 +1,11 @@
 package samples.firmware
 
+import javino.LineClock
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.Condition
 import kotlin.concurrent.thread
 
 /**
@@ -29,6 +31,19 @@ internal class SimulatedUno(sketch: String) : AutoCloseable {
     /** Waits until [pin], which is watched, is `high` or `low`. */
     fun awaitPin(pin: Int, state: String) {
         awaitLine("pin $pin $state ")
+    }
+
+    /** The board's time, which stands still while the machine is too busy to simulate it. */
+    val clock = object : LineClock {
+        @Synchronized
+        override fun nanos(): Long {
+            command("time")
+            return (awaitLine("ok ").substringAfter(' ').toDouble() * 1e6).toLong()
+        }
+
+        override fun await(condition: Condition, nanos: Long) {
+            condition.awaitNanos(nanos)
+        }
     }
 
     private fun command(text: String) = commands.run {
@@ -59,6 +74,6 @@ internal class SimulatedUno(sketch: String) : AutoCloseable {
         private fun elf(sketch: String) = BUILD.resolve("avr/uno/$sketch.elf")
 
         /** Whether the simulator and the sketches have been built. */
-        fun isBuilt(): Boolean = Files.isExecutable(SIMULATOR) && listOf("Blink", "Robot4WD").all { Files.exists(elf(it)) }
+        fun isBuilt(): Boolean = Files.isExecutable(SIMULATOR) && listOf("Blink", "Robot4WD", "Field").all { Files.exists(elf(it)) }
     }
 }
