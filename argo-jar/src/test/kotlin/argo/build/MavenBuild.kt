@@ -20,8 +20,8 @@ fun mavenBuild(root: Path): Build {
 
     return Build(
         group = parent.value("groupId"),
-        versions = parent.properties().filterKeys { it.endsWith(".version") }.mapKeys { (name, _) -> name.removeSuffix(".version") } +
-            ("argo" to parent.value("version")),
+        versions = (parent.properties() + pom(root.resolve("format")).properties() + ("argo.version" to parent.value("version")))
+            .filterKeys { it.endsWith(".version") }.mapKeys { (name, _) -> name.removeSuffix(".version") },
         java = properties.getValue("maven.compiler.release"),
         kotlinJvmTarget = parent.all("jvmTarget").single().textContent,
         libraries = modules.filter { "maven.install.skip" !in pom(root.resolve(it)).properties() },
