@@ -1,7 +1,6 @@
 package javino;
 
 import java.util.Arrays;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
@@ -26,22 +25,29 @@ public final class TimedWriter {
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
     private final Target target;
+    private final LineClock clock;
     private final Thread thread;
     private Job waiting; // the next to be written
     private boolean closed;
 
-    public TimedWriter(String port, Target target) {
+    /**
+     * @param port its name, for the thread's
+     * @param clock what the time limits are of
+     */
+    public TimedWriter(String port, Target target, LineClock clock) {
         this.target = target;
+        this.clock = clock;
         thread = new Thread(this::work, "write " + port);
         thread.setDaemon(true);
     }
 
+    /** Starts the thread; before that nothing is written. */
     public void start() {
         thread.start();
     }
 
     /**
-     * Writes the bytes, waiting at most until {@code deadlineNanos} of {@link System#nanoTime}. After {@link Outcome#TOO_LATE} they have
+     * Writes the bytes, waiting at most until {@code deadlineNanos} of the clock. After {@link Outcome#TOO_LATE} they have
      * not left, or are still on their way out.
      */
     public Outcome write(byte[] b, int off, int len, long deadlineNanos) throws InterruptedException {
@@ -70,9 +76,13 @@ public final class TimedWriter {
         }
     }
 
+    /** Waits for a change; false if the time is over. */
     private boolean awaitUntil(long deadlineNanos) throws InterruptedException {
-        long left = deadlineNanos - System.nanoTime();
-        return left > 0 && changed.await(left, TimeUnit.NANOSECONDS) || deadlineNanos - System.nanoTime() > 0;
+        long left = deadlineNanos - clock.nanos();
+        if (left > 0) {
+            clock.await(changed, left);
+        }
+        return left > 0;
     }
 
     /** Ends the thread as soon as its write returns. Calls that wait get {@link Outcome#CLOSED}. */

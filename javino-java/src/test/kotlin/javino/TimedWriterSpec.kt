@@ -6,23 +6,37 @@ import io.kotest.matchers.shouldBe
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.Condition
 
-private fun inAWhile(millis: Long = 20_000) = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(millis)
+private const val LIMIT_S = 20L
+private const val NEVER = Long.MAX_VALUE
+
+/** The end of a time that is over as soon as the driver has begun to write. */
+private const val UNTIL_BEGUN = 1L
+
+private fun CountDownLatch.reached() = check(await(LIMIT_S, TimeUnit.SECONDS)) { "the driver was not asked within $LIMIT_S s" }
 
 /** A driver that takes bytes only when its gate is open. */
-private class Gated : AutoCloseable {
+private class Gated : AutoCloseable, LineClock {
     val gate = CountDownLatch(1)
     val begun = CountDownLatch(1)
     val taken = CopyOnWriteArrayList<String>()
-    val writer = TimedWriter("gated") { bytes ->
+    private val driver = TimedWriter.Target { bytes ->
         begun.countDown()
-        gate.await()
+        gate.reached()
         taken += bytes.decodeToString()
         check(bytes.decodeToString() != "worse") { "a driver that throws" }
         if (bytes.decodeToString() == "bad") -1 else bytes.size
-    }.apply { start() }
+    }
+    val writer = TimedWriter("gated", driver, this).apply { start() }
 
-    fun write(text: String, deadline: Long = inAWhile()) = writer.write(text.toByteArray(), 0, text.length, deadline)
+    override fun nanos() = if (begun.count > 0) 0 else UNTIL_BEGUN
+
+    override fun await(condition: Condition, nanos: Long) {
+        condition.awaitNanos(TimeUnit.MILLISECONDS.toNanos(1)) // that the driver has begun is not signalled
+    }
+
+    fun write(text: String, deadline: Long = NEVER) = writer.write(text.toByteArray(), 0, text.length, deadline)
 
     override fun close() {
         writer.close()
@@ -31,6 +45,9 @@ private class Gated : AutoCloseable {
 }
 
 class TimedWriterSpec : FunSpec({
+    timeout = TimeUnit.SECONDS.toMillis(3 * LIMIT_S)
+    blockingTest = true
+
     test("what the driver takes is written, what it refuses has failed") {
         Gated().use { driver ->
             driver.gate.countDown()
@@ -43,9 +60,8 @@ class TimedWriterSpec : FunSpec({
 
     test("a write that the driver does not take in time is too late, and the next one waits behind it") {
         Gated().use { driver ->
-            driver.write("first", inAWhile(20)) shouldBe TimedWriter.Outcome.TOO_LATE
-            driver.begun.await()
-            driver.write("given up", inAWhile(20)) shouldBe TimedWriter.Outcome.TOO_LATE
+            driver.write("first", UNTIL_BEGUN) shouldBe TimedWriter.Outcome.TOO_LATE
+            driver.write("given up", UNTIL_BEGUN) shouldBe TimedWriter.Outcome.TOO_LATE
             driver.gate.countDown()
             driver.write("second") shouldBe TimedWriter.Outcome.WRITTEN
             driver.taken shouldContainExactly listOf("first", "second")
@@ -55,9 +71,9 @@ class TimedWriterSpec : FunSpec({
     test("closing ends a write that waits") {
         Gated().use { driver ->
             val write = async { driver.write("abc") }
-            driver.begun.await()
+            driver.begun.reached()
             driver.writer.close()
-            write.get(20, TimeUnit.SECONDS) shouldBe TimedWriter.Outcome.CLOSED
+            write.get(LIMIT_S, TimeUnit.SECONDS) shouldBe TimedWriter.Outcome.CLOSED
         }
     }
 
@@ -73,7 +89,7 @@ class TimedWriterSpec : FunSpec({
     test("the bytes are the caller's again when the write returns") {
         Gated().use { driver ->
             val bytes = "abc".toByteArray()
-            driver.writer.write(bytes, 0, 3, inAWhile(20)) shouldBe TimedWriter.Outcome.TOO_LATE
+            driver.writer.write(bytes, 0, 3, UNTIL_BEGUN) shouldBe TimedWriter.Outcome.TOO_LATE
             bytes.fill('x'.code.toByte())
             driver.gate.countDown()
             driver.write("d") shouldBe TimedWriter.Outcome.WRITTEN

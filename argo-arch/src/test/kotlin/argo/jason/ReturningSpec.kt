@@ -5,7 +5,6 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
-import javino.serial.UsbPort
 import javino.sim.FakeBoard
 import java.nio.file.Files
 import java.nio.file.Path
@@ -77,17 +76,17 @@ class ReturningSpec : FunSpec({
 
     onTerminals("a board that is known by its USB identity is found under another name") { board, _ ->
         TestMas().use { mas ->
-            val port = "usb:fff1:0002:A1"
+            val port = "plugged:fff1:0002:A1"
             try {
                 TerminalBoard(board).use { terminal ->
-                    PluggedIn.devices += UsbPort("${terminal.device}", 0xfff1, 2, "A1")
+                    PluggedIn.devices += PluggedIn.device("${terminal.device}")
                     mas.agent("bob", follower(port))
                     board.isPerceived("first")
                     PluggedIn.devices.clear()
                 }
                 mas.awaitBelief("port(\"$port\",off)")
                 TerminalBoard(board).use { terminal ->
-                    PluggedIn.devices += UsbPort("${terminal.device}", 0xfff1, 2, "A1")
+                    PluggedIn.devices += PluggedIn.device("${terminal.device}")
                     mas.awaitBelief("port(\"$port\",on)")
                     board.isPerceived("second")
                 }

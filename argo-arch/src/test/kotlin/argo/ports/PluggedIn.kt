@@ -1,14 +1,19 @@
 package argo.ports
 
-import javino.serial.UsbPort
-import javino.serial.UsbPorts
+import javino.serial.SerialPortInfo
+import javino.serial.UsbTransportProvider
+import java.util.Optional
+import java.util.OptionalInt
 import java.util.concurrent.CopyOnWriteArrayList
 
-/** What the tests say is on USB, beside what is. */
-class PluggedIn : UsbPorts {
-    override fun now(): List<UsbPort> = devices.toList()
-
+/** USB devices that the tests plug in: `plugged:fff1:0002`. */
+class PluggedIn : UsbTransportProvider("plugged", { devices }) {
     companion object {
-        val devices = CopyOnWriteArrayList<UsbPort>()
+        val devices = CopyOnWriteArrayList<SerialPortInfo>()
+
+        /** A device of this [name] with the identity `fff1:0002:A1`. */
+        fun device(name: String) = SerialPortInfo(
+            name, name, Optional.empty(), Optional.empty(), OptionalInt.of(0xfff1), OptionalInt.of(2), Optional.of("A1"),
+        )
     }
 }

@@ -33,8 +33,9 @@ final class SerialPortErrors {
             case BUSY -> new PortBusyException(device.name(), holders(device));
             case OPEN_IN_THIS_PROGRAM -> new PortBusyException(device.name(), "another part of this program");
             case NO_PERMISSION -> noPermission(device);
-            case OTHER -> new PortFaultException(device.name(),
-                    "port " + device.name() + " cannot be opened; the driver's code is " + code, null);
+            case OTHER -> new PortFaultException(device.name(), "port " + device.name() + " cannot be opened; "
+                    + (code == DriverOpening.UNKNOWN_CODE ? "the driver is opening another device, so its reason is not known; try again"
+                            : "the driver's code is " + code), null);
         };
     }
 
@@ -84,8 +85,8 @@ final class SerialPortErrors {
 
     /** The exception for a machine on which jSerialComm's native library cannot be loaded. */
     static PortFaultException noNativeLibrary(String name, LinkageError cause) {
-        return new PortFaultException(name, "port " + name + " cannot be opened: jSerialComm could not unpack or load its native library in "
-                + System.getProperty("java.io.tmpdir") + " nor in " + System.getProperty("user.home")
+        return new PortFaultException(name, "port " + name + " cannot be opened: jSerialComm could not unpack or load its native "
+                + "library in " + System.getProperty("java.io.tmpdir") + " nor in " + System.getProperty("user.home")
                 + "/.jSerialComm; make one of them writable and executable, name another directory with -Djava.io.tmpdir=DIRECTORY, or one "
                 + "that holds the library with -DjSerialComm.library.path=DIRECTORY (" + cause.getMessage() + ")", cause);
     }

@@ -23,16 +23,37 @@ public final class SerialPorts {
      */
     public static List<SerialPortInfo> list() throws PortFaultException {
         try {
-            return Arrays.stream(SerialPort.getCommPorts()).map(SerialPorts::info).sorted(Comparator.comparing(SerialPortInfo::name)).toList();
+            return Arrays.stream(SerialPort.getCommPorts()).map(SerialPorts::info)
+                    .sorted(Comparator.comparing(SerialPortInfo::name)).toList();
         } catch (LinkageError e) {
             throw SerialPortErrors.noNativeLibrary("of any name", e);
         }
     }
 
+    /** As {@link #list}; none where jSerialComm cannot run, which opening one reports. */
+    static List<SerialPortInfo> present() {
+        try {
+            return list();
+        } catch (PortFaultException e) {
+            return List.of();
+        }
+    }
+
+    /** The names of the serial devices there are now, in alphabetical order. */
+    static List<String> names() {
+        return present().stream().map(SerialPortInfo::name).toList();
+    }
+
     private static SerialPortInfo info(SerialPort port) {
-        String name = SerialTransport.nameOf(port);
+        String name = nameOf(port);
         return new SerialPortInfo(name, SerialDevice.of(name).path(), known(port.getPortDescription()), known(port.getManufacturer()),
                 known(port.getVendorID()), known(port.getProductID()), known(port.getSerialNumber()));
+    }
+
+    /** The name to open the port by: a device that is not in {@code /dev} itself, as pseudo-terminals are, has its path. */
+    private static String nameOf(SerialPort port) {
+        SerialDevice device = SerialDevice.of(port.getSystemPortName());
+        return device.hasNode() && !device.path().equals(port.getSystemPortPath()) ? port.getSystemPortPath() : device.name();
     }
 
     private static Optional<String> known(String text) {

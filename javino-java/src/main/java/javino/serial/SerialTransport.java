@@ -2,12 +2,13 @@ package javino.serial;
 
 import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
-import java.util.Arrays;
-import java.util.List;
+import java.time.Duration;
+import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
+import javino.LineClock;
 import javino.LineSettings;
 import javino.PortException;
 import javino.PortGoneException;
@@ -20,21 +21,17 @@ import javino.Transport;
 final class SerialTransport implements Transport {
     /** How long one read of the driver waits: it counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;
-    private static final long NANOS_PER_MILLI = 1_000_000L;
-    private static final long SLICE_NANOS = SLICE_MILLIS * NANOS_PER_MILLI;
+    private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(SLICE_MILLIS);
+    private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     /** How long closing waits for a read that should have ended. */
     private static final int READ_END_MILLIS = 2_000;
     /** How often the driver is asked when less than a slice is left. */
     private static final long POLL_NANOS = 250_000L;
     /** How long what was written may be on its way out of the driver, which drops it when it closes the port. */
-    private static final long LINGER_NANOS = 100 * NANOS_PER_MILLI;
-    private static final long LONGEST_LINGER_NANOS = 250 * NANOS_PER_MILLI;
+    private static final long LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+    private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
-    /** What jSerialComm says of a device that has none. */
-    private static final String NO_SERIAL_NUMBER = "Unknown";
-
-    /** jSerialComm keeps the error code of a failed opening in one place for the whole program. */
-    private static final ReentrantLock OPENING = new ReentrantLock();
+    private static final DriverOpening OPENING = new DriverOpening(Duration.ofSeconds(1));
 
     private final ReentrantLock reading = new ReentrantLock(); // held while the driver reads, so that it is not closed under it
     private final SerialPort port;
@@ -49,7 +46,7 @@ final class SerialTransport implements Transport {
         this.port = port;
         this.name = name;
         this.line = line;
-        writer = new TimedWriter(name, bytes -> port.writeBytes(bytes, bytes.length));
+        writer = new TimedWriter(name, bytes -> port.writeBytes(bytes, bytes.length), LineClock.system());
     }
 
     static SerialTransport open(String name, LineSettings line) throws PortException {
@@ -57,61 +54,30 @@ final class SerialTransport implements Transport {
     }
 
     static SerialTransport open(SerialDevice device, LineSettings line) throws PortException {
-        OPENING.lock();
         try {
             SerialTransport transport = new SerialTransport(openDriver(device, line), device.name(), line);
             transport.writer.start();
             return transport;
         } catch (SerialPortInvalidPortException e) {
-            throw SerialPortErrors.noSuchPort(device, ports());
+            throw SerialPortErrors.noSuchPort(device, SerialPorts.names());
         } catch (LinkageError e) {
             throw SerialPortErrors.noNativeLibrary(device.name(), e);
-        } finally {
-            OPENING.unlock();
         }
     }
 
     private static SerialPort openDriver(SerialDevice device, LineSettings line) throws PortException {
         if (!device.exists()) {
-            throw SerialPortErrors.noSuchPort(device, ports()); // jSerialComm would look for the name elsewhere
+            throw SerialPortErrors.noSuchPort(device, SerialPorts.names()); // jSerialComm would look for the name elsewhere
         }
         SerialPort port = SerialPort.getCommPort(device.hasNode() ? device.canonicalAddress() : device.path());
         port.setComPortParameters(line.baud(), 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
         port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, SLICE_MILLIS, 0);
-        if (!port.openPort()) {
-            throw SerialPortErrors.cannotOpen(device, port.getLastErrorCode(), ports());
+        OptionalInt error = OPENING.open(device.name(), port::openPort, port::getLastErrorCode);
+        if (error.isPresent()) {
+            throw SerialPortErrors.cannotOpen(device, error.getAsInt(), SerialPorts.names());
         }
         return port;
-    }
-
-    /** The names of the serial devices there are, in alphabetical order; none where jSerialComm cannot run. */
-    static List<String> ports() {
-        try {
-            return Arrays.stream(SerialPort.getCommPorts()).map(SerialTransport::nameOf).sorted().toList();
-        } catch (LinkageError e) {
-            return List.of(); // opening one says why
-        }
-    }
-
-    /** The serial devices there are that are on USB; none where jSerialComm cannot run. */
-    static List<UsbPort> usbPorts() {
-        try {
-            return Arrays.stream(SerialPort.getCommPorts()).filter(port -> port.getVendorID() >= 0).map(SerialTransport::usbPort).toList();
-        } catch (LinkageError e) {
-            return List.of(); // opening one says why
-        }
-    }
-
-    private static UsbPort usbPort(SerialPort port) {
-        String serialNumber = port.getSerialNumber();
-        return new UsbPort(nameOf(port), port.getVendorID(), port.getProductID(), NO_SERIAL_NUMBER.equals(serialNumber) ? "" : serialNumber);
-    }
-
-    /** The name to open the port by: a device that is not in {@code /dev} itself, as pseudo-terminals are, has its path. */
-    static String nameOf(SerialPort port) {
-        SerialDevice device = SerialDevice.of(port.getSystemPortName());
-        return device.hasNode() && !device.path().equals(port.getSystemPortPath()) ? port.getSystemPortPath() : device.name();
     }
 
     @Override
@@ -126,10 +92,10 @@ final class SerialTransport implements Transport {
 
     @Override
     public int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-        long deadline = System.nanoTime() + timeoutMillis * NANOS_PER_MILLI;
+        long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         while (true) {
             long left = deadline - System.nanoTime();
-            boolean slice = left >= SLICE_NANOS - NANOS_PER_MILLI; // so that a wait of one slice is one
+            boolean slice = left >= SLICE_NANOS - MILLI_NANOS; // so that a wait of one slice is one
             int count = readNow(b, off, len, slice);
             if (count > 0 || left <= 0) {
                 return count;
@@ -164,7 +130,7 @@ final class SerialTransport implements Transport {
     @Override
     public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
         requireOpen();
-        long deadline = System.nanoTime() + timeoutMillis * NANOS_PER_MILLI;
+        long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         try {
             switch (writer.write(b, off, len, deadline)) {
                 case WRITTEN -> lingerUntil = System.nanoTime() + LINGER_NANOS;
@@ -234,7 +200,7 @@ final class SerialTransport implements Transport {
     /** Waits until what was written has left the driver, but not for a device that takes no more. */
     private void linger() {
         boolean interrupted = Thread.interrupted(); // a thread that is interrupted closes the port with the same care
-        long deadline = System.nanoTime() + LONGEST_LINGER_NANOS;
+        long deadline = System.nanoTime() + MAX_LINGER_NANOS;
         long now = System.nanoTime();
         while (!gone && deadline - now > 0 && (lingerUntil - now > 0 || port.bytesAwaitingWrite() > 0)) {
             LockSupport.parkNanos(POLL_NANOS);

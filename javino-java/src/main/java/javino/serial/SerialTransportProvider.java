@@ -21,7 +21,7 @@ public final class SerialTransportProvider implements TransportProvider {
 
     @Override
     public List<String> ports() {
-        return SerialTransport.ports();
+        return SerialPorts.names();
     }
 
     @Override

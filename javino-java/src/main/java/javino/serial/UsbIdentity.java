@@ -1,5 +1,6 @@
 package javino.serial;
 
+import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javino.NoSuchPortException;
@@ -20,14 +21,15 @@ record UsbIdentity(int vendor, int product, String serialNumber) {
     static UsbIdentity of(String port, String address) throws NoSuchPortException {
         Matcher form = FORM.matcher(address);
         if (!form.matches()) {
-            throw new NoSuchPortException(port, "\"" + port + "\" is no USB identity; that is usb:VENDOR:PRODUCT or usb:VENDOR:PRODUCT:SERIAL, the "
-                    + "first two in hexadecimal digits, as usb:2341:0043");
+            throw new NoSuchPortException(port, "\"" + port + "\" is no USB identity; that is usb:VENDOR:PRODUCT or "
+                    + "usb:VENDOR:PRODUCT:SERIAL, the first two in hexadecimal digits, as usb:2341:0043");
         }
         return new UsbIdentity(Integer.parseInt(form.group(1), HEX), Integer.parseInt(form.group(2), HEX),
                 form.group(3) == null ? "" : form.group(3));
     }
 
-    boolean fits(UsbPort port) {
-        return port.vendor() == vendor && port.product() == product && (serialNumber.isEmpty() || serialNumber.equalsIgnoreCase(port.serialNumber()));
+    boolean fits(SerialPortInfo port) {
+        return port.vendorId().equals(OptionalInt.of(vendor)) && port.productId().equals(OptionalInt.of(product))
+                && (serialNumber.isEmpty() || port.serialNumber().filter(serialNumber::equalsIgnoreCase).isPresent());
     }
 }

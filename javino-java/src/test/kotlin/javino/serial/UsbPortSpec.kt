@@ -6,35 +6,42 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import java.nio.file.Path
+import java.util.Optional
+import java.util.OptionalInt
 import java.util.concurrent.CopyOnWriteArrayList
 import javino.LineSettings
 import javino.Link
 import javino.LinkSettings
 import javino.NoSuchPortException
 import javino.PortBusyException
+import javino.TransportProvider
 import javino.Transports
 import javino.withServices
 
-private val UNO = UsbPort("ttyACM0", 0x2341, 0x0043, "75830303")
-private val OTHER_UNO = UsbPort("ttyACM1", 0x2341, 0x0043, "95234343")
-private val CLONE = UsbPort("ttyUSB0", 0x1a86, 0x7523, "")
+private val UNO = usbDevice("ttyACM0", 0x2341, 0x0043, "75830303")
+private val OTHER_UNO = usbDevice("ttyACM1", 0x2341, 0x0043, "95234343")
+private val CLONE = usbDevice("ttyUSB0", 0x1a86, 0x7523)
 
-/** What the tests say is on USB, for all programs of this class path. */
-class PluggedIn : UsbPorts {
-    override fun now(): List<UsbPort> = devices.toList()
+private fun usbDevice(name: String, vendor: Int, product: Int, serialNumber: String? = null) =
+    SerialPortInfo(name, name, Optional.empty(), Optional.empty(), OptionalInt.of(vendor), OptionalInt.of(product),
+        Optional.ofNullable(serialNumber))
 
+/** The devices that a test has plugged in: `plugged:2341:0043`. */
+class PluggedIn : UsbTransportProvider("plugged", { devices }) {
     companion object {
-        val devices = CopyOnWriteArrayList<UsbPort>()
+        val devices = CopyOnWriteArrayList<SerialPortInfo>()
     }
 }
+
+private fun usb(present: List<SerialPortInfo>) = object : UsbTransportProvider("usb", { present }) { }
 
 class UsbPortSpec : FunSpec({
     val line = LineSettings.defaults()
 
-    fun canonical(address: String, vararg present: UsbPort) = UsbTransportProvider { present.toList() }.canonicalName(address)
+    fun canonical(address: String, vararg present: SerialPortInfo) = usb(present.toList()).canonicalName(address)
 
-    fun refusal(address: String, vararg present: UsbPort): String {
-        val refusal = shouldThrow<NoSuchPortException> { UsbTransportProvider { present.toList() }.open(address, line) }
+    fun refusal(address: String, vararg present: SerialPortInfo): String {
+        val refusal = shouldThrow<NoSuchPortException> { usb(present.toList()).open(address, line) }
         refusal.port() shouldBe "usb:$address"
         return refusal.message.orEmpty()
     }
@@ -73,7 +80,7 @@ class UsbPortSpec : FunSpec({
 
     test("a device is present while it is on USB") {
         val plugged = CopyOnWriteArrayList(listOf(CLONE))
-        val provider = UsbTransportProvider { plugged }
+        val provider = usb(plugged)
         provider.isPresent("1a86:7523") shouldBe true
         provider.isPresent("2341:0043") shouldBe false
         provider.isPresent("nonsense") shouldBe false
@@ -87,31 +94,36 @@ class UsbPortSpec : FunSpec({
             listOf(out, CLONE.at("tty.other"))
     }
 
-    test("a device by its identity and by its name is one port with one owner").config(enabledOrReasonIf = { Terminals.available }, blockingTest = true) {
+    test("a device by its identity and by its name is one port with one owner")
+        .config(enabledOrReasonIf = { Terminals.available }, blockingTest = true) {
         Terminals.open().use { terminals ->
-            val device = UsbPort(terminals.computer, 0xfff1, 0x0001, "A1")
+            val device = usbDevice(terminals.computer, 0xfff1, 0x0001, "A1")
             withUsb(device) {
-                Transports.canonicalName("usb:fff1:1") shouldBe "serial:" + Path.of(terminals.computer).toRealPath()
-                Link.open("usb:FFF1:0001", LinkSettings.defaults(), "agent bob").use { link ->
-                    link.port() shouldBe "usb:FFF1:0001"
-                    shouldThrow<PortBusyException> { Link.open(terminals.computer, LinkSettings.defaults(), "agent alice") }.owner() shouldBe "agent bob"
+                Transports.canonicalName("plugged:fff1:1") shouldBe "serial:" + Path.of(terminals.computer).toRealPath()
+                Link.open("plugged:FFF1:0001", LinkSettings.defaults(), "agent bob").use { link ->
+                    link.port() shouldBe "plugged:FFF1:0001"
+                    ownerMetBy("agent alice", terminals.computer) shouldBe "agent bob"
                 }
                 Link.open(terminals.computer, LinkSettings.defaults(), "agent alice").use {
-                    shouldThrow<PortBusyException> { Link.open("usb:fff1:0001:a1", LinkSettings.defaults(), "agent bob") }.owner() shouldBe "agent alice"
+                    ownerMetBy("agent bob", "plugged:fff1:0001:a1") shouldBe "agent alice"
                 }
             }
         }
     }
 })
 
-private fun UsbPort.at(device: String) = UsbPort(device, vendor, product, serialNumber)
+private fun SerialPortInfo.at(name: String) = SerialPortInfo(name, name, product, manufacturer, vendorId, productId, serialNumber)
 
-private fun UsbPort.numbered(serialNumber: String) = UsbPort(device, vendor, product, serialNumber)
+private fun SerialPortInfo.numbered(number: String) =
+    SerialPortInfo(name, path, product, manufacturer, vendorId, productId, Optional.of(number))
 
-private fun withUsb(device: UsbPort, work: () -> Unit) {
+private fun ownerMetBy(owner: String, port: String) =
+    shouldThrow<PortBusyException> { Link.open(port, LinkSettings.defaults(), owner) }.owner()
+
+private fun withUsb(device: SerialPortInfo, work: () -> Unit) {
     PluggedIn.devices += device
     try {
-        withServices(UsbPorts::class.java.name to PluggedIn::class.java.name, work = work)
+        withServices(TransportProvider::class.java.name to PluggedIn::class.java.name, work = work)
     } finally {
         PluggedIn.devices.clear()
     }

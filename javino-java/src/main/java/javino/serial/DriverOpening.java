@@ -1,0 +1,53 @@
+package javino.serial;
+
+import java.time.Duration;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntSupplier;
+import javino.PortInterruptedException;
+
+/**
+ * Opens devices one after the other, since jSerialComm has one error code of a failed opening for the whole program. A device whose driver
+ * takes long, as a Bluetooth one may, holds up the others for a moment only: then they are opened beside it. Safe on any thread.
+ */
+final class DriverOpening {
+    /** In place of an error code that may be another opening's. */
+    static final int UNKNOWN_CODE = -1;
+
+    private final ReentrantLock turn = new ReentrantLock(true);
+    private final long maxWaitNanos;
+
+    /** @param maxWait how long one opening waits for another */
+    DriverOpening(Duration maxWait) {
+        maxWaitNanos = maxWait.toNanos();
+    }
+
+    /**
+     * Opens a device.
+     *
+     * @param open the driver's work; false: it failed
+     * @param errorCode why it failed
+     * @return empty if the device is open, else the driver's error code or {@link #UNKNOWN_CODE}
+     * @throws PortInterruptedException if the thread is interrupted while it waits for another opening
+     */
+    OptionalInt open(String port, BooleanSupplier open, IntSupplier errorCode) throws PortInterruptedException {
+        boolean alone = awaitTurn(port);
+        try {
+            return open.getAsBoolean() ? OptionalInt.empty() : OptionalInt.of(alone ? errorCode.getAsInt() : UNKNOWN_CODE);
+        } finally {
+            if (alone) {
+                turn.unlock();
+            }
+        }
+    }
+
+    private boolean awaitTurn(String port) throws PortInterruptedException {
+        try {
+            return turn.tryLock(maxWaitNanos, TimeUnit.NANOSECONDS);
+        } catch (InterruptedException e) {
+            throw PortInterruptedException.remarking(port);
+        }
+    }
+}
