@@ -2,7 +2,6 @@ package argo
 
 import argo.observing.ObserverOptions
 import argo.perception.PerceptLimit
-import argo.ports.whole
 import argo.sensing.SensingPolicy
 import jason.runtime.Settings
 import java.util.logging.Logger
@@ -17,7 +16,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
     val policy: SensingPolicy = sensingPolicy()
 
     /** How many percepts of a board are believed at once. */
-    val mostPercepts: Int = mostPercepts()
+    val maxPercepts: Int = maxPercepts()
 
     /** The observers that are asked for, such as a live view. */
     val observers = ObserverOptions(observerOptions(), log)
@@ -42,7 +41,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         }
     }
 
-    private fun mostPercepts(): Int {
+    private fun maxPercepts(): Int {
         val written = settings.getUserParameter(PerceptLimit.OPTION)?.trim() ?: return PerceptLimit.DEFAULT
         return written.toIntOrNull()?.takeIf { it > 0 } ?: PerceptLimit.DEFAULT.also {
             log.severe("${PerceptLimit.OPTION}=$written: the most percepts that are believed at once are a whole number from 1; $it is used")

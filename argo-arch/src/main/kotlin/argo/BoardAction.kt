@@ -2,7 +2,7 @@ package argo
 
 import argo.calls.Failure
 import argo.calls.wrongArgument
-import argo.ports.ArgumentException
+import argo.calls.ArgumentException
 import jason.JasonException
 import jason.asSemantics.ConcurrentInternalAction
 import jason.asSemantics.TransitionSystem

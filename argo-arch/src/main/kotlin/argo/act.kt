@@ -2,7 +2,7 @@ package argo
 
 import argo.acting.CommandOptions
 import argo.acting.Commands
-import argo.ports.ArgumentException
+import argo.calls.ArgumentException
 import jason.asSyntax.BinaryStructure
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
@@ -31,11 +31,11 @@ open class act : BoardAction("argo.act", 1..2) {
     override val suspends get() = true
 
     override fun run(call: Call) {
-        val arch = call.arch
+        val io = call.arch.io
         val text = commandText(call.args[0])
         val options = call.args.getOrNull(1)?.let(CommandOptions::of) ?: CommandOptions()
-        val port = arch.portInUse() ?: throw call.failure("no_port", "no port is in use; choose one with argo.port first")
-        arch.send(port, text, options, call.suspendIntention())
+        val port = io.portInUse() ?: throw call.failure("no_port", "no port is in use; choose one with argo.port first")
+        io.send(port, text, options, call.suspendIntention())
     }
 }
 

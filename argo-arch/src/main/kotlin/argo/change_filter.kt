@@ -5,7 +5,7 @@ import argo.filters.FilterNotFoundException
 import argo.filters.PerceptionFilter
 import argo.perception.EnvironmentFilter
 import argo.perception.filterOf
-import argo.ports.ArgumentException
+import argo.calls.ArgumentException
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term

@@ -2,6 +2,7 @@ package argo
 
 import argo.calls.wrongArgument
 import argo.perception.EnvironmentFilter
+import argo.filters.jason.perceptText
 import jason.asSemantics.DefaultInternalAction
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
@@ -28,7 +29,7 @@ open class explain : DefaultInternalAction() {
             throw wrongArgument("a percept is a literal such as dist(f,38), not ${args[0]}").of("argo.explain(${args.joinToString(",")})")
         }
         val archs = architectures(ts)
-        val why = archs.filterIsInstance<Arch>().firstOrNull()?.explain(percept)
+        val why = archs.filterIsInstance<Arch>().firstOrNull()?.io?.explain(perceptText(percept))
             ?: archs.filterIsInstance<EnvironmentFilter>().firstOrNull()?.explain(percept)
             ?: "$percept is kept: there is no filter"
         return un.unifies(args[1], ASSyntax.createString(why))

@@ -1,8 +1,8 @@
 package argo
 
-import argo.ports.ArgumentException
-import argo.ports.whole
-import argo.ports.wholeNumber
+import argo.calls.ArgumentException
+import argo.calls.whole
+import argo.calls.wholeNumber
 
 /**
  * The internal action `argo.limit(Ms)`: the sensing interval in ms, a whole number from 0 (as fast as the line allows).
@@ -15,6 +15,6 @@ open class limit : BoardAction("argo.limit", 1..1) {
     override fun run(call: Call) {
         val interval = wholeNumber(call.args[0])?.takeIf { it >= 0 }
             ?: throw ArgumentException("the sensing interval is a whole number of milliseconds from 0 to ${Int.MAX_VALUE}, not ${call.args[0]}")
-        call.arch.senseEvery(interval)
+        call.arch.io.senseEvery(interval)
     }
 }

@@ -1,6 +1,6 @@
 package argo
 
-import argo.ports.ArgumentException
+import argo.calls.ArgumentException
 
 /**
  * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`,
@@ -16,6 +16,6 @@ open class percepts : BoardAction("argo.percepts", 1..1) {
             "block", "close" -> false
             else -> throw ArgumentException("perception is set to open, block or close, not ${call.args[0]}")
         }
-        call.arch.perceive(open)
+        call.arch.io.perceive(open)
     }
 }

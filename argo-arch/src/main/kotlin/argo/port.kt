@@ -1,7 +1,7 @@
 package argo
 
 import argo.calls.Failure
-import argo.ports.ArgumentException
+import argo.calls.ArgumentException
 import argo.ports.PortOptions
 import argo.ports.Ports
 import jason.asSyntax.ASSyntax
@@ -31,12 +31,12 @@ open class port : BoardAction("argo.port", 1..2) {
     override val suspends get() = true
 
     override fun run(call: Call) {
-        val arch = call.arch
+        val io = call.arch.io
         val name = portName(call.args[0])
         val options = call.args.getOrNull(1)?.let(PortOptions::of)
         val outcome = call.suspendIntention()
-        if (name == "none") arch.closePorts { outcome(null) }
-        else arch.choosePort(portTerm(call.args[0], name), name, options) { outcome(it?.hinting(call.args[0])) }
+        if (name == "none") io.closePorts { outcome(null) }
+        else io.choosePort(portTerm(call.args[0], name), name, options) { outcome(it?.hinting(call.args[0])) }
     }
 }
 

@@ -1,8 +1,8 @@
 package argo.acting
 
-import argo.ports.ArgumentException
-import argo.ports.optionsIn
-import argo.ports.whole
+import argo.calls.ArgumentException
+import argo.calls.optionsIn
+import argo.calls.whole
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
@@ -14,7 +14,7 @@ import jason.asSyntax.Term
  */
 internal data class CommandOptions(val timeoutMs: Int? = null, val urgent: Boolean = false) {
     companion object {
-        private const val MOST_MS = 600_000
+        private const val MAX_MS = 600_000
         private const val KNOWN = "timeout(Ms) and urgent"
 
         /**
@@ -28,7 +28,7 @@ internal data class CommandOptions(val timeoutMs: Int? = null, val urgent: Boole
             val literal = (option as? Literal)?.takeUnless { it.isVar }
             return when {
                 literal?.functor == "urgent" && literal.arity == 0 -> copy(urgent = true)
-                literal?.functor == "timeout" && literal.arity == 1 -> copy(timeoutMs = whole(literal, 1..MOST_MS))
+                literal?.functor == "timeout" && literal.arity == 1 -> copy(timeoutMs = whole(literal, 1..MAX_MS))
                 else -> throw ArgumentException("$option is not an option; there are $KNOWN")
             }
         }

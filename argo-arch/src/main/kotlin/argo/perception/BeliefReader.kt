@@ -23,16 +23,16 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
     private val known = object : LinkedHashMap<String, Reading>(16, 0.75f, true) {
         override fun removeEldestEntry(eldest: Map.Entry<String, Reading>) = size > room
     }
-    private var room = LEAST_KNOWN
+    private var room = MIN_CACHED
     private val reported = HashSet<String>()
 
     /** Says that the board's messages have so many [percepts]: readings that stay are known again, not all that sensors ever said. */
     fun expect(percepts: Int) {
-        room = (2 * percepts).coerceIn(LEAST_KNOWN, MOST_KNOWN)
+        room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }
 
     /** What [percept] says; empty if it cannot be read, several literals only where a stray quote or bracket had joined them. */
-    fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parse(percept).also { if (percept.length <= LONGEST_KNOWN) known[percept] = it }) {
+    fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parse(percept).also { if (percept.length <= MAX_CACHED_LENGTH) known[percept] = it }) {
         is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
             val pieces = piecesOf(percept)
@@ -56,8 +56,8 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
     }
 
     private fun report(percept: String, why: String) {
-        if (reported.size > MOST_REPORTED || !reported.add(printable(percept))) return
-        if (reported.size > MOST_REPORTED) warn("further percepts that cannot be read are not reported")
+        if (reported.size > MAX_REPORTED || !reported.add(printable(percept))) return
+        if (reported.size > MAX_REPORTED) warn("further percepts that cannot be read are not reported")
         else warn("percept ${printable(percept)} is left out: $why")
     }
 
@@ -67,12 +67,12 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
     }
 
     private companion object {
-        const val LEAST_KNOWN = 128
-        const val MOST_KNOWN = 4096
-        const val MOST_REPORTED = 100
+        const val MIN_CACHED = 128
+        const val MAX_CACHED = 4096
+        const val MAX_REPORTED = 100
 
         /** Longer texts are read anew each time: 4096 of the longest messages would take the heap of a small computer. */
-        const val LONGEST_KNOWN = 1024
+        const val MAX_CACHED_LENGTH = 1024
     }
 }
 

@@ -1,111 +1,125 @@
 package argo.perception
 
+import argo.acting.Reflexes
 import argo.filters.PerceptionFilter
 import argo.filters.jason.MessagePerception
 import argo.filters.jason.MessageSession
-import argo.filters.jason.perceptText
 import argo.filters.matching.Explanation
 import argo.filters.matching.perceptsOf
 import argo.ports.OpenPort
-import jason.asSyntax.Literal
-import java.util.concurrent.locks.ReentrantLock
+import javino.PerceptsRequest
+import java.util.concurrent.locks.Lock
 import java.util.logging.Level
 import java.util.logging.Logger
-import javino.PerceptsRequest
 import kotlin.concurrent.withLock
 
 /**
- * Turns what a board says into what its agent perceives: through the active filter, and what that keeps through [reader].
+ * Turns each message of the board into a [Snapshot] of what its agent perceives, and leaves it for the hand-over.
  *
- * Safe for use by several threads: the sensing thread does the work, so that the agent's has little left to do.
+ * Two threads make snapshots: the sensing thread of each message, and the agent's of what a filter held back. Both make and leave them under one
+ * lock, so that no snapshot is left behind a newer one. Safe for use by several threads.
  *
- * @param log is told at level FINE why a percept is dropped
+ * @param lock held while a snapshot is made and left
+ * @param isWanted whether the agent perceives the board on this port now
+ * @param handOver takes the snapshots
+ * @param reflexes takes the critical rules that each message meets; a command is submitted under [lock], so none follows [forget]
+ * @param observer takes each snapshot
+ * @param log takes, at level FINE, why a percept is dropped
  * @param limit on the percepts of one message
- * @param sightings is told what stood in each message
+ * @param lastSeen takes the percepts of each message
  * @param nowMs a clock in ms that never goes back
  */
 internal class BoardPercepts(
+    private val lock: Lock,
+    private val isWanted: (OpenPort) -> Boolean,
+    private val handOver: HandOver,
+    private val reflexes: Reflexes,
+    private val observer: (Snapshot) -> Unit,
     private val reader: BeliefReader,
     private val log: Logger,
-    private val limit: PerceptLimit,
-    private val sightings: LastSeen,
+    limit: PerceptLimit,
+    private val lastSeen: LastSeen,
     private val nowMs: () -> Long,
 ) {
-    private val lock = ReentrantLock()
     private val session = MessageSession(reader::read, limit::limited)
-    private var filterVersion = 0L
     private var newest: Snapshot? = null
 
     @Volatile
     private var dueMs: Long? = null
 
-    /** What a board of version 2 is to be asked, see [perceptsRequest]. */
+    /** The request to a board of version 2, see [perceptsRequest]. */
     @Volatile
     var request: String = PerceptsRequest.ALL
         private set
 
-    /** Perceives through [filter] from now on; null: everything. */
+    /** Perceives through [filter] from now on, null: everything. Snapshots that have not been handed over are made anew. */
     fun switchTo(filter: PerceptionFilter?) = lock.withLock {
         request = perceptsRequest(filter)
         session.switchTo(filter)
         dueMs = null
-        filterVersion++
+        reflexes.forget()
+        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos) }
     }
 
-    /** What the agent perceives of a [message] of the board on [port], whose last byte came at [receivedNanos] by the platform's clock. */
-    fun snapshot(port: OpenPort?, message: String, receivedNanos: Long): Snapshot {
+    /**
+     * Makes and leaves the snapshot of a [message] from [port], whose last byte came at [receivedNanos] by the platform's clock.
+     * @return whether the message was wanted
+     */
+    fun received(port: OpenPort, message: String, receivedNanos: Long): Boolean {
         val texts = perceptsOf(message)
-        return lock.withLock {
-            reader.expect(texts.size)
-            snapshot(port, texts, receivedNanos)
+        return lock.withLock { isWanted(port).also { if (it) perceive(port, texts, receivedNanos) } }
+    }
+
+    /**
+     * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait for the sensing thread:
+     * while that makes a snapshot, what is due goes into it.
+     */
+    fun putDue() {
+        if (dueInMs() != 0L || !lock.tryLock()) return
+        try {
+            val last = newest ?: return
+            session.due(nowMs())?.let { leave(last.port, it, last.receivedNanos) }
+        } finally {
+            lock.unlock()
         }
     }
 
-    /** [snapshot] as it is with the filter that is active now. */
-    fun current(snapshot: Snapshot): Snapshot = lock.withLock {
-        if (snapshot.filterVersion == filterVersion) snapshot else snapshot(snapshot.port, snapshot.texts, snapshot.receivedNanos)
+    /** The time in ms until a percept that the filter holds back is due; null: none is held back. */
+    fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
+
+    /** Forgets what has not been handed over, what is held back and which rules are met: it is of another time or place. */
+    fun forget() = lock.withLock {
+        newest = null
+        dueMs = null
+        handOver.clear()
+        reflexes.forget()
     }
 
-    private fun snapshot(port: OpenPort?, texts: List<String>, receivedNanos: Long): Snapshot {
+    /** Why the active filter keeps or drops the text [percept]. */
+    fun explain(percept: String): String = lock.withLock { session.explain(percept, nowMs()).toString() }
+
+    private fun perceive(port: OpenPort?, texts: List<String>, receivedNanos: Long) {
+        reader.expect(texts.size)
         explainTo(log, texts)
-        return remember(port, session.perceive(texts, nowMs()), receivedNanos)
+        val perception = session.perceive(texts, nowMs())
+        if (port != null) reflexes.perceived(port, perception.critical.map { it.rule })
+        leave(port, perception, receivedNanos)
+    }
+
+    private fun leave(port: OpenPort?, perception: MessagePerception, receivedNanos: Long) {
+        val texts = perception.texts
+        lastSeen.seen(perception.seen, perception.percepts, receivedNanos)
+        dueMs = texts.nextDueMs
+        val snapshot = Snapshot(
+            port, texts.received, texts.kept, perception.percepts, receivedNanos, perception.critical, perception.unreadable,
+        )
+        newest = snapshot
+        observer(snapshot)
+        handOver.put(snapshot)
     }
 
     private fun explainTo(log: Logger, texts: List<String>) {
         if (!log.isLoggable(Level.FINE) || session.filter == null) return
         texts.map { session.explain(it, nowMs()) }.filter { it.outcome != Explanation.Outcome.KEPT }.forEach { log.fine("$it") }
     }
-
-    /** In how many ms a percept that the filter holds back is due; null if none is held back. */
-    fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
-
-    /** The newest snapshot with the held-back percepts that are due now; null if none is, or a message is being read anyway. */
-    fun due(): Snapshot? {
-        if (dueInMs() != 0L || !lock.tryLock()) return null
-        try {
-            val last = newest ?: return null
-            val due = session.due(nowMs()) ?: return null
-            return remember(last.port, due, last.receivedNanos)
-        } finally {
-            lock.unlock()
-        }
-    }
-
-    /** The sensors are not looked at for a while: what is held back now will be too old when they are again. */
-    fun forgetHeldBack() = lock.withLock {
-        newest = null
-        dueMs = null
-    }
-
-    private fun remember(port: OpenPort?, of: MessagePerception, receivedNanos: Long): Snapshot {
-        sightings.seen(of.seen, of.percepts, receivedNanos)
-        dueMs = of.texts.nextDueMs
-        return Snapshot(port, of.texts.received, of.texts.kept, filterVersion, of.percepts, receivedNanos, of.critical, of.unreadable).also { newest = it }
-    }
-
-    /** Why the active filter does with [percept] what it does. */
-    fun explain(percept: Literal): String = explain(perceptText(percept))
-
-    /** Why the active filter does with the text [percept] what it does. */
-    fun explain(percept: String): String = lock.withLock { session.explain(percept, nowMs()).toString() }
 }

@@ -46,6 +46,9 @@ internal class CriticalSnapshots {
         known = percepts(snapshot)
     }
 
+    /** Takes all of them out. */
+    fun drain(): List<Snapshot> = lock.withLock { waiting.toList().also { waiting.clear() } }
+
     /** Forgets all. */
     fun clear() = lock.withLock {
         waiting.clear()

@@ -20,7 +20,10 @@ internal interface HandOver {
     /** The snapshot to perceive now, or null. */
     fun take(): Snapshot?
 
-    /** Forgets what has not been taken. */
+    /** Takes all snapshots out, in the order of their messages. */
+    fun drain(): List<Snapshot>
+
+    /** Forgets the snapshots that have not been taken, and what was critical about those that have. */
     fun clear()
 }
 
@@ -68,6 +71,8 @@ internal class FreshHandOver(private val commands: CommandLedger, private val ev
         return snapshot
     }
 
+    override fun drain() = (critical.drain() + listOfNotNull(newest.getAndSet(null))).sortedBy { it.receivedNanos }
+
     override fun clear() {
         critical.clear()
         newest.set(null)
@@ -79,7 +84,7 @@ internal class FreshHandOver(private val commands: CommandLedger, private val ev
     }
 }
 
-/** Hands over every snapshot in its order; an agent that is [MOST_WAITING] behind loses the oldest, with one warning. */
+/** Hands over every snapshot in its order; an agent that is [MAX_WAITING] behind loses the oldest, with one warning. */
 internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     private val waiting = ConcurrentLinkedQueue<Snapshot>()
     private val count = AtomicInteger()
@@ -87,9 +92,9 @@ internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
 
     override fun put(snapshot: Snapshot) {
         waiting.add(snapshot)
-        if (count.incrementAndGet() <= MOST_WAITING) return
+        if (count.incrementAndGet() <= MAX_WAITING) return
         if (waiting.poll() != null) count.decrementAndGet()
-        if (!warned) warn("the agent is $MOST_WAITING snapshots behind its sensors, the oldest are dropped")
+        if (!warned) warn("the agent is $MAX_WAITING snapshots behind its sensors, the oldest are dropped")
         warned = true
     }
 
@@ -97,12 +102,14 @@ internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
 
     override fun take(): Snapshot? = waiting.poll()?.also { count.decrementAndGet() }
 
+    override fun drain() = generateSequence(::take).toList()
+
     override fun clear() {
-        while (true) take() ?: return
+        drain()
     }
 
     companion object {
         /** The most snapshots that wait for an agent. */
-        const val MOST_WAITING = 1000
+        const val MAX_WAITING = 1000
     }
 }

@@ -6,22 +6,20 @@ import argo.ports.OpenPort
 import jason.asSyntax.Literal
 
 /**
- * What the sensors said in one message.
+ * What the agent perceives of one message of a board.
  *
- * @property port whose board said it
+ * @property port the port whose board sent it
  * @property texts the percepts as they came off the line
- * @property kept those of them that the filter let through, and what stands for those that it holds back
- * @property filterVersion which of the filters that the agent has chosen so far was active
- * @property percepts what the agent is to believe of it
- * @property critical what of it the filter's critical rules meet, once for each such rule
+ * @property kept the percepts that passed the filter, and those that stand in for percepts which it holds back
+ * @property percepts the beliefs that the agent is to have of it
+ * @property receivedNanos when the message's last byte came, by the platform's clock
+ * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable those of [kept] that cannot be believed
- * @property receivedNanos when its last byte came, by the platform's clock
  */
 internal class Snapshot(
     val port: OpenPort?,
     override val texts: List<String>,
     override val kept: List<String>,
-    val filterVersion: Long,
     val percepts: List<Literal>,
     override val receivedNanos: Long,
     val critical: List<CriticalPercept<Literal>> = emptyList(),

@@ -1,7 +1,7 @@
 package argo.platform
 
 import argo.Arch
-import argo.ports.whole
+import argo.calls.whole
 import jason.asSemantics.Agent
 import javino.LineClock
 import javino.Link

@@ -25,7 +25,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
 
     /** Wakes the agent in [delayMs] ms to perceive, unless it will be woken earlier anyway. */
     fun wakeIn(delayMs: Long) {
-        val wait = minOf(delayMs, LONGEST_MS) // who is woken too early looks again
+        val wait = minOf(delayMs, MAX_DELAY_MS) // who is woken too early looks again
         val at = platform.nowMs() + wait
         if (nextWake.getAndUpdate { minOf(it, at) } <= at) return
         platform.later(wait) {
@@ -45,6 +45,6 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     private companion object {
         const val FIRST_REPEAT_MS = 1L
         const val LAST_REPEAT_MS = 1024L
-        const val LONGEST_MS = 86_400_000L
+        const val MAX_DELAY_MS = 86_400_000L
     }
 }

@@ -31,10 +31,10 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
     fun looked(present: Boolean): Boolean {
         if (!present) losses = 0
         if (looks++ == 0) {
-            delayMs = minOf(FIRST_DELAY_MS shl losses.coerceAtMost(MOST_DOUBLINGS), LONGEST_DELAY_MS)
+            delayMs = minOf(FIRST_DELAY_MS shl losses.coerceAtMost(MAX_DOUBLINGS), MAX_DELAY_MS)
             return false
         }
-        delayMs = minOf(2 * delayMs, LONGEST_LOOK_MS)
+        delayMs = minOf(2 * delayMs, MAX_LOOK_MS)
         return present
     }
 
@@ -51,9 +51,9 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
         const val FIRST_DELAY_MS = 100L
 
         /** The time between two looks for a device that is not there. */
-        const val LONGEST_LOOK_MS = 800L
-        const val LONGEST_DELAY_MS = 10_000L
-        const val MOST_DOUBLINGS = 10
+        const val MAX_LOOK_MS = 800L
+        const val MAX_DELAY_MS = 10_000L
+        const val MAX_DOUBLINGS = 10
         val SOUND_NANOS = TimeUnit.SECONDS.toNanos(2)
 
         /** A device that was plugged in a moment ago is not this user's yet. */

@@ -8,13 +8,13 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The ports of one agent whose devices have gone. Each is looked for now and again, on a thread of its own: a host that does not answer must not
- * keep a cable that is back from being noticed. Safe for use by several threads.
+ * The ports of one agent whose devices have gone. Each is searched for on a thread of its own, so that a host which does not answer does not delay
+ * a cable that is back. Safe for use by several threads.
  *
- * @param owner the agent's name, for the threads'
- * @param platform says what is there, and when to look
- * @param reopen opens a port whose device is there, and then takes it out of these
- * @param warn is told why a port cannot be opened though its device has returned, once for each cause
+ * @param owner the agent's name, part of the threads' names
+ * @param platform finds devices and schedules the looks
+ * @param reopen opens a port whose device is present, and removes it from these
+ * @param warn takes the reason why a port cannot be opened although its device has returned, once for each cause
  */
 internal class LostPorts(
     private val owner: String,
@@ -30,23 +30,23 @@ internal class LostPorts(
 
     operator fun contains(port: LostPort): Boolean = lock.withLock { port in lost }
 
-    /** Adds [ports], which are not looked for before [lookFor]. */
+    /** Adds [ports]; the search begins with [lookFor]. */
     fun add(ports: List<LostPort>) {
         lock.withLock { lost += ports }
     }
 
-    /** What the agent calls [term] is no more lost than [port] is. */
-    fun found(term: Term, port: OpenPort) {
+    /** Removes the lost entries for [term] that belong to a port other than [port]. */
+    fun removeOthers(term: Term, port: OpenPort) {
         lock.withLock { lost.removeAll { it.term == term && it.port !== port } }
     }
 
-    /** Forgets those that were lost first until there are [most] at most. */
-    fun keep(most: Int) = lock.withLock { while (lost.size > maxOf(0, most)) lost.removeAt(0) }
+    /** Forgets the ports that were lost first until at most [max] remain. */
+    fun keep(max: Int) = lock.withLock { while (lost.size > maxOf(0, max)) lost.removeAt(0) }
 
-    /** Forgets all. */
+    /** Forgets all of them. */
     fun clear() = lock.withLock { lost.clear() }
 
-    /** Looks for [port] now, and again until it is none of these. */
+    /** Looks for [port] now, and again until it is removed. */
     fun lookFor(port: LostPort) {
         platform.start("argo-$owner-looking-for-${port.name}") { look(port) }
     }

@@ -1,20 +1,17 @@
 package argo.ports
 
-import argo.acting.Commands
-import argo.platform.Platform
-import argo.sensing.Sensing
-import argo.sensing.SensingListener
 import jason.asSyntax.Term
 import javino.Link
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * A port that an agent holds open: its link, the commands that wait for it and its sensing.
+ * A port that an agent holds open. Safe for use by several threads.
  *
- * @param names what the agent calls it, and the names that it opens it by
+ * @param names the terms that the agent calls it by, each with the name that the transport opens
+ * @property link the line to its board
  * @property openedNanos when it was opened, by the platform's clock
- * @property losses how often in a row it had been lost before, each time soon after it was opened
- * @param platform what its threads run on
+ * @property losses how often in a row it was lost soon after it had been opened
+ * @param use makes what works through the port and is closed with it
  */
 internal class OpenPort(
     names: Map<Term, String>,
@@ -22,37 +19,41 @@ internal class OpenPort(
     val options: PortOptions,
     val openedNanos: Long,
     val losses: Int,
-    owner: String,
-    listener: SensingListener,
-    platform: Platform,
+    use: (OpenPort) -> AutoCloseable,
 ) {
     private val namesByTerm = ConcurrentHashMap(names)
+    private val user = use(this)
 
-    /** All that the agent calls it, and the names that it opens it by: a device may be asked for by several. */
+    /** The terms that the agent calls it by, each with the name that the transport opens: a device may have several. */
     val names: Map<Term, String> get() = namesByTerm
 
-    /** All that the agent calls it. */
+    /** The terms that the agent calls it by. */
     val terms: Set<Term> get() = namesByTerm.keys
 
     /** Whether a message has come from the board. */
     @Volatile
     var hasSpoken = false
 
-    /** What the agent wants done. */
-    val commands = Commands(link, owner, platform) { listener.lost(this, it) }
-
-    /** What the board says. */
-    val sensing = Sensing(this, owner, listener, platform)
-
-    /** The agent calls it [term], too, and opens it by [name]. */
-    fun isCalled(term: Term, name: String) {
+    /** Adds the term that the agent calls it by, and the [name] that the transport opens. */
+    fun addName(term: Term, name: String) {
         namesByTerm[term] = name
     }
 
-    /** Gives the port up: waiting commands fail, both threads end. Never waits. May be called twice and by any thread. */
+    /** Closes the link, then its user. Closing a link takes as long as its transport does. May be called twice and by any thread. */
     fun close() {
         link.close()
-        sensing.close()
-        commands.close()
+        user.close()
     }
+}
+
+/** What works through the ports of an agent. */
+internal interface PortUser {
+    /** Makes what works through [port]; it starts nothing before [opened], and is closed with the port. */
+    fun use(port: OpenPort): AutoCloseable
+
+    /** [port] is open, and the agent's. Called by the thread that opened it. */
+    fun opened(port: OpenPort)
+
+    /** Another port is in use than before, or none, or the same device after it was opened again. Called by the thread that changed it. */
+    fun portInUseChanged()
 }

@@ -1,8 +1,9 @@
 package argo.ports
 
-import jason.asSyntax.ListTerm
+import argo.calls.ArgumentException
+import argo.calls.optionsIn
+import argo.calls.whole
 import jason.asSyntax.Literal
-import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 import javino.LinkSettings
 import javino.Protocol
@@ -60,12 +61,12 @@ internal data class PortOptions(
     private fun with(option: Term): PortOptions {
         val name = (option as? Literal)?.takeIf { it.arity == 1 && !it.isVar }?.functor
         return when (name) {
-            "baud" -> copy(link = link.withBaud(whole(option, 1..MOST_BAUD)), saysBaud = true)
-            "timeout" -> copy(timeoutMs = whole(option, 1..MOST_MS))
-            "stale" -> copy(staleMs = whole(option, 0..MOST_MS))
-            "boot" -> copy(link = link.withBootMillis(whole(option, 0..MOST_MS)))
-            "spacing" -> copy(link = link.withSpacingMillis(whole(option, 0..MOST_MS)))
-            "queue" -> copy(link = link.withBoardQueue(whole(option, 1..MOST_QUEUE)))
+            "baud" -> copy(link = link.withBaud(whole(option, 1..MAX_BAUD)), saysBaud = true)
+            "timeout" -> copy(timeoutMs = whole(option, 1..MAX_MS))
+            "stale" -> copy(staleMs = whole(option, 0..MAX_MS))
+            "boot" -> copy(link = link.withBootMillis(whole(option, 0..MAX_MS)))
+            "spacing" -> copy(link = link.withSpacingMillis(whole(option, 0..MAX_MS)))
+            "queue" -> copy(link = link.withBoardQueue(whole(option, 1..MAX_QUEUE)))
             "mode" -> copy(listens = oneOf(option, "request", "listen") == "listen")
             "protocol" -> copy(link = link.withProtocol(PROTOCOLS.getValue(oneOf(option, *PROTOCOLS.keys.toTypedArray()))))
             else -> throw ArgumentException("$option is not an option; there are $KNOWN")
@@ -75,27 +76,9 @@ internal data class PortOptions(
 
 private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), protocol(2) or protocol(auto), boot(Ms), spacing(Ms), queue(Messages) and stale(Ms)"
 private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
-private const val MOST_BAUD = 20_000_000
-private const val MOST_MS = 600_000
-private const val MOST_QUEUE = 1000
-
-/** An argument that an internal action cannot use; [message] says what was found and what is expected. */
-internal class ArgumentException(message: String) : Exception(message)
-
-/** The options in [list], which may be a variable without a value or with an open end, since an agent's program may have any; [example] is one as it should be. */
-internal fun optionsIn(list: Term, example: String): List<Term> =
-    (list as? ListTerm)?.takeIf { it.isList && it.tail == null }?.asList
-        ?: throw ArgumentException("the second argument is a list of options such as $example, not $list")
-
-/** The argument of [option], a whole number in [range]. */
-internal fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
-    ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")
+private const val MAX_BAUD = 20_000_000
+private const val MAX_MS = 600_000
+private const val MAX_QUEUE = 1000
 
 private fun oneOf(option: Literal, vararg words: String): String = option.getTerm(0).toString().takeIf { it in words }
     ?: throw ArgumentException("$option: ${option.functor} is ${words.joinToString(" or ")}")
-
-/** [term] as a whole number, or null if it is none. */
-internal fun wholeNumber(term: Term): Int? {
-    val value = (term as? NumberTerm)?.takeIf { it.isNumeric && it.isGround }?.solve() ?: return null
-    return value.toInt().takeIf { it.toDouble() == value }
-}

@@ -4,7 +4,6 @@ import argo.calls.Failure
 import argo.calls.failureOf
 import argo.platform.Platform
 import argo.platform.SequentialExecutor
-import argo.sensing.SensingListener
 import jason.asSyntax.Term
 import javino.Link
 import javino.PortException
@@ -15,24 +14,22 @@ import kotlin.concurrent.withLock
 /**
  * The ports that one agent holds open, and the one it uses now.
  *
- * Links stay open until [closeAll], since opening a port resets most boards. One whose device goes is opened again, as it was, when its device
- * returns; until then it is looked for, and what is done with it fails. What a driver may take its time for, opening and
- * closing, is done by threads of this class's own: one for what the agent asks for, in its order, and one for each port that is looked for.
- * Safe for use by several threads.
+ * Links stay open until [closeAll], since opening a port resets most boards. A port whose device has gone is opened again, with its options, when
+ * the device returns; until then every call on it fails. Opening and closing may block, so they run on a sequential executor (the agent's
+ * requests) or on one thread per lost port. Safe for use by several threads.
  *
- * @param owner the agent's name: what a second agent is told that asks for the same port
+ * @param owner the agent's name, which the message to a second agent on the same port contains
+ * @param user works through the ports
  * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced]
- * @param platform opens the ports, and says when to look for lost ones
- * @param settle is called after each change of the port in use
- * @param warn is told why a port cannot be opened though its device has returned, once for each cause
+ * @param platform opens the ports, and times the search for lost ones
+ * @param warn takes the reason why a port cannot be opened although its device has returned, once for each cause
  */
 internal class Ports(
     private val owner: String,
     private val states: PortStates,
-    private val listener: SensingListener,
+    private val user: PortUser,
     private val paced: Boolean,
     private val platform: Platform,
-    private val settle: () -> Unit,
     private val warn: (String) -> Unit,
 ) {
     private val lock = ReentrantLock()
@@ -72,7 +69,7 @@ internal class Ports(
             val key = Transports.canonicalName(name)
             openings.atOnce(key) { openAndChoose(term, name, key, options) }
         }
-        if (trouble is ArgumentException) return Failure("too_many_ports", trouble.message.orEmpty())
+        if (trouble is TooManyPortsException) return Failure("too_many_ports", trouble.message.orEmpty())
         return trouble?.let(::failureOf)?.also { failure ->
             if (all().none { it.link.isOpen && term in it.names }) states.set(term, PortStatus.OFF, failure.cause) { lock.withLock { !stopped } }
         }
@@ -86,12 +83,12 @@ internal class Ports(
         choosing.withLock {
             chosen = term
             current = port
-            isBack(port, term, name)
-            settle()
+            noteReturn(port, term, name)
+            user.portInUseChanged()
         }
     }
 
-    /** Opens a port as [wanted], in place of what is [held] of it; if it cannot be opened so it is held again as it was. */
+    /** Opens a port as [wanted] in place of [held]; if that fails it is opened again as [held] was. */
     private fun openOtherwise(held: OpenPort?, key: String, name: String, term: Term, wanted: PortOptions): OpenPort {
         if (held == null) return openNew(key, name, wanted, mapOf(term to name))
         forget(held)
@@ -109,44 +106,44 @@ internal class Ports(
             choosing.withLock {
                 if (current === port) {
                     current = again
-                    settle()
+                    user.portInUseChanged()
                 }
             }
         }
         if (trouble != null) lose(port, trouble)
     }
 
-    /** @param before what was lost, if it is opened because of that */
+    /** @param before the lost port that this opening replaces; null: none */
     private fun openNew(key: String, name: String, options: PortOptions, names: Map<Term, String>, before: LostPort? = null): OpenPort {
-        if (lock.withLock { open.size } >= MOST_PORTS) {
-            throw ArgumentException("an agent holds at most $MOST_PORTS ports; argo.port(none) closes them")
+        if (lock.withLock { open.size } >= MAX_PORTS) {
+            throw TooManyPortsException("an agent holds at most $MAX_PORTS ports; argo.port(none) closes them")
         }
         val link = platform.open(name, options.linkSettings(paced), owner)
-        val port = OpenPort(names, link, options, platform.clock.nanos(), before?.losses ?: 0, owner, listener, platform)
+        val port = OpenPort(names, link, options, platform.clock.nanos(), before?.losses ?: 0, user::use)
         val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
-        if (tooLate) port.close() else port.sensing.set(false, 0)
+        if (tooLate) port.close() else user.opened(port)
         return port
     }
 
-    /** [port] can be used, and the agent calls it [term]. Who holds too many has those that were lost first looked for no longer. */
-    private fun isBack(port: OpenPort, term: Term, name: String) {
-        port.isCalled(term, name)
-        lost.found(term, port)
-        lost.keep(MOST_PORTS - all().size)
+    /** Notes that [port] can be used by the name [term]. Of too many ports, those that were lost first are given up. */
+    private fun noteReturn(port: OpenPort, term: Term, name: String) {
+        port.addName(term, name)
+        lost.removeOthers(term, port)
+        lost.keep(MAX_PORTS - all().size)
         report(port, PortStatus.ON)
     }
 
-    /** What is known of [port] now; nothing is said of one that has been given up. */
+    /** Sets the state of [port] under each of its names; a port that has been given up keeps none. */
     fun report(port: OpenPort, status: PortStatus, reason: String? = null) =
         port.names.keys.forEach { states.set(it, status, reason) { lock.withLock { open.containsValue(port) } } }
 
-    /** [port] cannot be used any more, for the reason given; nothing new if it has been given up already. Its device is looked for. */
+    /** Gives up [port], whose device has gone with [trouble], and searches for the device. Does nothing for a port given up before. */
     fun lost(port: OpenPort, trouble: PortException) {
         lose(port, trouble) { open.values.remove(port) }
         port.close()
     }
 
-    /** Has the device of [port] looked for under each of its names, if [isNews], which is asked under the lock. */
+    /** Searches for the device of [port] under each of its names, if [isNews], which is evaluated under the lock. */
     private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
         lock.withLock {
@@ -158,21 +155,21 @@ internal class Ports(
         ports.forEach(lost::lookFor)
     }
 
-    /** Opens [found] as it was; for a thread that looks for it. If it has another name that has been found, it is open already. */
+    /** Opens [found] with its options; called by the thread that searches for it. Under another of its names it may be open already. */
     private fun reopen(found: LostPort) {
         val key = Transports.canonicalName(found.name)
         openings.ifFree(key) {
             val held = lock.withLock { open[key] }?.takeIf { it.link.isOpen }
             val port = held ?: openNew(key, found.name, found.port.options, mapOf(found.term to found.name), found)
-            choosing.withLock { if (found in lost) isFound(found, port) else if (held == null) forget(port) }
+            choosing.withLock { if (found in lost) putBack(found, port) else if (held == null) forget(port) }
         }
     }
 
-    private fun isFound(found: LostPort, port: OpenPort) {
+    private fun putBack(found: LostPort, port: OpenPort) {
         val inUse = current === found.port && chosen == found.term
         if (inUse) current = port
-        isBack(port, found.term, found.name)
-        if (inUse) settle()
+        noteReturn(port, found.term, found.name)
+        if (inUse) user.portInUseChanged()
     }
 
     private fun forget(port: OpenPort) {
@@ -181,7 +178,7 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports, on another thread; none is in use afterwards, none is looked for, and nothing is believed of them.
+     * Closes all ports, on another thread; afterwards none is in use, none is searched for, and no belief about a port remains.
      * @param closed is called by that thread
      */
     fun closeAll(closed: () -> Unit) = inTurn {
@@ -189,7 +186,7 @@ internal class Ports(
         closed()
     }
 
-    /** Does [work] on the thread for it, unless the agent is being stopped. */
+    /** Runs [work] after the agent's earlier requests, unless the agent is being stopped. */
     private fun inTurn(work: () -> Unit) = lock.withLock { if (!stopped) opener.execute(work) }
 
     private fun closeNow() {
@@ -200,11 +197,11 @@ internal class Ports(
             chosen = null
             all().forEach(::forget)
             states.clear()
-            settle()
+            user.portInUseChanged()
         }
     }
 
-    /** [closeAll] for good: what is being opened now is closed at once. May be called twice. */
+    /** Closes all ports for good; a port that is being opened now is closed at once. May be called twice. */
     fun stop() {
         lock.withLock {
             if (stopped) return
@@ -217,6 +214,9 @@ internal class Ports(
 
     companion object {
         /** The most ports that one agent holds, after the 127 boards that the paper names. */
-        const val MOST_PORTS = 127
+        const val MAX_PORTS = 127
     }
 }
+
+/** An agent asks for more ports than it may hold. */
+private class TooManyPortsException(message: String) : Exception(message)

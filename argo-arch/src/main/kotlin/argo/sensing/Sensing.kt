@@ -1,9 +1,9 @@
 package argo.sensing
 
+import argo.acting.Commands
 import argo.platform.Platform
 import argo.ports.OpenPort
 import argo.ports.PortOptions
-import argo.ports.whole
 import javino.Frame
 import javino.Link
 import javino.PerceptsRequest
@@ -14,9 +14,15 @@ import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
-/** What the sensing of a port says; called by its thread. */
+/** What the sensing of a port asks and reports. Called by the port's sensing thread. */
 internal interface SensingListener {
-    /** What the board is to be asked now. */
+    /** Whether [port] is to be sensed now. Any thread; a change is signalled by [Sensing.wake]. */
+    fun isSensed(port: OpenPort): Boolean
+
+    /** The sensing interval in ms, 0: as fast as the line allows. Any thread; a change is signalled by [Sensing.wake]. */
+    val intervalMs: Int
+
+    /** The request that the board is to answer. */
     fun request(port: OpenPort): String
 
     /** A message came; its last byte at [receivedNanos] by the platform's clock. */
@@ -25,31 +31,33 @@ internal interface SensingListener {
     /** The board did not answer in time. */
     fun unanswered(port: OpenPort, trouble: PortTimeoutException)
 
+    /** The board has answered after [unanswered]. */
+    fun answeredAgain(port: OpenPort)
+
     /** The port cannot be used any more. */
     fun lost(port: OpenPort, trouble: PortException)
 }
 
 /**
  * Asks one board for its percepts, or listens to it, on a thread of its own, while the agent wants to perceive it. In between it
- * watches the line, so that a cable that is pulled is noticed whether or not the agent perceives or acts.
- * The thread starts when [set] is first called and ends with [close] or the port.
+ * watches the line, so that a pulled cable is noticed whether or not the agent perceives or acts.
+ *
+ * It keeps no copy of what the agent wants: it asks [listener] each time, so that no change can be lost between two threads.
  */
 internal class Sensing(
     private val port: OpenPort,
     owner: String,
     private val listener: SensingListener,
+    private val commands: Commands,
     platform: Platform,
-) {
+) : AutoCloseable {
     private val clock = platform.clock
     private val lock = clock.newLock(false)
     private val changed = lock.newCondition()
-    private var on = false
     private var closed = false
-
-    @Volatile
-    private var intervalNanos = 0L
     private var lastStart: Long? = null
-    private val silence = UnansweredRequests()
+    private val unanswered = UnansweredRequests()
+    private var isTimedOut = false
     private var exchangeNanos = 0L
 
     /**
@@ -60,17 +68,17 @@ internal class Sensing(
     private val isPaced = port.link.settings().paced()
     private val thread = lazy { platform.start("argo-$owner-${if (isPaced) "sensing" else "watching"}-${port.link.port()}", ::run) }
 
-    /** Turns sensing on, with [intervalMs] ms between requests (0: as fast as the line allows), or off. */
-    fun set(on: Boolean, intervalMs: Int) = lock.withLock {
-        if (!on) silence.end()
-        this.on = on
-        intervalNanos = TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong())
+    /** Starts the thread, which ends with [close] or the port. */
+    fun start() = lock.withLock { if (!closed) thread.value }
+
+    /** Signals that the answers of the listener may have changed. */
+    fun wake() = lock.withLock {
+        if (!listener.isSensed(port)) unanswered.clear()
         changed.signalAll()
-        if (!closed) thread.value
     }
 
     /** Ends the thread; the link must be closed as well. May be called twice. */
-    fun close() = lock.withLock {
+    override fun close() = lock.withLock {
         closed = true
         changed.signalAll()
         if (thread.isInitialized()) thread.value.interrupt()
@@ -86,36 +94,31 @@ internal class Sensing(
 
     private fun isClosed() = lock.withLock { closed }
 
-    /** Waits until the next request is due; false if there is time to watch the line before it. */
+    /** Waits until the next request is due; false if it is time to look at the line before. */
     private fun awaitTurn(): Boolean = lock.withLock {
-        while (on && !closed) {
-            val wait = nanosUntilDue(clock.nanos())
-            if (wait > WATCH_NANOS) return false
-            if (wait <= 0) {
-                lastStart = clock.nanos()
-                return true
-            }
-            clock.await(changed, wait)
+        var wait = nanosUntilDue()
+        if (wait > WATCH_NANOS) {
+            clock.await(changed, WATCH_NANOS)
+            wait = nanosUntilDue()
         }
-        false
+        while (wait in 1..WATCH_NANOS && !closed) {
+            clock.await(changed, wait)
+            wait = nanosUntilDue()
+        }
+        (wait <= 0).also { if (it) lastStart = clock.nanos() }
     }
 
-    /** Where the agent's own thread takes what the board says, the line is only looked after. */
-    private fun watch(): Boolean = if (isPaced) hear() else using {
-        lock.withLock { clock.await(changed, WATCH_NANOS) }
-        port.link.check()
+    /** The time until the next request, for ever if none is wanted. A board that speaks unasked is listened to all the time. */
+    private fun nanosUntilDue(): Long = when {
+        !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // not paced: the agent's own thread takes the messages
+        port.options.listens -> 0
+        else -> lastStart?.let { it + TimeUnit.MILLISECONDS.toNanos(listener.intervalMs.toLong()) - clock.nanos() } ?: 0
     }
 
-    /** What a board that is asked says meanwhile is dropped; one that speaks unasked may have been opened since this began. */
-    private fun hear(): Boolean = using {
-        val message = port.link.heard(WATCH_MS)
-        if (message != null) port.hasSpoken = true
-        if (message != null && port.options.listens && lock.withLock { on }) listener.received(port, message, clock.nanos())
+    /** Looks at the line. Messages that nobody wants now are dropped, but where the agent's own thread takes them. */
+    private fun watch(): Boolean = using {
+        if (isPaced) port.link.heard(LOOK_MS)?.let { port.hasSpoken = true } else port.link.check()
     }
-
-    /** A board that speaks unasked is listened to all the time: it knows itself how often it has something to say. */
-    private fun nanosUntilDue(now: Long): Long =
-        if (port.options.listens) 0 else lastStart?.let { it + intervalNanos - now } ?: 0
 
     /**
      * Lets out the commands that were issued before the request came due, and once more those that their going out has caused: one
@@ -124,10 +127,10 @@ internal class Sensing(
      */
     private fun exchangeInTurn(): Boolean {
         if (!port.options.listens) {
-            val limit = maxOf(intervalNanos, exchangeNanos)
-            port.commands.awaitEarlier(limit)
+            val limit = maxOf(TimeUnit.MILLISECONDS.toNanos(listener.intervalMs.toLong()), exchangeNanos)
+            commands.awaitEarlier(limit)
             lock.withLock { clock.await(changed, graceNanos) }
-            port.commands.awaitEarlier(limit)
+            commands.awaitEarlier(limit)
         }
         val start = clock.nanos()
         return exchange().also { exchangeNanos = clock.nanos() - start }
@@ -137,7 +140,9 @@ internal class Sensing(
     fun exchange(): Boolean = using {
         port.link.next(port.options) { listener.request(port) }?.let {
             port.hasSpoken = true
-            silence.end()
+            lock.withLock { unanswered.clear() }
+            if (isTimedOut) listener.answeredAgain(port)
+            isTimedOut = false
             listener.received(port, it, clock.nanos())
         }
     }
@@ -157,15 +162,21 @@ internal class Sensing(
         unforeseen(unforeseen)
     }
 
-    /** A far end in a network that used to answer may have gone without a word, and be back without knowing this connection. */
+    /** The far end of a network connection may have gone without a word, and may be back without knowing this connection. */
     private fun unanswered(timeout: PortTimeoutException): Boolean {
-        silence.goesOn(clock.nanos())
-        if (!(port.link.mayVanish() && port.hasSpoken && silence.isLong(clock.nanos()))) {
+        isTimedOut = true
+        val isLong = lock.withLock {
+            val now = clock.nanos()
+            unanswered.add(now)
+            unanswered.isLong(now)
+        }
+        if (!(isLong && port.link.mayVanish() && port.hasSpoken)) {
             listener.unanswered(port, timeout)
             return true
         }
         val name = port.link.port()
-        listener.lost(port, PortGoneException(name, "port $name has not answered for ${UnansweredRequests.LONG_S} s; the connection is made anew"))
+        val reason = "port $name has not answered for ${UnansweredRequests.LONG_S} s; the connection is made anew"
+        listener.lost(port, PortGoneException(name, reason))
         return false
     }
 
@@ -176,9 +187,9 @@ internal class Sensing(
     }
 
     private companion object {
-        /** How long a device may be gone before it is noticed, in ms, while nothing is asked of it. */
-        const val WATCH_MS = 100
-        const val WATCH_NANOS = WATCH_MS * 1_000_000L
+        /** How long a device may be gone before it is noticed, while nothing is asked of it. */
+        val WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(100)
+        const val LOOK_MS = 1
     }
 }
 

@@ -6,39 +6,46 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * What an agent believes of the port from which nothing has come for too long: `stale(P)`, for each name that it has for it.
+ * The beliefs `stale(P)` about the port in use when no message has come for too long, one for each name of the port.
  *
- * What it believes changes on the agent's thread only; any may ask.
+ * The beliefs change on the agent's thread only, in [update]; any thread may read.
  *
  * @param nowMs a clock in ms that never goes back
- * @param listened the port whose board the agent listens to now; null: none
+ * @param listened the port whose messages the agent perceives now; null: none
  * @param intervalMs the sensing interval
  */
-internal class StaleBeliefs(nowMs: () -> Long, private val listened: () -> OpenPort?, private val intervalMs: () -> Int) {
-    private val staleness = Staleness(nowMs)
+internal class StaleBeliefs(
+    private val nowMs: () -> Long,
+    private val listened: () -> OpenPort?,
+    private val intervalMs: () -> Int,
+) {
+    @Volatile
+    private var freshMs = nowMs()
 
     @Volatile
     private var believed: Set<Term> = emptySet()
 
-    /** A message has come, or only now is one awaited. */
-    fun renew() = staleness.renew()
+    /** Begins the wait for the next message: one has come, or the agent begins to listen. */
+    fun renew() {
+        freshMs = nowMs()
+    }
 
-    /** In how many ms the board will have been silent for too long, 0: it has; null: it is not listened to, or may be silent. */
-    fun dueInMs(): Long? = listened()?.options?.staleAfterMs(intervalMs())?.let(staleness::dueInMs)
+    /** The time in ms until the port in use is stale, 0 if it is; null: the agent does not listen, or the board may be silent. */
+    fun dueInMs(): Long? = listened()?.options?.staleAfterMs(intervalMs())?.let { maxOf(0, freshMs + it - nowMs()) }
 
-    /** Makes up the agent's mind, and says whether that is news. */
+    /** Recomputes the beliefs; returns whether they changed. */
     fun update(): Boolean {
         val now = silent()
         return (now != believed).also { believed = now }
     }
 
-    /** Whether the agent believes it of [port]. */
+    /** Whether the agent believes it of [port]. Any thread. */
     fun isStale(port: Term): Boolean = port in believed
 
-    /** Whether [update] would be news. */
+    /** Whether [update] would change the beliefs. */
     fun hasNews(): Boolean = silent() != believed
 
-    /** Whether the agent believes nothing of the kind. */
+    /** Whether there is no such belief. */
     fun isEmpty(): Boolean = believed.isEmpty()
 
     /** The beliefs. */

@@ -2,29 +2,26 @@ package argo.sensing
 
 import java.util.concurrent.TimeUnit
 
-/** How long a board that is asked has not answered. Safe for use by several threads. */
+/** Requests in a row that a board has not answered, and since when. Guarded by its user's lock. */
 internal class UnansweredRequests {
-    private class Span(val sinceNanos: Long, val requests: Int)
+    private var sinceNanos = 0L
+    private var count = 0
 
-    @Volatile
-    private var span: Span? = null
-
-    /** Another request was not answered, which is known at [nowNanos]. */
-    fun goesOn(nowNanos: Long) {
-        span = span.let { Span(it?.sinceNanos ?: nowNanos, (it?.requests ?: 0) + 1) }
+    /** Counts another request without an answer, which is known at [nowNanos]. */
+    fun add(nowNanos: Long) {
+        if (count++ == 0) sinceNanos = nowNanos
     }
 
     /** The board has answered, or is not asked for a while. */
-    fun end() {
-        span = null
+    fun clear() {
+        count = 0
     }
 
-    /** Whether several requests in a row, and for [LONG_S] s, were not answered. */
-    fun isLong(nowNanos: Long): Boolean =
-        span?.let { it.requests >= LONG_REQUESTS && nowNanos - it.sinceNanos > TimeUnit.SECONDS.toNanos(LONG_S) } ?: false
+    /** Whether [LONG_COUNT] requests in a row or more were not answered, for longer than [LONG_S] s. */
+    fun isLong(nowNanos: Long): Boolean = count >= LONG_COUNT && nowNanos - sinceNanos > TimeUnit.SECONDS.toNanos(LONG_S)
 
     companion object {
         const val LONG_S = 10L
-        private const val LONG_REQUESTS = 3
+        private const val LONG_COUNT = 3
     }
 }

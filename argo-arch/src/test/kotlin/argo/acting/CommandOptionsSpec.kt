@@ -1,7 +1,7 @@
 package argo.acting
 
-import argo.ports.ArgumentException
-import argo.ports.whole
+import argo.calls.ArgumentException
+import argo.calls.whole
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

@@ -3,11 +3,9 @@ package argo.acting
 import argo.calls.Failure
 import argo.filters.CriticalRule
 import argo.filters.Rule
-import argo.platform.Platform
 import argo.platform.RateLimitedWarning
 import argo.ports.OpenPort
 import argo.ports.PortOptions
-import argo.sensing.SensingListener
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldHaveSize
@@ -16,8 +14,6 @@ import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax
 import javino.Link
 import javino.LinkSettings
-import javino.PortException
-import javino.PortTimeoutException
 import javino.sim.FakeBoard
 
 class ReflexesSpec : FunSpec({
@@ -29,16 +25,10 @@ class ReflexesSpec : FunSpec({
     val warnings = ArrayList<String>()
     var nowMs = 0L
     fun reflexes() = Reflexes({ _, command, outcome -> sent += command; outcomes += outcome }, RateLimitedWarning({ nowMs }) { warnings += it })
-    val unheard = object : SensingListener {
-        override fun request(port: OpenPort) = error("not asked")
-        override fun received(port: OpenPort, message: String, receivedNanos: Long) = Unit
-        override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = Unit
-        override fun lost(port: OpenPort, trouble: PortException) = Unit
-    }
     val board = FakeBoard.plugIn("reflexes").lenient()
     val port = OpenPort(
-        mapOf(ASSyntax.createAtom("reflexes") to "sim:reflexes"), Link.open("sim:reflexes", LinkSettings.defaults(), "test"), PortOptions(), 0, 0, "test", unheard, Platform.system,
-    )
+        mapOf(ASSyntax.createAtom("reflexes") to "sim:reflexes"), Link.open("sim:reflexes", LinkSettings.defaults(), "test"), PortOptions(), 0, 0,
+    ) { AutoCloseable { } }
     afterSpec {
         port.close()
         board.close()

@@ -19,17 +19,17 @@ class CriticalLaneSpec : FunSpec({
     val bump = CriticalRule(Rule("bump"))
     fun event(trigger: String) = Event(ASSyntax.parseTrigger(trigger), Intention.EmptyInt)
     fun snapshot(n: Long, vararg critical: Pair<CriticalRule, String>) = Snapshot(
-        null, listOf("n($n)"), listOf("n($n)"), 0, emptyList(), n, critical.map { (rule, text) -> CriticalPercept(rule, ASSyntax.parseLiteral(text)) },
+        null, listOf("n($n)"), listOf("n($n)"), emptyList(), n, critical.map { (rule, text) -> CriticalPercept(rule, ASSyntax.parseLiteral(text)) },
     )
 
     /** A hand-over to an agent whose queue holds the given number of percept events, with one command that never goes out. */
     class Busy(events: Int) {
         val queue = ConcurrentLinkedQueue<Event>()
-        val commands = CommandLedger()
+        val commands = CommandLedger { this }
         val handOver = FreshHandOver(commands, PerceptEvents { queue })
 
         init {
-            commands.issue()
+            commands.issue(this)
             handOver.put(snapshot(0))
             handOver.take()
             repeat(events) { queue += event("+light($it)[source(percept)]") }

@@ -11,14 +11,17 @@ import jason.asSemantics.Event
 import jason.asSemantics.Intention
 import jason.asSyntax.ASSyntax
 
+/** The port in use. */
+private object Robot
+
 class HandOverSpec : FunSpec({
     val noEvents = PerceptEvents { emptyList() }
     fun percept(trigger: String) = Event(ASSyntax.parseTrigger(trigger), Intention.EmptyInt)
-    fun snapshot(n: Long) = Snapshot(null, listOf("n($n)"), listOf("n($n)"), 0, emptyList(), n)
+    fun snapshot(n: Long) = Snapshot(null, listOf("n($n)"), listOf("n($n)"), emptyList(), n)
 
     context("fresh") {
         test("gives the newest snapshot, once") {
-            val handOver = FreshHandOver(CommandLedger(), noEvents)
+            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents)
             handOver.take() shouldBe null
             handOver.put(snapshot(1))
             handOver.put(snapshot(2))
@@ -29,7 +32,7 @@ class HandOverSpec : FunSpec({
 
         test("waits while percept events of the one before are in the queue") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents { queue })
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1
             queue += listOf(percept("+dist(f,1)[source(percept)]"), percept("-dist(f,2)[source(percept)]"))
@@ -44,7 +47,7 @@ class HandOverSpec : FunSpec({
 
         test("a look from another thread before the snapshot has been taken in does not let its events go unawaited") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents { queue })
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1
             handOver.put(snapshot(2))
@@ -62,7 +65,7 @@ class HandOverSpec : FunSpec({
                 override val size get() = events.size
                 override fun iterator() = events.asSequence().onEach { looks++ }.iterator()
             }
-            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents { queue })
             handOver.put(snapshot(1))
             handOver.take()
             repeat(1_000) { events += percept("+dist(f,$it)[source(percept)]") }
@@ -73,7 +76,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("a snapshot of an older message does not take the place of a newer one") {
-            val handOver = FreshHandOver(CommandLedger(), noEvents)
+            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents)
             handOver.put(snapshot(2))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 2
@@ -81,7 +84,7 @@ class HandOverSpec : FunSpec({
 
         test("other events than those of percepts are nothing to wait for") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(CommandLedger(), PerceptEvents { queue })
+            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents { queue })
             handOver.put(snapshot(1))
             handOver.take()
             queue += listOf(percept("+!go"), percept("+told(x)[source(bob)]"))
@@ -93,7 +96,7 @@ class HandOverSpec : FunSpec({
             val queue = ArrayDeque<Event>()
             var stands = true
             var nowMs = 0L
-            val handOver = FreshHandOver(CommandLedger(), PerceptEvents({ stands }, { nowMs }) { queue })
+            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents({ stands }, { nowMs }) { queue })
             handOver.put(snapshot(1))
             handOver.take()
             queue += percept("+dist(f,1)[source(percept)]")
@@ -108,58 +111,65 @@ class HandOverSpec : FunSpec({
         }
 
         test("waits for the commands issued before the last hand-over and for no others") {
-            val ledger = CommandLedger()
+            val ledger = CommandLedger { Robot }
             val handOver = FreshHandOver(ledger, noEvents)
-            val first = ledger.issue()
+            val first = ledger.issue(Robot)
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1 // the first hand-over has none before it
-            val second = ledger.issue()
+            val second = ledger.issue(Robot)
             handOver.put(snapshot(2))
             handOver.take() shouldBe null
-            ledger.done(first)
+            ledger.done(Robot, first)
             handOver.take()?.receivedNanos shouldBe 2 // the second command was issued after the last hand-over
             handOver.put(snapshot(3))
             handOver.take() shouldBe null
-            ledger.done(second)
+            ledger.done(Robot, second)
             handOver.take()?.receivedNanos shouldBe 3
         }
 
-        test("does not wait for commands that have been forgotten, as those of a port that is not in use any more") {
-            val ledger = CommandLedger()
+        test("does not wait for commands to a port that is not in use, whenever they were issued") {
+            val other = Any()
+            var inUse: Any? = other
+            val ledger = CommandLedger { inUse }
             val handOver = FreshHandOver(ledger, noEvents)
-            val first = ledger.issue()
+            ledger.issue(other)
             handOver.put(snapshot(1))
             handOver.take()
-            ledger.forget()
             handOver.put(snapshot(2))
-            handOver.take()?.receivedNanos shouldBe 2
-            val second = ledger.issue()
-            handOver.put(snapshot(3))
-            handOver.take()
-            ledger.done(first)
-            handOver.put(snapshot(4))
             handOver.take() shouldBe null
-            ledger.done(second)
+            inUse = Robot
+            handOver.take()?.receivedNanos shouldBe 2
+            ledger.issue(other) // by a plan that had asked for the port before it changed
+            handOver.put(snapshot(3))
+            handOver.take()?.receivedNanos shouldBe 3
+            handOver.put(snapshot(4))
             handOver.take()?.receivedNanos shouldBe 4
+            val own = ledger.issue(Robot)
+            handOver.put(snapshot(5))
+            handOver.take()?.receivedNanos shouldBe 5
+            handOver.put(snapshot(6))
+            handOver.take() shouldBe null
+            ledger.done(Robot, own)
+            handOver.take()?.receivedNanos shouldBe 6
         }
 
         test("a plan that always has a command on its way does not starve it") {
-            val ledger = CommandLedger()
+            val ledger = CommandLedger { Robot }
             val handOver = FreshHandOver(ledger, noEvents)
             var taken = 0
-            var onItsWay = ledger.issue()
+            var onItsWay = ledger.issue(Robot)
             repeat(100) { n ->
                 handOver.put(snapshot(n.toLong()))
                 if (handOver.take() != null) taken++
-                val next = ledger.issue()
-                ledger.done(onItsWay)
+                val next = ledger.issue(Robot)
+                ledger.done(Robot, onItsWay)
                 onItsWay = next
             }
             check(taken >= 49) { "$taken of 100 taken" }
         }
 
         test("what is cleared is never taken") {
-            val handOver = FreshHandOver(CommandLedger(), noEvents)
+            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents)
             handOver.put(snapshot(1))
             handOver.clear()
             handOver.take() shouldBe null
@@ -185,10 +195,10 @@ class HandOverSpec : FunSpec({
 
     test("the ledger knows for any order of completion whether all commands up to one are done") {
         checkAll(Arb.list(Arb.element(true, false), 1..40)) { steps ->
-            val ledger = CommandLedger()
+            val ledger = CommandLedger { Robot }
             val pending = ArrayList<Long>()
             for (issue in steps) {
-                if (issue || pending.isEmpty()) pending += ledger.issue() else ledger.done(pending.removeAt(pending.size / 2))
+                if (issue || pending.isEmpty()) pending += ledger.issue(Robot) else ledger.done(Robot, pending.removeAt(pending.size / 2))
                 for (mark in 0..ledger.lastIssued()) ledger.allDoneUpTo(mark) shouldBe pending.none { it <= mark }
             }
         }

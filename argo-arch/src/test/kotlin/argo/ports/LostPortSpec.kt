@@ -1,7 +1,5 @@
 package argo.ports
 
-import argo.platform.Platform
-import argo.sensing.SensingListener
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
@@ -9,9 +7,6 @@ import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
 import javino.Link
 import javino.LinkSettings
-import javino.PerceptsRequest
-import javino.PortException
-import javino.PortTimeoutException
 import javino.sim.FakeBoard
 import java.io.IOException
 import java.util.concurrent.TimeUnit
@@ -22,7 +17,7 @@ class LostPortSpec : FunSpec({
     /** A port that was open for [livedMs], [losses] times in a row before, lost at time 0. */
     fun lost(livedMs: Long, losses: Int = 0, spoke: Boolean = false): LostPort = FakeBoard.plugIn("lost").use { board ->
         Link.open(board.port(), LinkSettings.defaults(), "bob").use { link ->
-            val port = OpenPort(mapOf(term to board.port()), link, PortOptions(), -TimeUnit.MILLISECONDS.toNanos(livedMs), losses, "bob", NoListener, Platform.system)
+            val port = OpenPort(mapOf(term to board.port()), link, PortOptions(), -TimeUnit.MILLISECONDS.toNanos(livedMs), losses) { AutoCloseable { } }
             port.hasSpoken = spoke
             LostPort(port, term, board.port(), 0)
         }
@@ -73,10 +68,3 @@ class LostPortSpec : FunSpec({
         lost(livedMs = 60_000).failed(IOException("not yet")) shouldBe false
     }
 })
-
-private object NoListener : SensingListener {
-    override fun request(port: OpenPort) = PerceptsRequest.ALL
-    override fun received(port: OpenPort, message: String, receivedNanos: Long) = Unit
-    override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = Unit
-    override fun lost(port: OpenPort, trouble: PortException) = Unit
-}

@@ -1,5 +1,6 @@
 package argo.ports
 
+import argo.calls.ArgumentException
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe

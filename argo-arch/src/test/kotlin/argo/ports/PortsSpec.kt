@@ -1,9 +1,11 @@
 package argo.ports
 
 import argo.FussyProvider
+import argo.acting.Commands
 import argo.calls.Failure
 import argo.jason.eventually
 import argo.platform.TestTime
+import argo.sensing.Sensing
 import argo.sensing.SensingListener
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -22,6 +24,7 @@ import javino.PortPermissionException
 import javino.PortTimeoutException
 import javino.sim.FakeBoard
 import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
@@ -32,12 +35,21 @@ private class PortsBench : AutoCloseable {
     val time = TestTime()
     private val states = PortStates { port, status, _ -> told += "$port ${status.word}" }
     private val listener = object : SensingListener {
+        override val intervalMs get() = 50
+        override fun isSensed(port: OpenPort) = false
         override fun request(port: OpenPort) = PerceptsRequest.ALL
         override fun received(port: OpenPort, message: String, receivedNanos: Long) = Unit
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = Unit
+        override fun answeredAgain(port: OpenPort) = Unit
         override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)
     }
-    val ports: Ports = Ports("bob", states, listener, paced = true, time, settle = { }) { told += it }
+    private val watches = ConcurrentHashMap<OpenPort, Sensing>()
+    private val user = object : PortUser {
+        override fun use(port: OpenPort) = Sensing(port, "bob", listener, Commands(port.link, "bob", time) { }, time).also { watches[port] = it }
+        override fun opened(port: OpenPort) = watches.getValue(port).start()
+        override fun portInUseChanged() = Unit
+    }
+    val ports: Ports = Ports("bob", states, user, paced = true, time) { told += it }
 
     fun beliefs() = states.beliefs().map { "$it" }.toSet()
 

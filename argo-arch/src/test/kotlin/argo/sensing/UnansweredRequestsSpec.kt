@@ -1,5 +1,6 @@
 package argo.sensing
 
+import argo.acting.Commands
 import argo.jason.NetworkBoard
 import argo.platform.TestTime
 import argo.ports.OpenPort
@@ -19,33 +20,40 @@ import javino.sim.FakeBoard
 class UnansweredRequestsSpec : FunSpec({
     val time = TestTime()
     val events = ArrayList<String>()
+    lateinit var sensing: Sensing
     val listener = object : SensingListener {
+        override val intervalMs get() = 50
+        override fun isSensed(port: OpenPort) = true
         override fun request(port: OpenPort) = PerceptsRequest.ALL
         override fun received(port: OpenPort, message: String, receivedNanos: Long) = events.plusAssign("received")
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = events.plusAssign("unanswered")
+        override fun answeredAgain(port: OpenPort) = Unit
         override fun lost(port: OpenPort, trouble: PortException) = events.plusAssign("lost: ${trouble.message}")
     }
     val options = PortOptions(timeoutMs = 20).run { copy(link = link.withBootMillis(0).withProtocol(Protocol.V1).withBaud(1_000_000)) }
 
-    fun onPort(name: String, work: (OpenPort) -> Unit) = Link.open(name, options.link, "bob").use { link ->
+    fun onPort(name: String, work: (Sensing) -> Unit) = Link.open(name, options.link, "bob").use { link ->
         events.clear()
-        work(OpenPort(emptyMap(), link, options, 0, 0, "bob", listener, time))
+        OpenPort(emptyMap(), link, options, 0, 0) { port ->
+            Sensing(port, "bob", listener, Commands(link, "bob", time) { }, time).also { sensing = it }
+        }
+        work(sensing)
     }
 
-    fun OpenPort.exchangeUntil(event: String) {
-        do sensing.exchange() while (events.last() != event) // a busy machine may be slower than a time limit
+    fun Sensing.exchangeUntil(event: String) {
+        do exchange() while (events.last() != event) // a busy machine may be slower than a time limit
     }
 
     test("in a network one that used to answer is taken to have vanished after ten seconds") {
         NetworkBoard().use { board ->
-            onPort(board.port) { port ->
-                port.exchangeUntil("received")
+            onPort(board.port) { sensing ->
+                sensing.exchangeUntil("received")
                 board.isMute = true
-                port.exchangeUntil("unanswered")
+                sensing.exchangeUntil("unanswered")
                 time.pass(9_000)
-                port.sensing.exchange() shouldBe true
+                sensing.exchange() shouldBe true
                 time.pass(2_000)
-                port.sensing.exchange() shouldBe false
+                sensing.exchange() shouldBe false
                 events.last() shouldContain "has not answered for 10 s"
             }
         }
@@ -53,20 +61,20 @@ class UnansweredRequestsSpec : FunSpec({
 
     test("one that has never answered, or answers now and then, is not") {
         NetworkBoard().use { board ->
-            onPort(board.port) { port ->
+            onPort(board.port) { sensing ->
                 board.isMute = true
                 repeat(3) {
-                    port.sensing.exchange() shouldBe true
+                    sensing.exchange() shouldBe true
                     time.pass(60_000)
                 }
                 board.isMute = false
-                port.exchangeUntil("received")
+                sensing.exchangeUntil("received")
                 board.isMute = true
                 repeat(5) {
-                    port.exchangeUntil("unanswered")
+                    sensing.exchangeUntil("unanswered")
                     time.pass(9_000)
                     board.isMute = false
-                    port.exchangeUntil("received")
+                    sensing.exchangeUntil("received")
                     board.isMute = true
                 }
                 events.filter { it.startsWith("lost") }.shouldBeEmpty()
@@ -76,11 +84,11 @@ class UnansweredRequestsSpec : FunSpec({
 
     test("on a serial line one that is silent is silent: opening its port anew would reset it") {
         FakeBoard.plugIn("silence").use { board ->
-            onPort(board.port()) { port ->
-                port.exchangeUntil("received")
+            onPort(board.port()) { sensing ->
+                sensing.exchangeUntil("received")
                 board.whenAsked(PerceptsRequest.ALL).staySilent()
                 repeat(3) {
-                    port.exchangeUntil("unanswered")
+                    sensing.exchangeUntil("unanswered")
                     time.pass(60_000)
                 }
                 events.filter { it.startsWith("lost") }.shouldBeEmpty()

@@ -1,0 +1,55 @@
+package argo
+
+import argo.acting.CommandOptions
+import argo.acting.Commands
+import argo.calls.Failure
+import argo.platform.Platform
+import argo.platform.Waker
+import argo.sensing.Sensing
+import argo.sensing.SensingPolicy
+import java.util.concurrent.TimeUnit
+
+/** How closely reasoning cycles and lines are coupled, after the [SensingPolicy]. Belongs to the agent's thread but for [submit]. */
+internal interface Coupling {
+    /** Whether messages are written at the pace of the line, see [javino.LinkSettings.paced]. */
+    val isPaced: Boolean
+
+    /**
+     * The agent begins to perceive.
+     *
+     * @param sensing the sensing of the port in use; null: there is none, or perceiving is blocked
+     */
+    fun perceiving(sensing: Sensing?, intervalMs: Int)
+
+    /** Has [text] sent; [outcome] as of [Commands.submit]. Any thread. */
+    fun submit(commands: Commands, text: String, options: CommandOptions, outcome: (Failure?) -> Unit)
+}
+
+/** No reasoning cycle waits for a line: boards are sensed, and commands written, by other threads. */
+internal object Decoupled : Coupling {
+    override val isPaced get() = true
+
+    override fun perceiving(sensing: Sensing?, intervalMs: Int) = Unit
+
+    override fun submit(commands: Commands, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
+        commands.submit(text, options, outcome)
+}
+
+/** The published way: the agent's own thread makes a request and waits for the answer, once an interval, and writes commands at once. */
+internal class InCycle(private val platform: Platform, private val waker: Waker) : Coupling {
+    private var lastStart: Long? = null
+
+    override val isPaced get() = false
+
+    override fun perceiving(sensing: Sensing?, intervalMs: Int) {
+        val start = platform.clock.nanos()
+        val isEarly = lastStart?.let { start - it < TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()) } == true
+        if (sensing == null || isEarly) return
+        lastStart = start
+        sensing.exchange()
+        waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
+    }
+
+    override fun submit(commands: Commands, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
+        outcome(commands.write(text, options))
+}

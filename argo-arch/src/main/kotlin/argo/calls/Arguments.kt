@@ -1,0 +1,29 @@
+package argo.calls
+
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Literal
+import jason.asSyntax.NumberTerm
+import jason.asSyntax.Term
+
+/** An argument that an internal action cannot use; [message] names what was found and what is expected. */
+internal class ArgumentException(message: String) : Exception(message)
+
+/**
+ * The options in [list].
+ *
+ * @param example a list as it should be, for the message
+ * @throws ArgumentException if [list] is no proper list: a program may pass a variable, or a list with an open end
+ */
+internal fun optionsIn(list: Term, example: String): List<Term> =
+    (list as? ListTerm)?.takeIf { it.isList && it.tail == null }?.asList
+        ?: throw ArgumentException("the second argument is a list of options such as $example, not $list")
+
+/** The argument of [option], a whole number in [range]. */
+internal fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
+    ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")
+
+/** [term] as a whole number, or null if it is none. */
+internal fun wholeNumber(term: Term): Int? {
+    val value = (term as? NumberTerm)?.takeIf { it.isNumeric && it.isGround }?.solve() ?: return null
+    return value.toInt().takeIf { it.toDouble() == value }
+}
