@@ -1,6 +1,5 @@
 package javino.tcp;
 
-import java.io.InterruptedIOException;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.concurrent.CompletableFuture;
@@ -11,8 +10,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * Finds the addresses of a host with a time limit. The system's lookup has none and takes no interrupt: without a network it may take a
- * minute. So it is done on a thread of its own, one for a host at most, which who asks next finds at work.
+ * Finds the addresses of a host, with a time limit. The system's lookup has none, cannot be interrupted, and may take a minute without a
+ * network. So it runs on a thread of its own, at most one for each host: callers that ask meanwhile get the same result.
  */
 final class HostLookup {
     private static final ConcurrentMap<String, CompletableFuture<InetAddress[]>> UNDER_WAY = new ConcurrentHashMap<>();
@@ -27,9 +26,9 @@ final class HostLookup {
     /**
      * @param limitNanos nanoseconds to wait at most
      * @throws UnknownHostException if there is no such host, or its addresses were not found in time; the message is for a person
-     * @throws InterruptedIOException if the thread is interrupted; it stays interrupted
+     * @throws InterruptedException if the thread is interrupted
      */
-    static InetAddress[] addresses(String host, long limitNanos, Resolver resolver) throws UnknownHostException, InterruptedIOException {
+    static InetAddress[] addresses(String host, long limitNanos, Resolver resolver) throws UnknownHostException, InterruptedException {
         try {
             return UNDER_WAY.computeIfAbsent(host, name -> start(name, resolver)).get(limitNanos, TimeUnit.NANOSECONDS);
         } catch (ExecutionException e) {
@@ -37,9 +36,6 @@ final class HostLookup {
         } catch (TimeoutException e) {
             throw new UnknownHostException("where the host " + host + " is was not found out within "
                     + TimeUnit.NANOSECONDS.toMillis(limitNanos) + " ms; does the network work?");
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new InterruptedIOException();
         }
     }
 

@@ -1,6 +1,8 @@
 package javino.tcp;
 
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javino.NoSuchPortException;
 
 /**
@@ -10,51 +12,37 @@ import javino.NoSuchPortException;
  * @param number the number of its TCP port, 1 to 65535
  */
 record TcpAddress(String host, int number) {
-    private static final String FORM = "a port on the network is tcp://HOST:PORT, as tcp://192.168.1.20:4000";
-    private static final int MOST_NUMBER = 65_535;
+    private static final int MAX_NUMBER = 65_535;
+    // java.net.URI would do but for host names with an underscore, for which it knows neither host nor port
+    private static final Pattern FORM = Pattern.compile("(?://)?(?:\\[([^\\]\\s]+)]|([^\\[\\]\\s:/?#@]*))(?::([^:/\\]]*))?/?");
 
     /**
      * @param port as it was given, for messages
      * @param address what stands behind the scheme; the two slashes may be missing
      */
     static TcpAddress of(String port, String address) throws NoSuchPortException {
-        String place = address.startsWith("//") ? address.substring(2) : address;
-        place = place.endsWith("/") ? place.substring(0, place.length() - 1) : place;
-        int colon = place.lastIndexOf(':');
-        if (colon < 0 || colon < place.lastIndexOf(']')) {
+        Matcher form = FORM.matcher(address);
+        if (!form.matches()) {
+            throw malformed(port, "that is no host's name; an IPv6 address is written in brackets, as tcp://[fe80::1]:4000");
+        }
+        String host = form.group(1) != null ? form.group(1) : form.group(2);
+        String number = form.group(3);
+        if (number == null || number.isEmpty()) {
             throw malformed(port, "its port number is missing");
         }
-        return new TcpAddress(host(port, place.substring(0, colon)), number(port, place.substring(colon + 1)));
-    }
-
-    private static String host(String port, String written) throws NoSuchPortException {
-        boolean inBrackets = written.startsWith("[") && written.endsWith("]");
-        String host = inBrackets ? written.substring(1, written.length() - 1) : written;
-        if (host.isBlank()) {
+        if (host.isEmpty()) {
             throw malformed(port, "its host is missing");
         }
-        if (!inBrackets && host.contains(":")) {
-            throw malformed(port, "an IPv6 address is written in brackets, as tcp://[fe80::1]:4000");
+        int value = number.matches("[0-9]{1,5}") ? Integer.parseInt(number) : 0;
+        if (value < 1 || value > MAX_NUMBER) {
+            throw malformed(port, "\"" + number + "\" is no port number; that is 1 to " + MAX_NUMBER);
         }
-        if (host.matches(".*[\\s/?#@\\[\\]].*")) {
-            throw malformed(port, "\"" + host + "\" is no host's name");
-        }
-        return host;
-    }
-
-    private static int number(String port, String written) throws NoSuchPortException {
-        if (written.isEmpty()) {
-            throw malformed(port, "its port number is missing");
-        }
-        int number = written.matches("[0-9]{1,5}") ? Integer.parseInt(written) : 0;
-        if (number < 1 || number > MOST_NUMBER) {
-            throw malformed(port, "\"" + written + "\" is no port number; that is 1 to " + MOST_NUMBER);
-        }
-        return number;
+        return new TcpAddress(host, value);
     }
 
     private static NoSuchPortException malformed(String port, String why) {
-        return new NoSuchPortException(port, "\"" + port + "\" names no port: " + why + " (" + FORM + ")");
+        return new NoSuchPortException(port, "\"" + port + "\" names no port: " + why
+                + " (a port on the network is tcp://HOST:PORT, as tcp://192.168.1.20:4000)");
     }
 
     /** The same for all spellings of one place; the host is not looked up. */
