@@ -22,7 +22,7 @@ internal fun saidTo(failure: Throwable): String? = when (failure) {
     is ToolException, is FilterException -> failure.message
     is NoSuchFileException -> "there is no file ${failure.file}"
     is AccessDeniedException -> "${failure.file}: this user may not do that there"
-    is javino.PortException, is javino.sim.MalformedRecordingException -> failure.message
+    is javino.PortException -> failure.message
     is FileSystemException -> "${failure.file}: ${failure.reason ?: failure.javaClass.simpleName}"
     is IOException -> failure.message ?: "$failure"
     is UncheckedIOException -> failure.cause?.let(::saidTo)

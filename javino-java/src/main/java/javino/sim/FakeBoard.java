@@ -20,12 +20,12 @@ import javino.PortException;
  * }
  * }</pre>
  *
- * <p>It is strict: {@link #verify} and {@link #close} fail if a message came that no rule covers, that was not {@linkplain #expect expected}
- * and that the test did not take with {@code awaitMessage}; if an expected one did not come; and if the board lost one, see
- * {@link #queueSize}. {@link #lenient} turns that off.
+ * <p>It is strict: {@link #verify} and {@link #close} fail if it received a message that no rule covers, that was not
+ * {@linkplain #expect expected} and that the test did not take with {@code awaitMessage}; if it did not receive an expected one; and if it
+ * lost one, see {@link #queueSize}. {@link #lenient} turns that off.
  *
- * <p>Unless told otherwise it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, as a board
- * without sensors does. The line has the rate that the port is opened with. All methods are safe on any thread; rules may be changed while
+ * <p>Unless set otherwise it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, as a
+ * board without sensors does. The line has the rate that the port is opened with. All methods are safe on any thread; rules may be changed while
  * the board runs.
  */
 public final class FakeBoard implements AutoCloseable {
@@ -56,7 +56,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * A new board that is not plugged in and goes by {@code clock}: its {@link #program} is run by who made it, on a line of the same clock.
+     * A new board that is not plugged in and goes by {@code clock}: the caller runs its {@link #program}, on a line of the same clock.
      *
      * @param name what messages call it
      */
@@ -204,7 +204,7 @@ public final class FakeBoard implements AutoCloseable {
 
     /**
      * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms and not while it is
-     * {@linkplain #stall stalled}; then fails if it received what it was not to receive, or did not receive what it was, unless it is lenient.
+     * {@linkplain #stall stalled}; then fails, unless it is lenient, if it received an unexpected message or did not receive an expected one.
      *
      * @throws AssertionError that lists what was amiss and all messages received
      */

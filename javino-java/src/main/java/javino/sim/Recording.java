@@ -2,6 +2,7 @@ package javino.sim;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.LineNumberReader;
 import java.io.Reader;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -16,8 +17,7 @@ import javino.PerceptsRequest;
  *
  * <p>As a file it is text in UTF-8: the line {@code javino-recording 1}, and a line for each message, {@code <ms>\t<in|out>\t<message>}.
  * {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a backslash, a tab and line ends in a message, <code>&#92;u0007</code> for
- * another control character. Empty lines, and lines that begin with {@code #}, say nothing; other
- * lines have at most 1,048,576 characters. {@link RecordingWriter} writes it.
+ * another control character. Empty lines and lines that begin with {@code #} are ignored. {@link RecordingWriter} writes it.
  *
  * @param entries the messages; their times never go back
  */
@@ -26,6 +26,7 @@ public record Recording(List<Entry> entries) {
     static final String HEADER = "javino-recording 1";
 
     private static final String HEADER_WORD = "javino-recording ";
+    private static final int MAX_HEADER = 64;
 
     /** Which way a message went. */
     public enum Direction {
@@ -56,8 +57,8 @@ public record Recording(List<Entry> entries) {
                 throw new IllegalArgumentException("a recording begins at 0 ms, but a message at " + millis + " ms was given");
             }
             message.chars().filter(c -> c > HIGHEST).findFirst().ifPresent(c -> {
-                throw new IllegalArgumentException(String.format(
-                        "a message carries one byte per character, but one of %s is U+%04X; the highest is U+00FF", RecordingText.quoted(message), c));
+                throw new IllegalArgumentException(String.format("a message carries one byte per character, but one of %s is U+%04X; "
+                        + "the highest is U+00FF", RecordingText.quoted(message), c));
             });
         }
     }
@@ -86,8 +87,8 @@ public record Recording(List<Entry> entries) {
     /**
      * Reads a file.
      *
-     * @throws MalformedRecordingException if it is not a recording; the message names file, line and what is wrong there
-     * @throws IOException if it cannot be read
+     * @throws java.nio.file.FileSystemException if it cannot be read
+     * @throws IOException also if it is not a recording; the message names file, line and what is wrong there
      */
     public static Recording read(Path file) throws IOException {
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
@@ -97,31 +98,38 @@ public record Recording(List<Entry> entries) {
 
     /** As {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
     public static Recording read(Reader text, String source) throws IOException {
-        RecordingLines lines = new RecordingLines(text);
+        LineNumberReader lines = new LineNumberReader(text);
         List<Entry> entries = new ArrayList<>();
         try {
-            requireHeader(lines.header(), source);
-            for (String line = lines.next(); line != null; line = lines.next()) {
+            requireHeader(lines);
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 if (!line.isEmpty() && !line.startsWith("#")) {
                     entries.add(entry(line, entries.isEmpty() ? 0 : entries.get(entries.size() - 1).millis()));
                 }
             }
         } catch (CharacterCodingException e) {
-            throw new MalformedRecordingException(source, lines.number(), "bytes that are not UTF-8");
+            throw new IOException(source + ":" + (lines.getLineNumber() + 1) + ": bytes that are not UTF-8", e);
         } catch (IllegalArgumentException e) {
-            throw new MalformedRecordingException(source, lines.number(), e.getMessage());
+            throw new IOException(source + ":" + Math.max(1, lines.getLineNumber()) + ": " + e.getMessage(), e);
         }
         return new Recording(entries);
     }
 
-    private static void requireHeader(String line, String source) throws MalformedRecordingException {
+    /** Reads the first line, but of another file no more than shows that it is no recording: it may have no end. */
+    private static void requireHeader(LineNumberReader text) throws IOException {
+        char[] beginning = new char[MAX_HEADER];
+        text.mark(MAX_HEADER);
+        int count = Math.max(0, text.read(beginning));
+        String line = new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", ""); // an editor's mark
         if (line.startsWith(HEADER_WORD) && !line.equals(HEADER)) {
-            throw new MalformedRecordingException(source, 1, "a recording of format " + line.substring(HEADER_WORD.length())
+            throw new IllegalArgumentException("a recording of format " + line.substring(HEADER_WORD.length())
                     + ", of which only 1 can be read here");
         }
         if (!HEADER.equals(line)) {
-            throw new MalformedRecordingException(source, 1, "the first line of a recording is \"" + HEADER + "\"");
+            throw new IllegalArgumentException("the first line of a recording is \"" + HEADER + "\"");
         }
+        text.reset();
+        text.readLine();
     }
 
     private static Entry entry(String line, long earliest) {

@@ -29,7 +29,8 @@ public final class ReplayBoard implements SimulatedBoard {
     private final Consumer<String> commands;
     private final LineClock clock;
 
-    private ReplayBoard(List<Recording.Entry> said, boolean asked, boolean inTurn, boolean repeated, Consumer<String> commands, LineClock clock) {
+    private ReplayBoard(List<Recording.Entry> said, boolean asked, boolean inTurn, boolean repeated, Consumer<String> commands,
+            LineClock clock) {
         this.said = said;
         this.asked = asked;
         this.inTurn = inTurn;
@@ -87,8 +88,8 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * What fits into frames of version 1: a message that does not is cut behind percepts, as boards do, and one percept that does not is left
-     * out.
+     * The parts of a message that fit into frames of version 1: it is cut behind percepts, as boards do; a percept that is too long for a
+     * frame is left out.
      */
     private static List<String> parts(String message) {
         List<String> parts = new ArrayList<>();

@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
@@ -29,12 +30,12 @@ public final class ReplayTransportProvider implements TransportProvider {
             return new BoardSocket(port, ReplayBoard.of(Recording.read(Path.of(address)))).open(line);
         } catch (NoSuchFileException | InvalidPathException e) {
             throw new NoSuchPortException(port, "there is no recording " + address + " in " + Path.of("").toAbsolutePath());
-        } catch (MalformedRecordingException | IllegalArgumentException e) {
-            throw new PortFaultException(port, "port " + port + " cannot be opened: " + e.getMessage(), e);
         } catch (PortException e) {
             throw e;
-        } catch (IOException e) {
+        } catch (FileSystemException e) {
             throw new PortFaultException(port, "port " + port + " cannot be opened: its file cannot be read (" + e + ")", e);
+        } catch (IOException | IllegalArgumentException e) {
+            throw new PortFaultException(port, "port " + port + " cannot be opened: " + e.getMessage(), e);
         }
     }
 

@@ -14,6 +14,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import javino.sim.Recording.Direction
+import java.io.IOException
 import java.io.Reader
 import java.io.StringReader
 import java.io.StringWriter
@@ -50,20 +51,12 @@ class RecordingSpec : FunSpec({
         read("\uFEFFjavino-recording 1\r7\tout\tledOn\r").entries() shouldBe listOf(Recording.Entry(7, Direction.OUT, "ledOn"))
     }
 
-    test("of what is no recording no more is read than shows it") {
-        shouldThrow<MalformedRecordingException> { Recording.read(Endless(""), "zeros") }.message shouldContain "the first line of a recording is"
-    }
-
-    test("of a line that never ends no more is kept than a line can have, and of a comment nothing") {
-        val header = "javino-recording 1\n"
-        shouldThrow<MalformedRecordingException> { Recording.read(Endless(header + "7\tin\t"), "robot.rec") }.message shouldBe
-            "robot.rec:2: a line of a recording has at most 1048576 characters, and this one has more"
-        read("$header# ${"0".repeat(3 shl 20)}\r\n\r\n7\tin\ta\r\n").entries() shouldBe listOf(Recording.Entry(7, Direction.IN, "a"))
-        read("${header}7\tin\t${"a".repeat(1 shl 19)}").entries().single().message().length shouldBe (1 shl 19)
+    test("of a file that is no recording no more is read than shows it, though it has no end") {
+        shouldThrow<IOException> { Recording.read(Endless(""), "zeros") }.message shouldContain "the first line of a recording is"
     }
 
     test("a message says no more of a line than shows which it is") {
-        shouldThrow<MalformedRecordingException> { read("javino-recording 1\n${"x".repeat(100_000)}\tin\ta\n") }.message!!.length shouldBe 94
+        shouldThrow<IOException> { read("javino-recording 1\n${"x".repeat(100_000)}\tin\ta\n") }.message!!.length shouldBe 94
     }
 
     test("whether the board was asked is seen from what was sent") {
@@ -86,14 +79,14 @@ class RecordingSpec : FunSpec({
         "javino-recording 1\n9\tin\t€\n" to "robot.rec:2: a message carries one byte per character, but one of \"€\" is U+20AC",
     ).forEach { (text, problem) ->
         test("refused: ${text.lines().last { it.isNotEmpty() || text.isEmpty() }.ifEmpty { "an empty file" }}") {
-            shouldThrow<MalformedRecordingException> { read(text) }.message!!.substring(0, problem.length) shouldBe problem
+            shouldThrow<IOException> { read(text) }.message!!.substring(0, problem.length) shouldBe problem
         }
     }
 
     test("a file that is not UTF-8 is refused, not guessed at") {
         val file = tempfile()
         file.writeBytes("javino-recording 1\n9\tin\tü\n".toByteArray(Charsets.ISO_8859_1))
-        shouldThrow<MalformedRecordingException> { Recording.read(file.toPath()) }.message shouldBe "$file:1: bytes that are not UTF-8"
+        shouldThrow<IOException> { Recording.read(file.toPath()) }.message shouldBe "$file:1: bytes that are not UTF-8"
     }
 })
 
