@@ -6,6 +6,7 @@ dependencies {
     // what packs
     compileOnly(libs.asm.commons)
     testImplementation(libs.asm.commons)
+    testImplementation(libs.archunit) // which package may know which
 }
 
 /** The one jar that a Jason project adds: everything but Jason. */

@@ -1,7 +1,7 @@
 package samples
 
-import argo.tools.refuseWithout
-import argo.tools.refusingInWords
+import argo.tools.command.refuseWithout
+import argo.tools.command.refusingInWords
 import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option

@@ -1,13 +1,17 @@
 package argo.tools
 
-import picocli.CommandLine
-import picocli.CommandLine.Help.Ansi
+import argo.tools.command.ExitStatus
+import argo.tools.command.WatchedOutput
+import argo.tools.command.refusingInWords
+import argo.tools.command.saidTo
 import java.io.FileDescriptor
 import java.io.FileOutputStream
 import java.io.OutputStream
 import java.io.PrintWriter
 import java.nio.charset.Charset
 import kotlin.system.exitProcess
+import picocli.CommandLine
+import picocli.CommandLine.Help.Ansi
 
 /**
  * Runs the tool that the arguments name, and ends the program with its exit status: 0 done, 1 failed, 2 wrong arguments.

@@ -5,6 +5,9 @@ import argo.tools.board.PortsCommand
 import argo.tools.board.ReplayCommand
 import argo.tools.board.RequestCommand
 import argo.tools.board.SendCommand
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.refuseWithout
 import argo.tools.doctor.DoctorCommand
 import argo.tools.filter.FilterCommand
 import argo.tools.migration.CheckAgentCommand

@@ -1,5 +1,6 @@
 package argo.tools
 
+import argo.tools.command.printable
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -11,13 +12,13 @@ import io.kotest.matchers.string.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
-import picocli.CommandLine
 import java.io.IOException
 import java.io.OutputStream
 import java.io.PrintWriter
 import java.io.StringWriter
 import java.nio.file.Path
 import kotlin.io.path.readText
+import picocli.CommandLine
 
 class CommandLineSpec : FunSpec({
     fun all(command: CommandLine): List<CommandLine> = listOf(command) + command.subcommands.values.flatMap(::all)

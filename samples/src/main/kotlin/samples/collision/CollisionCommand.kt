@@ -1,7 +1,7 @@
 package samples.collision
 
-import argo.tools.refuse
-import argo.tools.requireWithin
+import argo.tools.command.refuse
+import argo.tools.command.requireWithin
 import javino.LineSettings
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec

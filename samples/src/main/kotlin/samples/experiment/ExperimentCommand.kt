@@ -1,7 +1,7 @@
 package samples.experiment
 
-import argo.tools.refuse
-import argo.tools.requireWithin
+import argo.tools.command.refuse
+import argo.tools.command.requireWithin
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option

@@ -1,6 +1,6 @@
 package samples.fleet
 
-import argo.tools.refuse
+import argo.tools.command.refuse
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option

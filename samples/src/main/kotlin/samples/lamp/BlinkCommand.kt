@@ -1,6 +1,6 @@
 package samples.lamp
 
-import argo.tools.refuse
+import argo.tools.command.refuse
 import jason.asSyntax.ASSyntax.createLiteral
 import jason.asSyntax.ASSyntax.createString
 import picocli.CommandLine.Command

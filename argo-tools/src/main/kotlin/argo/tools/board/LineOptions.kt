@@ -1,7 +1,7 @@
 package argo.tools.board
 
-import argo.tools.refuse
-import argo.tools.requireWithin
+import argo.tools.command.refuse
+import argo.tools.command.requireWithin
 import javino.Link
 import javino.LinkSettings
 import javino.Protocol

@@ -1,9 +1,9 @@
 package argo.tools.board
 
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
-import argo.tools.ToolException
-import argo.tools.printable
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.ToolException
+import argo.tools.command.printable
 import javino.Link
 import javino.Protocol
 import kotlinx.serialization.json.buildJsonObject

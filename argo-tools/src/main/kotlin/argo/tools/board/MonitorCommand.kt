@@ -1,12 +1,12 @@
 package argo.tools.board
 
 import argo.filters.matching.perceptsOf
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
-import argo.tools.making
-import argo.tools.printable
-import argo.tools.requireNew
-import argo.tools.requireWithin
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.making
+import argo.tools.command.printable
+import argo.tools.command.requireNew
+import argo.tools.command.requireWithin
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

@@ -1,9 +1,9 @@
 package argo.tools.board
 
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
-import argo.tools.printable
-import argo.tools.requireWithin
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.printable
+import argo.tools.command.requireWithin
 import javino.Link
 import javino.LinkSettings
 import javino.NoSuchPortException

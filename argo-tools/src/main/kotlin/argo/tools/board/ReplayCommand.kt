@@ -1,10 +1,10 @@
 package argo.tools.board
 
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
-import argo.tools.ToolException
-import argo.tools.printable
-import argo.tools.requireFile
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.ToolException
+import argo.tools.command.printable
+import argo.tools.command.requireFile
 import javino.LineSettings
 import javino.PortException
 import javino.PortInterruptedException

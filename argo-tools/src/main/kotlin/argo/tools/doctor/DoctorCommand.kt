@@ -1,9 +1,9 @@
 package argo.tools.doctor
 
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
 import argo.tools.doctor.Finding.Level
-import argo.tools.printable
+import argo.tools.command.printable
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put

@@ -2,10 +2,10 @@ package argo.tools.filter
 
 import argo.filters.FilterException
 import argo.filters.Problem
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
-import argo.tools.printable
-import argo.tools.saidTo
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.printable
+import argo.tools.command.saidTo
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.buildJsonObject

@@ -1,6 +1,6 @@
 package argo.tools.filter
 
-import argo.tools.refuseWithout
+import argo.tools.command.refuseWithout
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option

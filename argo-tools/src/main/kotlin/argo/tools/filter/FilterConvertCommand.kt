@@ -4,11 +4,11 @@ import argo.filters.PerceptionFilter
 import argo.filters.format.JsonFilters
 import argo.filters.format.KotlinFilters
 import argo.filters.format.XmlFilters
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
-import argo.tools.ToolException
-import argo.tools.making
-import argo.tools.requireNew
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.ToolException
+import argo.tools.command.making
+import argo.tools.command.requireNew
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import kotlin.io.path.writeText

@@ -4,9 +4,9 @@ import argo.filters.matching.Explanation
 import argo.filters.matching.Explanation.Outcome
 import argo.filters.matching.matcher
 import argo.filters.matching.perceptsOf
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
-import argo.tools.printable
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.printable
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject

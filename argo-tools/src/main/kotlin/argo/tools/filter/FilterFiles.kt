@@ -3,8 +3,8 @@ package argo.tools.filter
 import argo.filters.PerceptionFilter
 import argo.filters.format.JsonFilters
 import argo.filters.format.XmlFilters
-import argo.tools.ToolException
-import argo.tools.requireFile
+import argo.tools.command.ToolException
+import argo.tools.command.requireFile
 import java.nio.file.Path
 import kotlin.io.path.inputStream
 

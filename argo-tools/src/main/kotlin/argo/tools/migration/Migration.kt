@@ -1,6 +1,6 @@
 package argo.tools.migration
 
-import argo.tools.ToolException
+import argo.tools.command.ToolException
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

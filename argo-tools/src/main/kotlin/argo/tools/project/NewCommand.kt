@@ -1,10 +1,10 @@
 package argo.tools.project
 
-import argo.tools.ExitStatus
-import argo.tools.ToolCommand
-import argo.tools.ToolException
-import argo.tools.making
-import argo.tools.requireNew
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolCommand
+import argo.tools.command.ToolException
+import argo.tools.command.making
+import argo.tools.command.requireNew
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters

@@ -1,4 +1,4 @@
-package argo.tools
+package argo.tools.command
 
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec

@@ -1,4 +1,4 @@
-package argo.tools
+package argo.tools.command
 
 import java.nio.file.AccessDeniedException
 import java.nio.file.FileAlreadyExistsException

@@ -1,4 +1,4 @@
-package argo.tools
+package argo.tools.command
 
 import picocli.CommandLine
 import picocli.CommandLine.ExitCode

@@ -1,4 +1,4 @@
-package argo.tools
+package argo.tools.command
 
 import argo.filters.FilterException
 import java.io.IOException

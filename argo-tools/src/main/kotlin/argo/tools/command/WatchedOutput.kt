@@ -1,4 +1,4 @@
-package argo.tools
+package argo.tools.command
 
 import java.io.FilterOutputStream
 import java.io.IOException

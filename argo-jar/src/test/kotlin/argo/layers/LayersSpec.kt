@@ -1,0 +1,102 @@
+package argo.layers
+
+import com.tngtech.archunit.base.DescribedPredicate
+import com.tngtech.archunit.core.domain.JavaClass
+import com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage
+import com.tngtech.archunit.core.importer.ClassFileImporter
+import com.tngtech.archunit.core.importer.ImportOption
+import com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes
+import com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses
+import com.tngtech.archunit.library.dependencies.SliceAssignment
+import com.tngtech.archunit.library.dependencies.SliceIdentifier
+import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainAll
+
+/** Which package may know which: the table in CONTRIBUTING.md, and the order of packages in docs/architecture.md. */
+class LayersSpec : FunSpec({
+    val product = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests()).importPackages("argo", "javino", "jason.stdlib")
+        .that(DescribedPredicate.describe("are the product's") { it.packageName != "argo.packing" && !it.packageName.startsWith("jason.stdlib.") || it.packageName == "jason.stdlib.argo" })
+
+    fun packages(vararg names: String) = resideInAnyPackage(*names)
+
+    /** Classes of the product that are in none of [allowed]. */
+    fun productBut(vararg allowed: String): DescribedPredicate<JavaClass> =
+        packages("argo..", "javino..").and(DescribedPredicate.not(packages(*allowed))).`as`("another package of the product than ${allowed.joinToString()}")
+
+    /** The packages of the architecture, each with those that it may know. */
+    val order = mapOf(
+        "argo.observing" to emptyList(),
+        "argo.platform" to emptyList(),
+        "argo.calls" to listOf("argo.observing"),
+        "argo.ports" to listOf("argo.calls", "argo.platform"),
+        "argo.acting" to listOf("argo.ports", "argo.calls", "argo.platform"),
+        "argo.sensing" to listOf("argo.acting", "argo.ports", "argo.calls", "argo.platform"),
+        "argo.perception" to listOf("argo.sensing", "argo.acting", "argo.ports", "argo.calls", "argo.platform", "argo.observing"),
+    )
+
+    test("the rules see the packages that they speak of") {
+        product.map { it.packageName }.toSet() shouldContainAll listOf(
+            "argo", "argo.ports", "argo.sensing", "argo.acting", "argo.perception", "argo.view", "argo.filters", "argo.filters.format",
+            "argo.filters.matching", "argo.filters.jason", "argo.tools", "javino", "javino.serial", "javino.tcp", "javino.sim",
+        )
+    }
+
+    test("no packages know each other in a circle") {
+        val packages = object : SliceAssignment {
+            override fun getDescription() = "packages"
+            override fun getIdentifierOf(javaClass: JavaClass): SliceIdentifier = SliceIdentifier.of(javaClass.packageName)
+        }
+        slices().assignedFrom(packages).should().beFreeOfCycles().check(product)
+    }
+
+    context("links") {
+        test("know Java and the serial driver alone") {
+            classes().that().resideInAPackage("javino..").should().onlyDependOnClassesThat().resideInAnyPackage("java..", "jdk..", "javino..", "com.fazecast..").check(product)
+        }
+        test("are not built on what moves the bytes") {
+            noClasses().that().resideInAPackage("javino").should().dependOnClassesThat().resideInAnyPackage("javino.serial..", "javino.tcp..", "javino.sim..").check(product)
+        }
+    }
+
+    context("filters") {
+        test("know no serial lines") {
+            noClasses().that().resideInAPackage("argo.filters..").should().dependOnClassesThat().resideInAPackage("javino..").check(product)
+        }
+        test("know Jason in one adapter alone") {
+            noClasses().that().resideInAPackage("argo.filters..").and().resideOutsideOfPackage("argo.filters.jason").should()
+                .dependOnClassesThat().resideInAPackage("jason..").check(product)
+        }
+    }
+
+    context("the architecture") {
+        order.forEach { (name, below) ->
+            test("$name knows ${below.joinToString().ifEmpty { "no other package of it" }}") {
+                noClasses().that().resideInAPackage(name).should()
+                    .dependOnClassesThat(productBut(name, "argo.filters..", "javino", *below.toTypedArray())).check(product)
+            }
+        }
+        test("does not know how bytes move") {
+            noClasses().that().resideInAnyPackage("argo", *order.keys.toTypedArray())
+                .should().dependOnClassesThat().resideInAnyPackage("javino.serial..", "javino.tcp..", "javino.sim..").check(product)
+        }
+        test("does not know its live view") {
+            noClasses().that().resideOutsideOfPackage("argo.view..").should().dependOnClassesThat().resideInAPackage("argo.view..").check(product)
+        }
+    }
+
+    context("the live view") {
+        test("knows observed agents and filters, and of ARGO nothing else") {
+            noClasses().that().resideInAPackage("argo.view..").should().dependOnClassesThat(productBut("argo.view..", "argo.observing", "argo.filters..")).check(product)
+        }
+    }
+
+    context("the tools") {
+        test("know no Jason") {
+            noClasses().that().resideInAPackage("argo.tools..").should().dependOnClassesThat().resideInAPackage("jason..").check(product)
+        }
+        test("know no architecture") {
+            noClasses().that().resideInAPackage("argo.tools..").should().dependOnClassesThat(productBut("argo.tools..", "argo.filters..", "javino..")).check(product)
+        }
+    }
+})
