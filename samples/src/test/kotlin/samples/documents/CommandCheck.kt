@@ -43,6 +43,7 @@ class CommandCheck(private val root: Path) {
             "tools" -> tool(rest)
             "new" -> if (rest.isEmpty()) null else tool(words)
             "bench" -> rest.firstOrNull { !Regex("""\b$it \(""").containsMatchIn(usage) }?.let { "./argo bench has no $it" }
+            "format" -> rest.firstOrNull { it !in usage }?.let { "./argo format knows nothing of $it" }
             else -> if (rest.isEmpty()) null else "./argo $verb takes no arguments"
         }
     }
@@ -75,7 +76,7 @@ class CommandCheck(private val root: Path) {
         val module = words.getOrNull(words.indexOf("-pl") + 1).takeIf { "-pl" in words }
         return words.filterNot { it == module }.firstNotNullOfOrNull { word ->
             when {
-                word in setOf("-q", "-o", "-B", "-am", "-pl") || word in GOALS || word.startsWith("-Dsurefire.") -> null
+                word in setOf("-q", "-o", "-B", "-am", "-pl", "-Dmaven.test.skip") || word in GOALS || word.startsWith("-Dsurefire.") -> null
                 word.startsWith("-DincludeScope=") || word.startsWith("-DoutputDirectory=") -> missing("dependency:copy-dependencies".takeIf { it in words }, "goal for $word")
                 word.startsWith("-Dtest=") -> missing(source("${word.removePrefix("-Dtest=")}.kt"), word)
                 ":" in word -> missing("<artifactId>${word.substringBefore(':')}-maven-plugin</artifactId>".takeIf { it in own }, "a plugin for $word")
@@ -97,7 +98,8 @@ class CommandCheck(private val root: Path) {
         }
     }
 
-    private fun source(name: String): Path? = root.toFile().walk().onEnter { it.name !in setOf("target", "build", ".git") }.find { it.name == name }?.toPath()
+    private fun source(name: String): Path? = root.toFile().walk()
+        .onEnter { it == root.toFile() || it.name !in setOf("target", "build", ".git") }.find { it.name == name }?.toPath()
 
     private fun unheardOf(program: Path, options: List<String>): String? = program.readText().let { text -> options.find { it !in text } }?.let { "$program knows nothing of $it" }
 

@@ -59,7 +59,8 @@ class Document(private val root: Path, val path: Path) {
         private val FENCED = Regex("""(?ms)^ *```.*?^ *```""")
 
         /** All pages of the repository that lies at [root], without those of projects that `./argo new` has made in it. */
-        fun all(root: Path): List<Document> = root.toFile().walk().onEnter { it.name !in NOT_OURS && !it.resolve("lib/argo.jar").exists() }
+        fun all(root: Path): List<Document> = root.toFile().walk()
+            .onEnter { it == root.toFile() || it.name !in NOT_OURS && !it.resolve("lib/argo.jar").exists() }
             .filter { it.isFile && it.extension == "md" }.map { Document(root, it.toPath()) }.sortedBy { it.name }.toList()
 
         private val NOT_OURS = setOf("target", "build", "dist", ".argo", ".git", ".gradle")
