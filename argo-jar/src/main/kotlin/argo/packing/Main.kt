@@ -4,7 +4,7 @@ import java.io.File
 import java.nio.file.Path
 import kotlin.system.exitProcess
 
-/** Packages that keep their names in argo.jar: ARGO's own, Kotlin's standard library, and jSerialComm, whose native libraries name its classes. */
+/** Packages that keep their names: ARGO's own, Kotlin's standard library, and jSerialComm, whose native libraries name its classes. */
 internal val OWN_NAMES =
     listOf("argo/", "javino/", "jason/", "kotlin/", "org/jetbrains/annotations/", "org/intellij/lang/annotations/", "com/fazecast/")
 

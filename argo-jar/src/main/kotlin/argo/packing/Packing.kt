@@ -16,7 +16,8 @@ private val LEFT_OUT = Regex("""META-INF/(MANIFEST\.MF|INDEX\.LIST|[^/]+\.(SF|RS
 private val LICENCES = Regex("""META-INF/.*(LICEN[CS]E|NOTICE|COPYING)[^/]*""", RegexOption.IGNORE_CASE)
 
 /**
- * The entries of one jar that holds all of [sources]. Service files of one name are merged; of other files that several have, the first is taken.
+ * The entries of one jar that holds all of [sources]. Service files of one name are merged; of other files that several have, the first is
+ * taken.
  */
 fun pack(sources: List<Source>, relocation: Relocation): Map<String, ByteArray> {
     val packed = sortedMapOf<String, ByteArray>()
@@ -30,7 +31,8 @@ fun pack(sources: List<Source>, relocation: Relocation): Map<String, ByteArray> 
                     val service = SERVICES + relocation.ofBinary(name.removePrefix(SERVICES))
                     providers.getOrPut(service, ::linkedSetOf) += providers(bytes).map(relocation::ofBinary)
                 }
-                name.endsWith(".class") -> packed.putIfAbsent("${relocation.of(name.removeSuffix(".class"))}.class", relocation.rename(bytes))
+                name.endsWith(".class") ->
+                    packed.putIfAbsent("${relocation.of(name.removeSuffix(".class"))}.class", relocation.rename(bytes))
                 library && name.startsWith("META-INF/") && !LICENCES.matches(name) -> {}
                 else -> packed.putIfAbsent(name, bytes)
             }

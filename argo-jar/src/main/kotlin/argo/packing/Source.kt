@@ -16,7 +16,8 @@ import kotlin.io.path.walk
  */
 class Source(val entries: Map<String, ByteArray>) {
     /** Internal names of the classes, `java/lang/String`. */
-    val classes: List<String> = entries.keys.filter { it.endsWith(".class") && !it.startsWith("META-INF/") }.map { it.removeSuffix(".class") }
+    val classes: List<String> =
+        entries.keys.filter { it.endsWith(".class") && !it.startsWith("META-INF/") }.map { it.removeSuffix(".class") }
 
     companion object {
         /** Reads what lies at [path]; nothing where there is nothing, as in a module without resources. */

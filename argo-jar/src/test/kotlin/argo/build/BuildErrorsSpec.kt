@@ -39,7 +39,8 @@ class BuildErrorsSpec : FunSpec({
             [ERROR] Arch.kt:3:5 Unresolved reference 'x'.
             [ERROR] -> [Help 1]
             """,
-        ) shouldBe "[ERROR] Arch.kt:3:5 Unresolved reference 'x'.\n[ERROR] Failed to execute goal kotlin:compile on project argo-arch: Compilation failure\n"
+        ) shouldBe "[ERROR] Arch.kt:3:5 Unresolved reference 'x'.\n" +
+            "[ERROR] Failed to execute goal kotlin:compile on project argo-arch: Compilation failure\n"
     }
 
     listOf(

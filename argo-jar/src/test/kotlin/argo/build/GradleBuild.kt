@@ -38,7 +38,9 @@ fun gradleBuild(root: Path): Build {
         kotlinJvmTarget = script.value("""JvmTarget\.JVM_(\d+)"""),
         libraries = quoted(script.value("""val libraries = listOf\(([^)]*)\)""")),
         serialized = modules.filter { "libs.plugins.kotlin.serialization" in scripts.getValue(it) },
-        modules = scripts.mapValues { (_, own) -> merged(catalog.dependencies(script.replace("rootProject.", "")) + catalog.dependencies(own)) },
+        modules = scripts.mapValues { (_, own) ->
+            merged(catalog.dependencies(script.replace("rootProject.", "")) + catalog.dependencies(own))
+        },
     )
 }
 

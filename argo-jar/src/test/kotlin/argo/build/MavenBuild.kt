@@ -8,15 +8,18 @@ import org.w3c.dom.Element
 fun mavenBuild(root: Path): Build {
     val parent = pom(root)
     val properties = parent.properties() + ("project.version" to parent.value("version"))
-    val managed = parent.child("dependencyManagement")!!.dependencies { it.coordinates() to it.value("version").resolved(properties) }.toMap()
+    val managed = parent.child("dependencyManagement")!!.dependencies()
+        .associate { it.coordinates() to it.value("version").resolved(properties) }
     val modules = parent.all("module").map { it.textContent }
-    fun dependency(element: Element, scope: String): Dependency =
-        Dependency(scope, element.coordinates(), element.child("version")?.textContent?.resolved(properties) ?: managed.getValue(element.coordinates()))
+    fun dependency(element: Element, scope: String): Dependency {
+        val own = element.child("version")?.textContent?.resolved(properties)
+        return Dependency(scope, element.coordinates(), own ?: managed.getValue(element.coordinates()))
+    }
 
-    // of type pom: no library, but a module that is built before
-    fun dependencies(pom: Element): List<Dependency> = (listOf(pom) + pom.all("profile")).flatMap { part ->
-        part.dependencies { it.takeIf { it.child("type") == null } }.filterNotNull().map { dependency(it, it.child("scope")?.textContent ?: "compile") }
-    }.filter { it.coordinates != "org.jetbrains.kotlin:kotlin-stdlib" } // Gradle's plugin adds it unasked
+    fun dependencies(pom: Element): List<Dependency> = (listOf(pom) + pom.all("profile")).flatMap { it.dependencies() }
+        .filter { it.child("type") == null } // of type pom: no library, but a module that is built before
+        .map { dependency(it, it.child("scope")?.textContent ?: "compile") }
+        .filter { it.coordinates != "org.jetbrains.kotlin:kotlin-stdlib" } // Gradle's plugin adds it unasked
 
     return Build(
         group = parent.value("groupId"),
@@ -39,12 +42,13 @@ private fun pom(folder: Path): Element =
 
 private fun Element.properties(): Map<String, String> = child("properties")?.children().orEmpty().associate { it.tagName to it.textContent }
 
-private fun <T> Element.dependencies(transform: (Element) -> T): List<T> = child("dependencies")?.children().orEmpty().map(transform)
+private fun Element.dependencies(): List<Element> = child("dependencies")?.children().orEmpty()
 
 // of a multiplatform library Gradle finds the -jvm artifact by itself, but the POMs that it publishes are read by Maven too
 private fun Element.coordinates(): String = "${value("groupId")}:${value("artifactId").removeSuffix("-jvm")}"
 
-private fun Element.all(tag: String): List<Element> = getElementsByTagName(tag).let { nodes -> (0 until nodes.length).map { nodes.item(it) as Element } }
+private fun Element.all(tag: String): List<Element> =
+    getElementsByTagName(tag).let { nodes -> (0 until nodes.length).map { nodes.item(it) as Element } }
 
 private fun Element.children(): List<Element> = (0 until childNodes.length).map { childNodes.item(it) }.filterIsInstance<Element>()
 
@@ -52,4 +56,5 @@ private fun Element.child(tag: String): Element? = children().singleOrNull { it.
 
 private fun Element.value(tag: String): String = checkNotNull(child(tag)) { "no <$tag> in <$tagName>" }.textContent
 
-private fun String.resolved(properties: Map<String, String>): String = replace(Regex("""\$\{(.+)}""")) { properties.getValue(it.groupValues[1]) }
+private fun String.resolved(properties: Map<String, String>): String =
+    replace(Regex("""\$\{(.+)}""")) { properties.getValue(it.groupValues[1]) }

@@ -18,10 +18,12 @@ import org.objectweb.asm.commons.Remapper
 class JarSpec : FunSpec({
     val file = Path.of(System.getProperty("argo.jar"))
     val jar = Source.read(file)
-    val own = jar.classes.filter { it.startsWith("argo/") && !it.startsWith("argo/shaded/") || it.startsWith("javino/") || it.startsWith("jason/") }
+    val own = jar.classes.filterNot { it.startsWith("argo/shaded/") }
+        .filter { name -> listOf("argo/", "javino/", "jason/").any { name.startsWith(it) } }
 
     test("it holds the architecture, the live view, the filters, the links and the tools") {
-        listOf("argo/Arch", "argo/port", "argo/view/AgentView", "argo/filters/PerceptionFilter", "javino/Link", "argo/tools/MainKt").forEach { own shouldContain it }
+        listOf("argo/Arch", "argo/port", "argo/view/AgentView", "argo/filters/PerceptionFilter", "javino/Link", "argo/tools/MainKt")
+            .forEach { own shouldContain it }
         JarFile(file.toFile()).use { it.manifest.mainAttributes.getValue("Main-Class") } shouldBe "argo.tools.MainKt"
     }
 
@@ -42,7 +44,8 @@ class JarSpec : FunSpec({
 
     val gradles = Path.of("build/libs/argo.jar")
     val mavens = Path.of("target/argo.jar")
-    val bothBuilt = if (gradles.exists() && mavens.exists()) Enabled.enabled else Enabled.disabled("one of the builds has packed no jar here")
+    val areBothBuilt = gradles.exists() && mavens.exists()
+    val bothBuilt = if (areBothBuilt) Enabled.enabled else Enabled.disabled("one of the builds has packed no jar here")
     test("the jar that Gradle packs holds the same files and services as Maven's").config(enabledOrReasonIf = { bothBuilt }) {
         val (one, other) = listOf(gradles, mavens).map { Source.read(it).entries }
         (one.keys - other.keys to other.keys - one.keys) shouldBe (emptySet<String>() to emptySet<String>())
