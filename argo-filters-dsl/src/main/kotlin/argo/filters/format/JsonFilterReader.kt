@@ -15,7 +15,7 @@ import argo.filters.Test
 
 /** Makes a filter of a JSON document, or a list of all that is wrong with it. */
 internal class JsonFilterReader(text: String, source: String, private val name: String) {
-    private val root = JsonTreeReader(SourceText(text), source).read()
+    private val root = JsonTreeReader(text, source).read()
     private val problems = Problems(source)
 
     /** @throws FilterException with all problems of the document, in the order of the text */

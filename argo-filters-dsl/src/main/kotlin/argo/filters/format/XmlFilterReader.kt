@@ -14,7 +14,7 @@ import argo.filters.Value
 
 /** Makes a filter of an XML document, or a list of all that is wrong with it. */
 internal class XmlFilterReader(text: String, source: String, private val name: String) {
-    private val tree = XmlTreeReader(SourceText(text), source).read()
+    private val tree = XmlTreeReader(text, source).read()
     private val problems = Problems(source)
 
     /** @throws FilterException with all problems of the document, in the order of the text */
@@ -200,6 +200,7 @@ internal class XmlFilterReader(text: String, source: String, private val name: S
     private fun attributes(element: XmlElement, vararg known: String): Map<String, XmlAttribute> {
         val (expected, unknown) = element.attributes.partition { it.name in known }
         unknown.forEach { report(it.position, "the attribute '${it.name}' on <${element.name}>; expected ${words(known, "no attribute")}") }
+        expected.groupBy(XmlAttribute::name).values.flatMap { it.drop(1) }.forEach { report(it.position, "a second '${it.name}' on <${element.name}>; expected one") }
         return expected.associateBy(XmlAttribute::name)
     }
 

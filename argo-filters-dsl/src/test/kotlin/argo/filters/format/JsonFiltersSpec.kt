@@ -137,7 +137,7 @@ class JsonFiltersSpec : FreeSpec({
     }
 
     "text that is not JSON is refused with its position" {
-        for ((document, position) in listOf("" to (1 to 1), "{\"rules\": [}" to (1 to 12), "{\n  \"rules\" []}" to (2 to 11), "{\"rules\": [dist]}" to (1 to 12), "{\"rules\": []} x" to (1 to 16), "{\"rules\": [],}" to (1 to 13), "{\"rules\": [{\"predicate\":\n \"d\n\"}]}" to (2 to 4))) {
+        for ((document, position) in listOf("" to (1 to 1), "{\"rules\": [}" to (1 to 12), "{\n  \"rules\" []}" to (2 to 11), "{\"rules\": [dist]}" to (1 to 16), "{\"rules\": []} x" to (1 to 16), "{\"rules\": [],}" to (1 to 13), "{\"rules\": [{\"predicate\":\n \"d\n\"}]}" to (2 to 4))) {
             withClue(document) {
                 val problem = problems(document).single()
                 problem.message shouldContain "not JSON"
