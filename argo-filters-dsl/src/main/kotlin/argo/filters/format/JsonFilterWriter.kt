@@ -2,10 +2,10 @@ package argo.filters.format
 
 import argo.filters.Condition
 import argo.filters.CriticalRule
+import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 import com.fasterxml.jackson.core.JsonFactory
 import com.fasterxml.jackson.core.JsonGenerator
 import com.fasterxml.jackson.core.util.DefaultIndenter
@@ -61,26 +61,27 @@ internal class JsonFilterWriter {
             is Condition.Annotation -> {
                 json.writeStringField("annotation", condition.name.toString())
                 val single = condition.tests.singleOrNull()
-                if (single != null) test(single) else if (condition.tests.isNotEmpty()) array("limits", condition.tests) { entity { test(it) } }
+                if (single != null) test(single)
+                else if (condition.tests.isNotEmpty()) array("limits", condition.tests) { entity { test(it) } }
             }
         }
     }
 
-    private fun test(test: Test) {
+    private fun test(test: TermTest) {
         json.writeStringField("operator", TestFormat.operator(test))
         when (test) {
-            is Test.Compare -> json.writeFieldName("value").also { value(test.value) }
-            is Test.OneOf -> array("value", test.values, ::value)
-            is Test.Matches -> json.writeStringField("value", test.pattern)
+            is TermTest.Compare -> json.writeFieldName("value").also { value(test.value) }
+            is TermTest.OneOf -> array("value", test.values, ::value)
+            is TermTest.Matches -> json.writeStringField("value", test.pattern)
         }
     }
 
-    private fun value(value: Value) =
-        if (value is Value.Number && value.value.isFinite()) json.writeNumber("$value") else json.writeString("$value")
+    private fun value(value: GroundTerm) =
+        if (value is GroundTerm.Number && value.value.isFinite()) json.writeNumber("$value") else json.writeString("$value")
 
     private fun numberField(name: String, number: Double) {
         json.writeFieldName(name)
-        value(Value.Number(number))
+        value(GroundTerm.Number(number))
     }
 
     private fun entity(members: () -> Unit) {
@@ -97,7 +98,9 @@ internal class JsonFilterWriter {
 
     private fun printer(): DefaultPrettyPrinter {
         val lines = DefaultIndenter("  ", "\n")
-        val separators = Separators.createDefaultInstance().withObjectFieldValueSpacing(Separators.Spacing.AFTER).withArrayEmptySeparator("")
+        val separators = Separators.createDefaultInstance()
+            .withObjectFieldValueSpacing(Separators.Spacing.AFTER)
+            .withArrayEmptySeparator("")
         return DefaultPrettyPrinter(separators).apply {
             indentArraysWith(lines)
             indentObjectsWith(lines)

@@ -2,10 +2,10 @@ package argo.filters.format
 
 import argo.filters.Condition
 import argo.filters.Deadband
+import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 
 /** Writes filters in the canonical form of the XML format: operators spelt out, parts of a rule in the order of the model. */
 internal class XmlFilterWriter {
@@ -33,7 +33,7 @@ internal class XmlFilterWriter {
         }
     }
 
-    private fun width(deadband: Deadband) = Value.Number(deadband.width).toString()
+    private fun width(deadband: Deadband) = GroundTerm.Number(deadband.width).toString()
 
     private fun condition(condition: Condition) = when (condition) {
         is Condition.Argument -> test("parameter", condition.test, "id" to condition.index)
@@ -44,12 +44,12 @@ internal class XmlFilterWriter {
         val name = "name" to condition.name
         when (condition.tests.size) {
             0 -> leaf("annotation", "", name)
-            1 -> leaf("annotation", TestFormat.value(condition.tests.single()), name, "operator" to TestFormat.operator(condition.tests.single()))
+            1 -> condition.tests.single().let { leaf("annotation", TestFormat.value(it), name, "operator" to TestFormat.operator(it)) }
             else -> element("annotation", name) { condition.tests.forEach { test("limit", it) } }
         }
     }
 
-    private fun test(name: String, test: Test, vararg attributes: Pair<String, Any?>) =
+    private fun test(name: String, test: TermTest, vararg attributes: Pair<String, Any?>) =
         leaf(name, TestFormat.value(test), "operator" to TestFormat.operator(test), *attributes)
 
     private fun element(name: String, vararg attributes: Pair<String, Any?>, isEmpty: Boolean = false, children: () -> Unit) {

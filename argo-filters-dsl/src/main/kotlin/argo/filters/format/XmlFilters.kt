@@ -14,8 +14,8 @@ object XmlFilters {
     /**
      * Reads a filter.
      *
-     * @param input the XML document, in the encoding that its declaration or its byte-order mark (of UTF-8 or UTF-16) names; UTF-8 where there is
-     * neither. Not closed.
+     * @param input the XML document, in the encoding that its declaration or its byte-order mark (of UTF-8 or UTF-16) names; UTF-8
+     * where there is neither. Not closed.
      * @param source the file or other place it comes from, for messages
      * @param name the filter's name; usually the last part of [source] without `.xml`
      * @throws FilterException with all problems of the text, if there are any
@@ -47,7 +47,8 @@ object XmlFilters {
         } catch (e: XMLStreamException) {
             if (!String(beginning, Charsets.ISO_8859_1).startsWith("<?xml")) return Charsets.UTF_8
             val cause = e.message.orEmpty().substringAfter("Message: ")
-            throw FilterException(listOf(Problem(source, 1, 1, "the XML declaration cannot be read; UTF-8 is a good choice of encoding: $cause")), e)
+            val message = "the XML declaration cannot be read; UTF-8 is a good choice of encoding: $cause"
+            throw FilterException(listOf(Problem(source, 1, 1, message)), e)
         }
     }
 }

@@ -84,7 +84,8 @@ internal class XmlTreeReader(private val document: String, private val source: S
 
     private fun start(reader: XMLStreamReader) {
         val start = document.lastIndexOf('<', markupEnd - 1) // no attribute holds this character
-        val offsets = ATTRIBUTE.findAll(document.substring(start, markupEnd)).associate { it.groupValues[1] to start + it.groups[1]!!.range.first }
+        val tag = document.substring(start, markupEnd)
+        val offsets = ATTRIBUTE.findAll(tag).associate { it.groupValues[1] to start + it.groups[1]!!.range.first }
         val attributes = (0 until reader.attributeCount).map {
             val name = nameOf(reader.getAttributePrefix(it), reader.getAttributeLocalName(it))
             XmlAttribute(name, reader.getAttributeValue(it), positions.position(offsets[name] ?: start))
@@ -112,7 +113,8 @@ internal class XmlTreeReader(private val document: String, private val source: S
     }
 
     private fun doctype() = problem(
-        positions.position(document.lastIndexOf("<!DOCTYPE", markupEnd)), "a document type declaration; filters have none, and no entities of their own",
+        positions.position(document.lastIndexOf("<!DOCTYPE", markupEnd)),
+        "a document type declaration; filters have none, and no entities of their own",
     )
 
     private fun notWellFormed(e: XMLStreamException): Problem {

@@ -1,11 +1,11 @@
 package argo.filters.matching
 
 import argo.filters.Condition
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 import argo.filters.format.XmlFilters
 import argo.filters.jason.perceptText
 import argo.filters.rule
@@ -134,7 +134,7 @@ class PerceptMatcherSpec : FreeSpec({
     }
 
     "a large filter decides as a small one" {
-        val rules = (0 until 1_000).map { Rule("sensor$it", Condition.Argument(0, Test.Compare(Operator.LT, Value.of("$it")))) }
+        val rules = (0 until 1_000).map { Rule("sensor$it", Condition.Argument(0, TermTest.Compare(Operator.LT, GroundTerm.of("$it")))) }
         val matcher = PerceptionFilter("large", rules).matcher()
         for (number in 0 until 1_000) {
             matcher.drops("sensor$number(${number - 1})") shouldBe true
