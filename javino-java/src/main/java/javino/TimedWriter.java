@@ -10,9 +10,9 @@ import java.util.concurrent.locks.ReentrantLock;
  *
  * <p>Safe on any thread; writes go out in the order in which they are called, each as a whole.
  */
-public final class TimedWriter {
+final class TimedWriter {
     /** The write that has no time limit. */
-    public interface Target {
+    interface Target {
         /** Writes all the bytes; returns how many were written, fewer or -1 on an error. */
         int write(byte[] bytes);
     }
@@ -20,13 +20,12 @@ public final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
 
     /** How a write ended. */
-    public enum Outcome { WRITTEN, FAILED, TOO_LATE, CLOSED }
+    enum Outcome { WRITTEN, FAILED, TOO_LATE, CLOSED }
 
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition changed = lock.newCondition();
     private final Target target;
     private final LineClock clock;
-    private final Thread thread;
     private Job waiting; // the next to be written
     private boolean closed;
 
@@ -34,15 +33,11 @@ public final class TimedWriter {
      * @param port its name, for the thread's
      * @param clock what the time limits are of
      */
-    public TimedWriter(String port, Target target, LineClock clock) {
+    TimedWriter(String port, Target target, LineClock clock) {
         this.target = target;
         this.clock = clock;
-        thread = new Thread(this::work, "write " + port);
+        Thread thread = new Thread(this::work, "write " + port);
         thread.setDaemon(true);
-    }
-
-    /** Starts the thread; before that nothing is written. */
-    public void start() {
         thread.start();
     }
 
@@ -50,7 +45,7 @@ public final class TimedWriter {
      * Writes the bytes, waiting at most until {@code deadlineNanos} of the clock. After {@link Outcome#TOO_LATE} they have
      * not left, or are still on their way out.
      */
-    public Outcome write(byte[] b, int off, int len, long deadlineNanos) throws InterruptedException {
+    Outcome write(byte[] b, int off, int len, long deadlineNanos) throws InterruptedException {
         Job job = new Job(Arrays.copyOfRange(b, off, off + len));
         lock.lockInterruptibly();
         try {
@@ -86,7 +81,7 @@ public final class TimedWriter {
     }
 
     /** Ends the thread as soon as its write returns. Calls that wait get {@link Outcome#CLOSED}. */
-    public void close() {
+    void close() {
         lock.lock();
         try {
             closed = true;

@@ -15,7 +15,7 @@ public interface Transport extends AutoCloseable {
     /** The rate this line was opened with. */
     LineSettings line();
 
-    /** Whether the far end may go without this end being told, as in a network; then a line that is silent for long is worth opening anew. */
+    /** Whether the far end may go unnoticed, as in a network; then a line that is silent for long is worth opening anew. */
     default boolean mayVanish() {
         return false;
     }

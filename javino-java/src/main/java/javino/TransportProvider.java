@@ -21,8 +21,10 @@ public interface TransportProvider {
      */
     Transport open(String address, LineSettings line) throws PortException;
 
-    /** The ports there are now, as a person would give them to {@link Transports#open}; empty when they cannot be listed. */
-    List<String> ports();
+    /** The ports there are now, as a person would give them to {@link Transports#open}; by default none, as when they cannot be listed. */
+    default List<String> ports() {
+        return List.of();
+    }
 
     /**
      * One address for all the addresses of one device, so that a device under two names still has one owner.
@@ -34,7 +36,8 @@ public interface TransportProvider {
     }
 
     /**
-     * One name for all the names of one device, whatever their schemes: a provider that finds devices of another one gives the other's name.
+     * One name for all the names of one device, whatever their schemes: a provider that finds devices of another one gives the other's
+     * name.
      *
      * @return the scheme and the {@linkplain #canonicalAddress canonical address}, unless the provider knows better
      */

@@ -28,7 +28,7 @@ private class Gated : AutoCloseable, LineClock {
         check(bytes.decodeToString() != "worse") { "a driver that throws" }
         if (bytes.decodeToString() == "bad") -1 else bytes.size
     }
-    val writer = TimedWriter("gated", driver, this).apply { start() }
+    val writer = TimedWriter("gated", driver, this)
 
     override fun nanos() = if (begun.count > 0) 0 else UNTIL_BEGUN
 

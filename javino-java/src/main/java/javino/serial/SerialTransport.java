@@ -5,20 +5,14 @@ import com.fazecast.jSerialComm.SerialPortInvalidPortException;
 import java.time.Duration;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
-import javino.LineClock;
+import javino.DriverTransport;
 import javino.LineSettings;
 import javino.PortException;
-import javino.PortGoneException;
-import javino.PortInterruptedException;
-import javino.PortTimeoutException;
-import javino.TimedWriter;
-import javino.Transport;
 
 /** A serial device, or a pseudo-terminal that stands for one, through jSerialComm. */
-final class SerialTransport implements Transport {
+final class SerialTransport extends DriverTransport {
     /** How long one read of the driver waits: it counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;
     private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(SLICE_MILLIS);
@@ -35,18 +29,11 @@ final class SerialTransport implements Transport {
 
     private final ReentrantLock reading = new ReentrantLock(); // held while the driver reads, so that it is not closed under it
     private final SerialPort port;
-    private final String name;
-    private final LineSettings line;
-    private final TimedWriter writer;
-    private final AtomicBoolean closed = new AtomicBoolean();
     private volatile long lingerUntil = System.nanoTime();
-    private volatile boolean gone;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
+        super(name, line);
         this.port = port;
-        this.name = name;
-        this.line = line;
-        writer = new TimedWriter(name, bytes -> port.writeBytes(bytes, bytes.length), LineClock.system());
     }
 
     static SerialTransport open(String name, LineSettings line) throws PortException {
@@ -55,9 +42,7 @@ final class SerialTransport implements Transport {
 
     static SerialTransport open(SerialDevice device, LineSettings line) throws PortException {
         try {
-            SerialTransport transport = new SerialTransport(openDriver(device, line), device.name(), line);
-            transport.writer.start();
-            return transport;
+            return new SerialTransport(openDriver(device, line), device.name(), line);
         } catch (SerialPortInvalidPortException e) {
             throw SerialPortErrors.noSuchPort(device, SerialPorts.names());
         } catch (LinkageError e) {
@@ -81,45 +66,25 @@ final class SerialTransport implements Transport {
     }
 
     @Override
-    public String name() {
-        return name;
-    }
-
-    @Override
-    public LineSettings line() {
-        return line;
-    }
-
-    @Override
-    public int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-        long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        while (true) {
-            long left = deadline - System.nanoTime();
-            boolean slice = left >= SLICE_NANOS - MILLI_NANOS; // so that a wait of one slice is one
-            int count = readNow(b, off, len, slice);
-            if (count > 0 || left <= 0) {
-                return count;
-            }
-            if (!slice) {
-                LockSupport.parkNanos(Math.min(left, POLL_NANOS));
-            }
-            if (Thread.currentThread().isInterrupted()) {
-                throw new PortInterruptedException(name);
-            }
+    protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
+        boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // so that a wait of one slice is one
+        int count = readNow(b, off, len, slice);
+        if (count == 0 && !slice && nanos > 0) {
+            LockSupport.parkNanos(Math.min(nanos, POLL_NANOS));
         }
+        return count;
     }
 
-    /** Reads what there is; if nothing is, waits a slice for it or not at all. */
     private int readNow(byte[] b, int off, int len, boolean wait) throws PortException {
         reading.lock();
         try {
-            requireOpen();
+            requireLine();
             int count = wait ? len : Math.min(len, port.bytesAvailable());
             if (count > 0) {
                 count = port.readBytes(b, count, off);
             }
             if (count < 0) {
-                throw broken();
+                throw lost(lossWhenRefused());
             }
             return count;
         } finally {
@@ -128,51 +93,24 @@ final class SerialTransport implements Transport {
     }
 
     @Override
-    public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-        requireOpen();
-        long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        try {
-            switch (writer.write(b, off, len, deadline)) {
-                case WRITTEN -> lingerUntil = System.nanoTime() + LINGER_NANOS;
-                case TOO_LATE -> throw new PortTimeoutException(name, "port " + name + " did not take " + len + " bytes within "
-                        + timeoutMillis + " ms; the device does not read");
-                default -> throw broken();
-            }
-        } catch (InterruptedException e) {
-            throw PortInterruptedException.remarking(name);
-        }
-    }
-
-    private void requireOpen() throws PortGoneException {
-        if (closed.get() || gone) {
-            throw noLine();
-        }
-    }
-
-    /** What is to be thrown when the driver reports an error: on an open line that means that the device is not there any more. */
-    private PortGoneException broken() {
-        if (!closed.get()) {
-            gone = true;
-        }
-        return noLine();
-    }
-
-    private PortGoneException noLine() {
-        return new PortGoneException(name, "port " + name + " is gone: "
-                + (gone ? "its device was unplugged, or the far end closed" : "it was closed"));
+    protected int writeToDriver(byte[] bytes) {
+        int count = port.writeBytes(bytes, bytes.length);
+        lingerUntil = System.nanoTime() + LINGER_NANOS;
+        return count;
     }
 
     @Override
-    public void close() {
-        if (closed.getAndSet(true)) {
-            return;
-        }
-        writer.close();
+    protected String lossWhenRefused() {
+        return "its device was unplugged, or the far end closed";
+    }
+
+    @Override
+    protected void closeDriver() {
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
         linger();
         if (!readingEnds()) {
             System.getLogger(SerialTransport.class.getName()).log(System.Logger.Level.WARNING,
-                    "port " + name + " is given up as it is: its driver does not return from reading");
+                    "port " + name() + " is given up as it is: its driver does not return from reading");
             return;
         }
         try {
@@ -202,7 +140,7 @@ final class SerialTransport implements Transport {
         boolean interrupted = Thread.interrupted(); // a thread that is interrupted closes the port with the same care
         long deadline = System.nanoTime() + MAX_LINGER_NANOS;
         long now = System.nanoTime();
-        while (!gone && deadline - now > 0 && (lingerUntil - now > 0 || port.bytesAwaitingWrite() > 0)) {
+        while (!isLost() && deadline - now > 0 && (lingerUntil - now > 0 || port.bytesAwaitingWrite() > 0)) {
             LockSupport.parkNanos(POLL_NANOS);
             now = System.nanoTime();
         }

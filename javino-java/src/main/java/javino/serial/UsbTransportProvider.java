@@ -45,12 +45,6 @@ public class UsbTransportProvider implements TransportProvider {
         return SerialTransport.open(new SerialDevice(port(address), device(address).path()), line);
     }
 
-    /** None: each is among the serial devices. */
-    @Override
-    public List<String> ports() {
-        return List.of();
-    }
-
     @Override
     public String canonicalName(String address) {
         try {

@@ -25,8 +25,8 @@ import javino.PortException;
  * lost one, see {@link #queueSize}. {@link #lenient} turns that off.
  *
  * <p>Unless set otherwise it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, as a
- * board without sensors does. The line has the rate that the port is opened with. All methods are safe on any thread; rules may be changed while
- * the board runs.
+ * board without sensors does. The line has the rate that the port is opened with. All methods are safe on any thread; rules may be changed
+ * while the board runs.
  */
 public final class FakeBoard implements AutoCloseable {
     private static final int MAX_DRAIN_MILLIS = 10_000;
@@ -204,7 +204,7 @@ public final class FakeBoard implements AutoCloseable {
 
     /**
      * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms and not while it is
-     * {@linkplain #stall stalled}; then fails, unless it is lenient, if it received an unexpected message or did not receive an expected one.
+     * {@linkplain #stall stalled}; then fails, unless it is lenient, if it received an unexpected message or no expected one.
      *
      * @throws AssertionError that lists what was amiss and all messages received
      */

@@ -6,6 +6,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import javino.LineClock;
 
 /** What a {@link FakeBoard} received and what becomes of it. Safe on any thread. */
@@ -25,53 +26,38 @@ final class FakeBoardRecord {
     }
 
     void expect(String message) {
-        lock.lock();
-        try {
-            if (!unaccounted.remove(message)) {
-                expected.add(message);
-            }
-        } finally {
-            lock.unlock();
-        }
+        locked(() -> unaccounted.remove(message) || expected.add(message));
     }
 
     /** @param covered whether a rule says what to do with it */
     void received(String message, boolean covered) {
-        lock.lock();
-        try {
+        locked(() -> {
             received.add(message);
             boolean wasExpected = expected.remove(message);
             if (!covered && !wasExpected) {
                 unaccounted.add(message);
             }
             changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
+            return null;
+        });
     }
 
     void overwritten(String message) {
-        lock.lock();
-        try {
-            overwritten.add(message);
-        } finally {
-            lock.unlock();
-        }
+        locked(() -> overwritten.add(message));
     }
 
     List<String> received() {
-        lock.lock();
-        try {
-            return List.copyOf(received);
-        } finally {
-            lock.unlock();
-        }
+        return locked(() -> List.copyOf(received));
     }
 
     List<String> overwritten() {
+        return locked(() -> List.copyOf(overwritten));
+    }
+
+    private <T> T locked(Supplier<T> work) {
         lock.lock();
         try {
-            return List.copyOf(overwritten);
+            return work.get();
         } finally {
             lock.unlock();
         }
@@ -103,17 +89,15 @@ final class FakeBoardRecord {
     }
 
     void verify() {
-        lock.lock();
-        try {
-            List<String> amiss = new ArrayList<>();
+        List<String> amiss = new ArrayList<>();
+        String all = locked(() -> {
             addUnlessEmpty(amiss, "received what nobody expected: ", unaccounted);
             addUnlessEmpty(amiss, "did not receive: ", expected);
             addUnlessEmpty(amiss, "had no room for, and lost: ", overwritten);
-            if (!amiss.isEmpty()) {
-                throw new AssertionError("board " + port + " " + String.join("; it ", amiss) + "; " + all());
-            }
-        } finally {
-            lock.unlock();
+            return all();
+        });
+        if (!amiss.isEmpty()) {
+            throw new AssertionError("board " + port + " " + String.join("; it ", amiss) + "; " + all);
         }
     }
 

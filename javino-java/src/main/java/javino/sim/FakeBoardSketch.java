@@ -52,13 +52,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     }
 
     void stall(boolean value) {
-        lock.lock();
-        try {
-            stalled = value;
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
+        change(() -> stalled = value);
     }
 
     @Override
@@ -186,21 +180,17 @@ final class FakeBoardSketch implements SimulatedBoard {
     }
 
     private void setOpen(BoardLoop loop) {
-        lock.lock();
-        try {
-            open = loop;
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
+        change(() -> open = loop);
     }
 
     private void setClosed(BoardLoop loop) {
+        change(() -> open = open == loop ? null : open); // a board that was plugged in again may be open anew by now
+    }
+
+    private void change(Runnable change) {
         lock.lock();
         try {
-            if (open == loop) { // a board that was plugged in again may be open anew by now
-                open = null;
-            }
+            change.run();
             changed.signalAll();
         } finally {
             lock.unlock();

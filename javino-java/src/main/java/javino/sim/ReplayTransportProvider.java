@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.List;
 import javino.LineSettings;
 import javino.NoSuchPortException;
 import javino.PortException;
@@ -37,12 +36,6 @@ public final class ReplayTransportProvider implements TransportProvider {
         } catch (IOException | IllegalArgumentException e) {
             throw new PortFaultException(port, "port " + port + " cannot be opened: " + e.getMessage(), e);
         }
-    }
-
-    /** None: recordings are files like any other. */
-    @Override
-    public List<String> ports() {
-        return List.of();
     }
 
     @Override

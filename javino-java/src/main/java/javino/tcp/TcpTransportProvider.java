@@ -1,9 +1,11 @@
 package javino.tcp;
 
-import java.util.List;
+import java.io.IOException;
+import java.net.Socket;
 import javino.LineSettings;
 import javino.NoSuchPortException;
 import javino.PortException;
+import javino.PortFaultException;
 import javino.Transport;
 import javino.TransportProvider;
 
@@ -21,13 +23,12 @@ public final class TcpTransportProvider implements TransportProvider {
     @Override
     public Transport open(String address, LineSettings line) throws PortException {
         String port = port(address);
-        return TcpTransport.connect(port, TcpAddress.of(port, address), line);
-    }
-
-    /** None: who listens in the network is not looked for. */
-    @Override
-    public List<String> ports() {
-        return List.of();
+        Socket socket = TcpConnector.connect(port, TcpAddress.of(port, address));
+        try {
+            return new TcpTransport(socket, port, line);
+        } catch (IOException e) {
+            throw new PortFaultException(port, "port " + port + " cannot be opened: " + e.getMessage(), e);
+        }
     }
 
     @Override

@@ -23,7 +23,7 @@ internal class Loopback : AutoCloseable {
 
     /** The far end's transport of the next connection; as [accept]. */
     fun accepted(line: LineSettings = LineSettings.defaults(), breaks: Boolean = false): Transport =
-        TcpTransport.over(accept(breaks), "the board's end", line)
+        TcpTransport(accept(breaks), "the board's end", line)
 
     override fun close() = server.close()
 }

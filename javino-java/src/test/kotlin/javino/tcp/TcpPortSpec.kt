@@ -127,7 +127,7 @@ class TcpPortSpec : FunSpec({
     test("what was written right before a connection is closed arrives, though answers to it were not read") {
         Loopback().use { server ->
             val computer = Transports.open(server.port, line)
-            val board = TcpTransport.over(server.accept(), "the board's end", line)
+            val board = TcpTransport(server.accept(), "the board's end", line)
             board.write(ByteArray(1000), 0, 1000, LONG_MILLIS)
             computer.readFully(1)
             computer.write("stop".toByteArray(), 0, 4, LONG_MILLIS)

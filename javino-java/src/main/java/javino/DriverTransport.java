@@ -1,0 +1,114 @@
+package javino;
+
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+
+/**
+ * A transport over a driver whose calls block: a read waits for a slice of its time after the other, and a write, for which drivers have no
+ * time limit, is done on a thread of this transport, which ends when it is closed.
+ */
+public abstract class DriverTransport implements Transport {
+    private final String name;
+    private final LineSettings line;
+    private final TimedWriter writer;
+    private final AtomicBoolean closed = new AtomicBoolean();
+    private volatile String loss; // why the device cannot be reached any more; null while it can
+
+    /**
+     * @param name the port's name, for messages
+     * @param line as the port was opened
+     */
+    protected DriverTransport(String name, LineSettings line) {
+        this.name = name;
+        this.line = line;
+        writer = new TimedWriter(name, this::writeToDriver, LineClock.system());
+    }
+
+    /**
+     * Reads what has arrived.
+     *
+     * @param nanos how long to wait for it at most, less if that is long; not at all if it is 0 or less
+     * @return bytes read; 0 if there were none
+     */
+    protected abstract int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException;
+
+    /** Writes all the bytes, however long it takes; returns how many were written, fewer or -1 if the device is not there any more. */
+    protected abstract int writeToDriver(byte[] bytes);
+
+    /** Closes the device; called once. Reads and writes that wait end. */
+    protected abstract void closeDriver();
+
+    /** Why a read or a write fails that the driver refused; completes "port x is gone: ...". */
+    protected abstract String lossWhenRefused();
+
+    @Override
+    public final String name() {
+        return name;
+    }
+
+    @Override
+    public final LineSettings line() {
+        return line;
+    }
+
+    @Override
+    public final int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
+        long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+        while (true) {
+            requireLine();
+            long left = deadline - System.nanoTime();
+            int count = readFromDriver(b, off, len, left);
+            if (count > 0 || left <= 0) {
+                return count;
+            }
+            if (Thread.currentThread().isInterrupted()) {
+                throw new PortInterruptedException(name);
+            }
+        }
+    }
+
+    @Override
+    public final void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
+        requireLine();
+        try {
+            TimedWriter.Outcome outcome = writer.write(b, off, len, System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+            if (outcome == TimedWriter.Outcome.TOO_LATE) {
+                throw new PortTimeoutException(name, "port " + name + " did not take " + len + " bytes within " + timeoutMillis
+                        + " ms; the far end does not read");
+            }
+            if (outcome != TimedWriter.Outcome.WRITTEN) {
+                throw lost(lossWhenRefused());
+            }
+        } catch (InterruptedException e) {
+            throw PortInterruptedException.remarking(name);
+        }
+    }
+
+    /** What a read throws when the device is gone; only the first reason counts, and none once this was closed. */
+    protected final PortGoneException lost(String why) {
+        if (!closed.get() && loss == null) {
+            loss = why;
+        }
+        return new PortGoneException(name, "port " + name + " is gone: " + (loss != null ? loss : "it was closed"));
+    }
+
+    /** Whether the device is gone. */
+    protected final boolean isLost() {
+        return loss != null;
+    }
+
+    /** @throws PortGoneException if this is closed, or its device gone */
+    protected final void requireLine() throws PortGoneException {
+        if (closed.get() || loss != null) {
+            throw lost(loss);
+        }
+    }
+
+    @Override
+    public final void close() {
+        if (!closed.getAndSet(true)) {
+            writer.close();
+            closeDriver();
+        }
+    }
+}
