@@ -123,6 +123,7 @@ internal class AgentIo(
         isPerceiving = open
         stale.renew()
         beginAnew()
+        dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before it perceives
     }
 
     /** Sets the sensing interval in ms; 0: as fast as the line allows. */
