@@ -9,7 +9,8 @@ import java.util.concurrent.TimeUnit
 /** A board as a process of its own, at the far end of a pseudo-terminal: it counts how often it was asked for its percepts. */
 internal class BoardProcess(device: String) : AutoCloseable {
     private val process = ProcessBuilder(
-        ProcessHandle.current().info().command().orElse("java"), "-cp", System.getProperty("java.class.path"), "argo.jason.BoardProcessKt", device,
+        ProcessHandle.current().info().command().orElse("java"),
+        "-cp", System.getProperty("java.class.path"), "argo.jason.BoardProcessKt", device,
     ).redirectErrorStream(true).start()
 
     init {
@@ -22,7 +23,9 @@ internal class BoardProcess(device: String) : AutoCloseable {
     /** Lets it go on there. */
     fun goOn() = signal("CONT")
 
-    private fun signal(name: String) = check(ProcessBuilder("kill", "-$name", "${process.pid()}").start().waitFor() == 0) { "kill -$name failed" }
+    private fun signal(name: String) = ProcessBuilder("kill", "-$name", "${process.pid()}").start().waitFor().let {
+        check(it == 0) { "kill -$name failed" }
+    }
 
     override fun close() {
         process.destroyForcibly().waitFor(20, TimeUnit.SECONDS)

@@ -13,7 +13,8 @@ import kotlin.concurrent.thread
 
 /** Whether pseudo-terminals can be had here. */
 internal val withTerminals: Enabled =
-    if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")
+    if (PseudoTerminals.available()) Enabled.enabled
+    else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")
 
 /** A fake board at the far end of a pseudo-terminal, until it is closed, which is to the computer as if its cable were pulled. */
 internal class TerminalBoard(board: FakeBoard) : AutoCloseable {

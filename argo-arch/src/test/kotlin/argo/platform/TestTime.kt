@@ -1,15 +1,14 @@
 package argo.platform
 
-import argo.jason.eventually
 import javino.LineClock
-import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
 /** The machine, but for its time, which passes when it is told to. */
 internal class TestTime : Platform by Platform.system {
     private class Due(val atMs: Long, val action: () -> Unit)
 
-    private val dues = ConcurrentLinkedQueue<Due>()
+    private val dues = LinkedBlockingQueue<Due>()
 
     @Volatile
     private var nowMs = 0L
@@ -27,10 +26,9 @@ internal class TestTime : Platform by Platform.system {
         nowMs += ms
     }
 
-    /** Does what is due next, once something is. */
+    /** Does what is due next, once something is; other threads may be about to say so. */
     fun step() {
-        eventually({ "nothing is due" }) { dues.isNotEmpty() }
-        val due = dues.poll()
+        val due = checkNotNull(dues.poll(20, TimeUnit.SECONDS)) { "nothing is due" }
         nowMs = maxOf(nowMs, due.atMs)
         due.action()
     }

@@ -3,10 +3,12 @@ package argo.ports
 import argo.FussyProvider
 import argo.acting.Commands
 import argo.calls.Failure
-import argo.jason.eventually
+import argo.jason.LIMIT
 import argo.platform.TestTime
 import argo.sensing.Sensing
 import argo.sensing.SensingListener
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.assertions.nondeterministic.eventuallyConfig
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -28,6 +30,12 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
+import kotlin.time.Duration.Companion.milliseconds
+
+private val QUICKLY = eventuallyConfig {
+    duration = LIMIT
+    interval = 2.milliseconds // one step of the ports' time for each
+}
 
 /** The ports of an agent bob. */
 private class PortsBench : AutoCloseable {
@@ -60,26 +68,25 @@ private class PortsBench : AutoCloseable {
     }
 
     /** Waits until [belief] is held. */
-    fun awaitBelief(belief: String) = eventually(::beliefs) { belief in beliefs() }
+    suspend fun awaitBelief(belief: String) = eventually(LIMIT) { beliefs() shouldContain belief }
 
     /** Lets time pass until [belief] is held. */
-    fun passUntil(belief: String) = eventually(::beliefs) {
+    suspend fun passUntil(belief: String) = eventually(QUICKLY) {
         if (belief !in beliefs()) time.stepIfDue()
-        belief in beliefs()
+        beliefs() shouldContain belief
     }
 
     fun closeAll() = CompletableFuture<Unit>().also { ports.closeAll { it.complete(Unit) } }.get(20, TimeUnit.SECONDS)
 
     override fun close() {
         ports.stop()
-        eventually({ threads() }) { threads().isEmpty() }
+        val left = Thread.getAllStackTraces().keys.filter { it.name.startsWith("argo-bob-") }
+        left.onEach { it.join(LIMIT.inWholeMilliseconds) }.filter { it.isAlive }.shouldBeEmpty()
     }
-
-    private fun threads() = Thread.getAllStackTraces().keys.map { it.name }.filter { it.startsWith("argo-bob-") }
 }
 
 class PortsSpec : FunSpec({
-    fun bench(vararg boards: String, work: PortsBench.(List<FakeBoard>) -> Unit) {
+    suspend fun bench(vararg boards: String, work: suspend PortsBench.(List<FakeBoard>) -> Unit) {
         val plugged = boards.map { FakeBoard.plugIn(it).lenient() }
         try {
             PortsBench().use { it.work(plugged) }
@@ -216,7 +223,10 @@ class PortsSpec : FunSpec({
             val isOpened = CountDownLatch(1)
             FussyProvider.refusal = { _, _ -> null.also { isOpened.countDown(); CountDownLatch(1).await() } } // until it is interrupted
             boards[0].replug()
-            eventually({ "nobody opens fussy:left" }) { time.stepIfDue(); isOpened.count == 0L }
+            eventually(LIMIT) {
+                time.stepIfDue()
+                isOpened.count shouldBe 0 // somebody is opening fussy:left
+            }
             boards[1].replug()
             passUntil("port(\"sim:right\",on)")
             beliefs() shouldContain "port(\"fussy:left\",off)"

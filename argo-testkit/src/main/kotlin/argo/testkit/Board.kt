@@ -27,6 +27,7 @@ import kotlin.time.Duration.Companion.nanoseconds
 class Board internal constructor(private val time: VirtualTime) {
     private val fake = FakeBoard.unplugged("board", time)
     private var isConnected = true
+    private var openingNanos = 0L
     private var refusal: ((String) -> PortException)? = null
     private var line: MemoryLine? = null
     private val threads = ArrayList<Thread>()
@@ -105,6 +106,9 @@ class Board internal constructor(private val time: VirtualTime) {
     /** It needs [duration] to boot when its port is opened, and loses what arrives meanwhile. */
     fun boots(duration: Duration): Board = apply { fake.bootTakes(millis(duration)) }
 
+    /** Its port needs [duration] to open, as that of an adapter over Bluetooth does; the agent's `argo.port` waits meanwhile. */
+    fun opensAfter(duration: Duration): Board = apply { openingNanos = nanos(duration) }
+
     /** It hangs: it neither answers nor acts, until [recovers] is called. The agent believes `port(P,timeout)`. */
     fun hangs(): Board = apply { fake.stall() }
 
@@ -161,6 +165,7 @@ class Board internal constructor(private val time: VirtualTime) {
     internal val isPresent: Boolean get() = isConnected
 
     internal fun open(port: String, settings: LineSettings): Transport {
+        if (openingNanos > 0) time.block(time.nanos() + openingNanos, interruptible = false) { false }
         if (!isConnected) throw NoSuchPortException(port, "there is no port $port")
         refusal?.let { throw it(port) }
         val line = MemoryLine.paced(port, settings, time).also { this.line = it }

@@ -12,12 +12,12 @@ object Dist : PerceptType("dist") {
 }
 
 /** Keeps what is in front of the robot. */
-val frontOnly = keepFilter("frontOnly") {
+val frontOnly = keepingFilter("frontOnly") {
     keep(Dist) { side eq "f" }
 }
 
 /** Keeps what is in front of the robot and nearer than a metre. */
-val nearFront = keepFilter("nearFront") {
+val nearFront = keepingFilter("nearFront") {
     keep(Dist) {
         side eq "f"
         cm lt 100

@@ -1,6 +1,13 @@
-package argo.observing
+package argo.behaviour
 
 import argo.filters.PerceptionFilter
+import argo.observing.AgentObserver
+import argo.observing.AgentObserverProvider
+import argo.observing.CommandFailure
+import argo.observing.IssuedCommand
+import argo.observing.ObservedAgent
+import argo.observing.PerceivedMessage
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.logging.Logger
 
@@ -37,14 +44,20 @@ internal class Broken : AgentObserver {
 }
 
 /** Opens a [Diary] for `argo_diary`; for the value `none` it opens nothing. */
-class DiaryProvider : AgentObserverProvider {
+internal class DiaryProvider : AgentObserverProvider {
     override val option = "argo_diary"
     override val usage = "a word"
-    override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? = if (value == "none") null else Diary(agent)
+    override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? =
+        if (value == "none") null else Diary(agent).also { opened[value] = it }
+
+    companion object {
+        /** The diaries by the value of their option. */
+        val opened = ConcurrentHashMap<String, Diary>()
+    }
 }
 
 /** Opens a [Broken] for `argo_broken`; for the value `open` it throws. */
-class BrokenProvider : AgentObserverProvider {
+internal class BrokenProvider : AgentObserverProvider {
     override val option = "argo_broken"
     override val usage = "a word"
     override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? =

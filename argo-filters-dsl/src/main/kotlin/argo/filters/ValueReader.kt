@@ -6,20 +6,20 @@ package argo.filters
  * Whatever is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text) gives null,
  * and so does anything nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
  */
-internal class GroundTermReader(private val text: CharSequence, start: Int, private val end: Int) {
+internal class ValueReader(private val text: CharSequence, start: Int, private val end: Int) {
     private var at = start
 
     /** The term that fills the whole region, blanks around it aside. */
-    fun readWhole(): GroundTerm? {
+    fun readWhole(): Value? {
         val value = term(0) ?: return null
         return value.takeIf { blanks() == end }
     }
 
-    private fun term(depth: Int): GroundTerm? {
+    private fun term(depth: Int): Value? {
         if (depth > MAX_DEPTH || blanks() >= end) return null
         return when (text[at]) {
             '"' -> string()
-            '[' -> list(depth)?.let(GroundTerm::Sequence)
+            '[' -> list(depth)?.let(Value::Sequence)
             '(' -> parenthesised(depth)
             '+', '-' -> signed(depth)
             in '0'..'9' -> number()
@@ -28,41 +28,41 @@ internal class GroundTermReader(private val text: CharSequence, start: Int, priv
         }
     }
 
-    private fun parenthesised(depth: Int): GroundTerm? {
+    private fun parenthesised(depth: Int): Value? {
         at++
         val value = term(depth + 1)
         return value.takeIf { take(')') }
     }
 
-    private fun signed(depth: Int): GroundTerm? {
+    private fun signed(depth: Int): Value? {
         val minus = text[at++] == '-'
         val value = when {
             blanks() >= end -> null
             text[at] == '(' -> parenthesised(depth)
             else -> number()
-        } as? GroundTerm.Number ?: return null
-        return if (minus) GroundTerm.Number(-value.value) else value
+        } as? Value.Number ?: return null
+        return if (minus) Value.Number(-value.value) else value
     }
 
-    private fun number(): GroundTerm? {
+    private fun number(): Value? {
         val numberEnd = Syntax.numberEnd(text, at, end)
         if (numberEnd < 0) return null
         val value = text.substring(at, numberEnd).toDouble()
         at = numberEnd
-        return GroundTerm.Number(value)
+        return Value.Number(value)
     }
 
-    private fun string(): GroundTerm? {
+    private fun string(): Value? {
         val stringEnd = Syntax.stringEnd(text, at, end)
         if (stringEnd < 0) return null
-        val value = GroundTerm.Text.unescape(text.substring(at + 1, stringEnd - 1))
+        val value = Value.Text.unescape(text.substring(at + 1, stringEnd - 1))
         at = stringEnd
-        return GroundTerm.Text(value)
+        return Value.Text(value)
     }
 
-    private fun list(depth: Int): List<GroundTerm>? {
+    private fun list(depth: Int): List<Value>? {
         at++
-        val items = ArrayList<GroundTerm>()
+        val items = ArrayList<Value>()
         if (take(']')) return items
         do items += term(depth + 1) ?: return null while (take(','))
         if (take('|')) {
@@ -72,16 +72,16 @@ internal class GroundTermReader(private val text: CharSequence, start: Int, priv
         return items.takeIf { take(']') }
     }
 
-    private fun structure(depth: Int): GroundTerm? {
+    private fun structure(depth: Int): Value? {
         val predicate = predicate() ?: return null
-        if (predicate.functor in Syntax.TRUTH_VALUES) return GroundTerm.Structure(predicate)
+        if (predicate.functor in Syntax.TRUTH_VALUES) return Value.Structure(predicate)
         val arguments = if (take('(')) terms(depth, ')') ?: return null else emptyList()
         val annotations = if (blanks() < end && text[at] == '[') list(depth) ?: return null else emptyList()
-        return GroundTerm.Structure(predicate, arguments, annotations.toSet())
+        return Value.Structure(predicate, arguments, annotations.toSet())
     }
 
-    private fun terms(depth: Int, close: Char): List<GroundTerm>? {
-        val terms = ArrayList<GroundTerm>()
+    private fun terms(depth: Int, close: Char): List<Value>? {
+        val terms = ArrayList<Value>()
         do terms += term(depth + 1) ?: return null while (take(','))
         return terms.takeIf { take(close) }
     }

@@ -1,68 +1,59 @@
 package argo.jason
 
-import argo.Arch
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.assertions.withClue
+import io.kotest.matchers.shouldBe
 import jason.asSemantics.Intention
 import jason.asSyntax.ASSyntax
-import jason.environment.Environment
 import jason.infra.local.RunLocalMAS
-import jason.mas2j.ClassParameters
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
+import kotlinx.coroutines.runBlocking
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
-import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
+import kotlin.time.Duration.Companion.seconds
 
-/**
- * A real Jason, on its Local infrastructure, in this process, for agents given as text. One at a time.
- */
-class TestMas : AutoCloseable {
+/** How long a real-time test waits for what takes milliseconds on an idle machine. */
+internal val LIMIT = 20.seconds
+
+/** Jason's Local infrastructure in this process, in real time, for agents given as text. One at a time. */
+internal class LocalMas : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-mas")
     private val mas = RunLocalMAS()
     private val records = ConcurrentLinkedQueue<LogRecord>()
     private val handler = object : Handler() {
-        override fun publish(record: LogRecord) { records += record }
+        override fun publish(record: LogRecord) {
+            records += record
+        }
+
         override fun flush() = Unit
+
         override fun close() = Unit
     }
 
     init {
         val logging = directory.resolve("logging.properties").apply { writeText("handlers =\n.level = INFO\n") }
         mas.init(arrayOf("--empty-mas", "--no-net", "--log-conf", logging.toString()))
-        mas.project.envClass = ClassParameters(TestEnvironment::class.java.name)
         Logger.getLogger("").addHandler(handler)
         mas.create()
         mas.start()
     }
 
-    /** What has been logged so far, one message a line. */
+    /** The log so far, one record a line. */
     val log: String get() = records.joinToString("\n") { "${it.level} ${it.loggerName}: ${it.message}" }
 
     /** Starts an agent with [program]; [options] are those in brackets in a `.mas2j`, [behind] is a second architecture. */
-    fun agent(name: String, program: String, arch: String? = "argo.Arch", options: Map<String, String> = emptyMap(), behind: String? = null) {
+    fun agent(name: String, program: String, options: Map<String, String> = emptyMap(), behind: String? = null) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val settings = Settings().apply { setOptions(HashMap<String, Any>(options)) }
         val services = RuntimeServicesFactory.get()
-        val created = services.createAgent(name, source.toString(), null, listOfNotNull(arch, behind), null, settings, null)
-        services.startAgent(created)
-    }
-
-    /** Writes a file of the project, beside its agents. */
-    fun file(name: String, text: String) {
-        directory.resolve(name).apply { parent.createDirectories() }.writeText(text)
-    }
-
-    /** Makes [percepts] all that the Jason environment shows. */
-    fun perceive(vararg percepts: String) {
-        val environment = mas.environmentInfraTier.userEnvironment
-        environment.clearPercepts()
-        environment.addPercept(*percepts.map(ASSyntax::parseLiteral).toTypedArray())
-        environment.informAgsEnvironmentChanged()
+        services.startAgent(services.createAgent(name, "$source", null, listOfNotNull("argo.Arch", behind), null, settings, null))
     }
 
     /** Gives agent [name] the goal. */
@@ -76,20 +67,20 @@ class TestMas : AutoCloseable {
         RuntimeServicesFactory.get().killAgent(name, "test", 0)
     }
 
-    /** The agent's architecture. */
-    fun architecture(name: String): Arch = generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().single()
-
     /** The agent's beliefs, as text without their sources. */
     fun beliefs(name: String): Set<String> =
         mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toSet()
 
+    /** Returns when agent [name] believes [belief]. */
+    suspend fun awaitBelief(name: String, belief: String) = eventually(LIMIT) {
+        val beliefs = beliefs(name)
+        withClue({ "beliefs of $name: $beliefs" }) { (belief in beliefs) shouldBe true }
+    }
+
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own
-        eventually({ mas.ags.keys }) { mas.ags.isEmpty() }
+        runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
         Logger.getLogger("").removeHandler(handler)
         Files.walk(directory).use { files -> files.sorted(Comparator.reverseOrder()).forEach(Files::delete) }
     }
 }
-
-/** A Jason environment that shows what a test gives it. */
-class TestEnvironment : Environment()
