@@ -12,6 +12,7 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax
+import javino.Frame
 import javino.Link
 import javino.LinkSettings
 import javino.sim.FakeBoard
@@ -34,6 +35,10 @@ class ReflexesSpec : FunSpec({
         board.close()
     }
     beforeTest { sent.clear(); outcomes.clear(); warnings.clear(); nowMs = 0 }
+
+    test("the longest reflex that a filter takes fits into one frame") {
+        CriticalRule.MAX_REFLEX_LENGTH shouldBe Frame.MAX_PAYLOAD
+    }
 
     test("a reflex is sent when its rule begins to be met, and not again while it stays met") {
         val reflexes = reflexes()

@@ -2,7 +2,7 @@ package argo.perception
 
 import argo.acting.CommandLedger
 import argo.acting.Reflexes
-import argo.filters.perceptionFilter
+import argo.filters.dropFilter
 import argo.platform.RateLimitedWarning
 import argo.ports.OpenPort
 import argo.ports.PortOptions
@@ -38,8 +38,8 @@ private class PerceptsBench(port: OpenPort) {
 }
 
 class BoardPerceptsSpec : FunSpec({
-    val calm = perceptionFilter("calm") { drop("temp") { everyMs(300) } }
-    val careful = perceptionFilter("careful") { critical("near") { reflex("stop") } }
+    val calm = dropFilter("calm") { drop("temp") { everyMs(300) } }
+    val careful = dropFilter("careful") { critical("near") { reflex("stop") } }
 
     fun perceiving(work: PerceptsBench.() -> Unit) = FakeBoard.plugIn("percepts").use { board ->
         Link.open(board.port(), LinkSettings.defaults(), "test").use { link ->
@@ -81,7 +81,7 @@ class BoardPerceptsSpec : FunSpec({
     test("a snapshot that was made before the filter changed is made anew") {
         perceiving {
             hears("temp(1);dist(f,2);")
-            board.switchTo(perceptionFilter("noTemp") { drop("temp") })
+            board.switchTo(dropFilter("noTemp") { drop("temp") })
             perceived() shouldBe listOf("dist(f,2)")
             perceived() shouldBe null
         }

@@ -8,7 +8,7 @@ sealed interface Condition {
      *
      * @throws IllegalArgumentException if [index] is negative
      */
-    data class Argument(val index: Int, val test: Test) : Condition {
+    data class Argument(val index: Int, val test: TermTest) : Condition {
         init {
             requireIndex(index)
         }
@@ -20,8 +20,8 @@ sealed interface Condition {
      * A condition on the annotations called [name]: the first argument of one of them must meet all [tests]. Without tests it is enough
      * that there is one. It is false for a percept that has no such annotation.
      */
-    data class Annotation(val name: Predicate, val tests: List<Test> = emptyList()) : Condition {
-        constructor(name: String, vararg tests: Test) : this(Predicate.of(name), tests.toList())
+    data class Annotation(val name: Predicate, val tests: List<TermTest> = emptyList()) : Condition {
+        constructor(name: String, vararg tests: TermTest) : this(Predicate.of(name), tests.toList())
 
         override fun toString(): String =
             if (tests.isEmpty()) "there is an annotation $name" else tests.joinToString(" and ", "annotation $name ")

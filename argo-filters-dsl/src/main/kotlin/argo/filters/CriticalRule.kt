@@ -5,13 +5,15 @@ package argo.filters
  * before what else waits for it. It drops nothing.
  *
  * @property rule which percepts they are; it has no rate
- * @property reflex the command that is sent when such a percept comes, before the agent reasons: 1 to [LONGEST_REFLEX] characters up to
+ * @property reflex the command that is sent when such a percept comes, before the agent reasons: 1 to [MAX_REFLEX_LENGTH] characters up to
  * U+00FF, none of them a control character, and no blanks around them; null: none
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null) {
     init {
-        require(rule.rate == null) { "a critical percept is never held back, so its rule on ${rule.predicate} has neither everyMs nor a deadband" }
+        require(rule.rate == null) {
+            "a critical percept is never held back, so its rule on ${rule.predicate} has neither everyMs nor a deadband"
+        }
         reflex?.let(::requireSendable)
     }
 
@@ -19,14 +21,21 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
     override fun toString(): String = "$rule" + reflex?.let { ", with the reflex $it" }.orEmpty()
 
     companion object {
-        /** The most characters of a reflex: what fits into one message to a board. */
-        const val LONGEST_REFLEX: Int = 255
+        /** The most characters of a reflex. */
+        const val MAX_REFLEX_LENGTH: Int = 255
 
         internal fun requireSendable(reflex: String) {
-            require(reflex.isNotBlank() && reflex == reflex.trim()) { "the reflex '$reflex' is empty or begins or ends with a blank; expected a command such as stop or speed(0)" }
-            require(reflex.length <= LONGEST_REFLEX) { "the reflex has ${reflex.length} characters; a command has at most $LONGEST_REFLEX" }
+            require(reflex.isNotBlank() && reflex == reflex.trim()) {
+                "the reflex '$reflex' is empty or begins or ends with a blank; expected a command such as stop or speed(0)"
+            }
+            require(reflex.length <= MAX_REFLEX_LENGTH) {
+                "the reflex has ${reflex.length} characters; a command has at most $MAX_REFLEX_LENGTH"
+            }
             val foreign = reflex.find { it > '\u00FF' || it.isISOControl() }
-            require(foreign == null) { "the reflex holds the character U+%04X; a command has characters up to U+00FF that are no control characters".format(foreign?.code) }
+            require(foreign == null) {
+                "the reflex holds the character U+%04X; ".format(foreign?.code) +
+                    "a command has characters up to U+00FF that are no control characters"
+            }
         }
     }
 }

@@ -11,7 +11,7 @@ annotation class FilterDsl
  * A filter that drops the percepts its rules meet and keeps all others.
  *
  * ```kotlin
- * val frontDistance = perceptionFilter("frontDistance") {
+ * val frontDistance = dropFilter("frontDistance") {
  *     drop("temperature")
  *     drop("light")
  *     drop("distance") { argument(0) ne "front" }
@@ -22,21 +22,21 @@ annotation class FilterDsl
  * @param onSwitch what becomes of beliefs that it hides when an agent changes to it
  * @throws IllegalArgumentException if a predicate, a value or a pattern cannot be read; the message says what is wrong with it
  */
-fun perceptionFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
+fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
     DropRules().apply(rules).let { PerceptionFilter(name, it.rules, Mode.DROP, onSwitch, it.critical) }
 
 /**
  * A filter that keeps the percepts its rules meet and drops all others.
  *
  * ```kotlin
- * val frontDistance = keepingFilter("frontDistance") {
+ * val frontDistance = keepFilter("frontDistance") {
  *     keep("distance") { argument(0) eq "front" }
  * }
  * ```
  *
- * Parameters and errors are those of [perceptionFilter].
+ * Parameters and errors are those of [dropFilter].
  */
-fun keepingFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: KeepRules.() -> Unit): PerceptionFilter =
+fun keepFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: KeepRules.() -> Unit): PerceptionFilter =
     KeepRules().apply(rules).let { PerceptionFilter(name, it.rules, Mode.KEEP, onSwitch, it.critical) }
 
 /** The rules of a filter under construction. */
@@ -49,13 +49,15 @@ sealed class RuleList(private val mode: Mode) {
      * Adds all rules of [other], as if they were written here.
      *
      * ```kotlin
-     * perceptionFilter("night") { include(frontDistance); drop("light") }
+     * dropFilter("night") { include(frontDistance); drop("light") }
      * ```
      *
      * @throws IllegalArgumentException if one of the filters drops what its rules meet and the other keeps it
      */
     fun include(other: PerceptionFilter) {
-        require(other.mode == mode) { "filter ${other.name} cannot be included: one of the two drops what its rules meet, and the other keeps it" }
+        require(other.mode == mode) {
+            "filter ${other.name} cannot be included: one of the two drops what its rules meet, and the other keeps it"
+        }
         rules += other.rules
         critical += other.critical
     }

@@ -33,16 +33,15 @@ internal class HeadScanner(private val text: CharSequence, start: Int, private v
 
     /** The namespace's name, the default one where none is written. */
     val namespace: String
-        get() = if (namespaceEnd == namespaceStart) Predicate.DEFAULT_NAMESPACE else Predicate.namespaceOf(text.substring(namespaceStart, namespaceEnd))
-
-    /** Whether the functor is `true` or `false`. */
-    val isTruthValue: Boolean
-        get() = Syntax.isTruthValue(text, functorStart, functorEnd)
+        get() =
+            if (namespaceEnd == namespaceStart) Predicate.DEFAULT_NAMESPACE
+            else Predicate.namespaceOf(text.substring(namespaceStart, namespaceEnd))
 
     fun predicate(): Predicate = Predicate(text.substring(functorStart, functorEnd), negated, namespace)
 
     /** Truth values cannot be negated and belong to no namespace. */
-    private fun isWritable() = !Syntax.isTruthValue(text, namespaceStart, namespaceEnd) && (!negated && namespaceEnd == namespaceStart || !isTruthValue)
+    private fun isWritable() = !Syntax.isTruthValue(text, namespaceStart, namespaceEnd) &&
+        (!negated && namespaceEnd == namespaceStart || !Syntax.isTruthValue(text, functorStart, functorEnd))
 
     private companion object {
         const val NONE = -1

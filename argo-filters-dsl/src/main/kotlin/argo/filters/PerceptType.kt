@@ -38,7 +38,7 @@ abstract class PerceptType(predicate: String) {
 }
 
 /** The declaration of an argument, which a property is delegated to. */
-class Declared<A : TypedArgument> internal constructor(private val argument: A) {
+class Declared<A : TypedArgument<*>> internal constructor(private val argument: A) {
     /** The argument that was declared. */
     operator fun getValue(type: PerceptType, property: KProperty<*>): A = argument
 }
@@ -46,18 +46,27 @@ class Declared<A : TypedArgument> internal constructor(private val argument: A) 
 /**
  * An argument of a [PerceptType].
  *
+ * @param V what conditions compare it with
  * @property index which it is, counted from 0
  */
-sealed class TypedArgument(val index: Int)
+sealed class TypedArgument<V>(val index: Int, internal val termOf: (V) -> GroundTerm)
 
-/** An argument that is an atom. */
-class AtomArgument internal constructor(index: Int) : TypedArgument(index)
+/** An argument that is an atom. Conditions compare it with the text of one, as Jason writes it; other text is refused. */
+class AtomArgument internal constructor(index: Int) : TypedArgument<String>(index, ::atomOf)
 
 /** An argument that is a number. */
-class NumberArgument internal constructor(index: Int) : TypedArgument(index)
+class NumberArgument internal constructor(index: Int) : TypedArgument<Number>(index, Number::asTerm)
 
-/** An argument that is a string. */
-class StringArgument internal constructor(index: Int) : TypedArgument(index)
+/** An argument that is a string. Conditions compare it with a text without quotes. */
+class StringArgument internal constructor(index: Int) : TypedArgument<String>(index, GroundTerm::Text)
 
-/** An argument that is any term. */
-class TermArgument internal constructor(index: Int) : TypedArgument(index)
+/** An argument that is any term. Conditions compare it with the text of one, as Jason writes it. */
+class TermArgument internal constructor(index: Int) : TypedArgument<String>(index, GroundTerm::of)
+
+private fun atomOf(written: String): GroundTerm {
+    val term = GroundTerm.of(written)
+    require(term is GroundTerm.Structure && term.arguments.isEmpty() && term.annotations.isEmpty()) {
+        "'$written' is not an atom, which the argument is declared to be"
+    }
+    return term
+}

@@ -65,6 +65,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
             functor !in Syntax.TRUTH_VALUES || !negated && namespace == DEFAULT_NAMESPACE
 
         /** The namespace that is meant by what stands before `::`, which may be nothing. */
-        internal fun namespaceOf(written: String): String = if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
+        internal fun namespaceOf(written: String): String =
+            if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
     }
 }

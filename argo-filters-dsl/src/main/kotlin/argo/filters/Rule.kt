@@ -29,9 +29,9 @@ data class Rule(
 /**
  * Holds percepts back that come too soon or differ too little from the one that was let through last.
  *
- * It counts for each percept up to its numeric arguments: `dist(f,1)` and `dist(f,2)` are one, `dist(f,1)` and `dist(b,1)` are two. A percept
- * is held back while the interval has not ended *and* no number has moved as far as its deadband. What is held back is not lost: it is
- * delivered when the interval ends; where only deadbands are given, [SETTLING_MS] after it was first held back.
+ * It counts for each percept up to its numeric arguments: `dist(f,1)` and `dist(f,2)` are one, `dist(f,1)` and `dist(b,1)` are two.
+ * A percept is held back while the interval has not ended *and* no number has moved as far as its deadband. What is held back is not
+ * lost: it is delivered when the interval ends; where only deadbands are given, [SETTLING_MS] after it was first held back.
  *
  * Only an [argo.filters.matching.FilterSession] knows the time, so only there percepts are held back.
  *
@@ -71,5 +71,5 @@ data class Deadband(val argument: Int?, val width: Double) {
     }
 
     override fun toString(): String =
-        (if (argument == null) "no number has" else "argument $argument has not") + " moved by ${Value.Number(width)}"
+        (if (argument == null) "no number has" else "argument $argument has not") + " moved by ${GroundTerm.Number(width)}"
 }

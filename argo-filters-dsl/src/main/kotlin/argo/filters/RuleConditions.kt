@@ -63,11 +63,11 @@ open class RuleConditions internal constructor() {
         deadbands += Deadband(argument, width.toDouble())
     }
 
-    internal fun argument(index: Int, test: Test) {
+    internal fun argument(index: Int, test: TermTest) {
         conditions += Condition.Argument(index, test)
     }
 
-    internal fun annotation(name: Predicate, test: Test) {
+    internal fun annotation(name: Predicate, test: TermTest) {
         conditions += Condition.Annotation(name, listOf(test))
     }
 
@@ -115,60 +115,62 @@ sealed class AnyTerm {
     /** Whether something is said of it. */
     internal var isSaid = false
 
-    private fun must(test: Test) {
+    private fun must(test: TermTest) {
         isSaid = true
         add(test)
     }
 
-    internal abstract fun add(test: Test)
+    internal abstract fun add(test: TermTest)
 
     /** It equals [value], a Jason term: `argument(0) eq "front"`. */
-    infix fun eq(value: String): Unit = must(Test.Compare(Operator.EQ, Value.of(value)))
+    infix fun eq(value: String): Unit = must(TermTest.Compare(Operator.EQ, GroundTerm.of(value)))
 
     /** It equals [value]: `argument(1) eq 36`. */
-    infix fun eq(value: Number): Unit = must(Test.Compare(Operator.EQ, value.asValue()))
+    infix fun eq(value: Number): Unit = must(TermTest.Compare(Operator.EQ, value.asTerm()))
 
-    /** It equals [value]: `argument(0) eq Value.Text("low battery")`. */
-    infix fun eq(value: Value): Unit = must(Test.Compare(Operator.EQ, value))
+    /** It equals [value]: `argument(0) eq GroundTerm.Text("low battery")`. */
+    infix fun eq(value: GroundTerm): Unit = must(TermTest.Compare(Operator.EQ, value))
 
     /** It differs from [value], a Jason term: `argument(0) ne "front"`. */
-    infix fun ne(value: String): Unit = must(Test.Compare(Operator.NE, Value.of(value)))
+    infix fun ne(value: String): Unit = must(TermTest.Compare(Operator.NE, GroundTerm.of(value)))
 
     /** It differs from [value]: `argument(1) ne 0`. */
-    infix fun ne(value: Number): Unit = must(Test.Compare(Operator.NE, value.asValue()))
+    infix fun ne(value: Number): Unit = must(TermTest.Compare(Operator.NE, value.asTerm()))
 
-    /** It differs from [value]: `argument(0) ne Value.Text("ok")`. */
-    infix fun ne(value: Value): Unit = must(Test.Compare(Operator.NE, value))
+    /** It differs from [value]: `argument(0) ne GroundTerm.Text("ok")`. */
+    infix fun ne(value: GroundTerm): Unit = must(TermTest.Compare(Operator.NE, value))
 
     /** It is a number greater than [value]: `argument(1) gt 200`. */
-    infix fun gt(value: Number): Unit = must(Test.Compare(Operator.GT, value.asValue()))
+    infix fun gt(value: Number): Unit = must(TermTest.Compare(Operator.GT, value.asTerm()))
 
     /** It is a number, and at least [value]: `argument(1) ge 200`. */
-    infix fun ge(value: Number): Unit = must(Test.Compare(Operator.GE, value.asValue()))
+    infix fun ge(value: Number): Unit = must(TermTest.Compare(Operator.GE, value.asTerm()))
 
     /** It is a number less than [value]: `annotation("q") lt 0.5`. */
-    infix fun lt(value: Number): Unit = must(Test.Compare(Operator.LT, value.asValue()))
+    infix fun lt(value: Number): Unit = must(TermTest.Compare(Operator.LT, value.asTerm()))
 
     /** It is a number, and at most [value]: `argument(1) le 15`. */
-    infix fun le(value: Number): Unit = must(Test.Compare(Operator.LE, value.asValue()))
+    infix fun le(value: Number): Unit = must(TermTest.Compare(Operator.LE, value.asTerm()))
 
-    /** Its whole text matches the regular expression [pattern]: `argument(0) matches "front|left"`; see [Test.Matches]. */
-    infix fun matches(pattern: String): Unit = must(Test.Matches(pattern))
+    /** Its whole text matches the regular expression [pattern]: `argument(0) matches "front|left"`; see [TermTest.Matches]. */
+    infix fun matches(pattern: String): Unit = must(TermTest.Matches(pattern))
 
-    /** It equals one of [values], Jason terms as text, numbers or [Value]s: `argument(0) isIn listOf("front", "left")`. */
-    infix fun isIn(values: Collection<Any>): Unit = must(Test.OneOf(values.map(::valueOf).toSet()))
+    /** It equals one of [values], Jason terms as text, numbers or [GroundTerm]s: `argument(0) isIn listOf("front", "left")`. */
+    infix fun isIn(values: Collection<Any>): Unit = must(TermTest.OneOf(values.map(::valueOf).toSet()))
 
-    private fun valueOf(value: Any): Value = when (value) {
-        is Value -> value
-        is Number -> value.asValue()
-        is String -> Value.of(value)
-        else -> throw IllegalArgumentException("$value (${value.javaClass.simpleName}) is no value; expected text, a number or a Value")
+    private fun valueOf(value: Any): GroundTerm = when (value) {
+        is GroundTerm -> value
+        is Number -> value.asTerm()
+        is String -> GroundTerm.of(value)
+        else -> throw IllegalArgumentException(
+            "$value (${value.javaClass.simpleName}) is no value; expected text, a number or a GroundTerm",
+        )
     }
 }
 
 /** An argument of a rule under construction: what `argument(0)` gives. */
 class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
-    override fun add(test: Test) = rule.argument(index, test)
+    override fun add(test: TermTest) = rule.argument(index, test)
 
     /** Percepts are held back of which this argument has not moved by [width]: `argument(1) deadband 5`; see [Rate]. */
     infix fun deadband(width: Number) {
@@ -181,18 +183,18 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
 
 /** An annotation of a rule under construction: what `annotation("q")` gives. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
-    override fun add(test: Test) = rule.annotation(name, test)
+    override fun add(test: TermTest) = rule.annotation(name, test)
 
     override fun toString(): String = "annotation(\"$name\")"
 }
 
 /** All that is said of one annotation: `annotation("q") { gt(0.5); lt(0.9) }`. */
 class AnnotationTests internal constructor() : AnyTerm() {
-    internal val tests = ArrayList<Test>()
+    internal val tests = ArrayList<TermTest>()
 
-    override fun add(test: Test) {
+    override fun add(test: TermTest) {
         tests += test
     }
 }
 
-internal fun Number.asValue(): Value.Number = Value.Number(toDouble())
+internal fun Number.asTerm(): GroundTerm.Number = GroundTerm.Number(toDouble())

@@ -1,10 +1,7 @@
-/**
- * What can be said of the arguments of a declared percept type, each kind of which has words of its own. They are said in the block of a
- * rule, as in `drop(Distance) { cm gt 200 }`, and add to that rule.
- */
+/** Conditions on arguments of a declared percept type, added to the rule in whose block they stand, as in `drop(Distance) { cm gt 200 }`. */
 package argo.filters
 
-/** A rule on a declared percept type under construction. The words of this file find it by themselves in the block of the rule. */
+/** A rule on a declared percept type under construction. The functions of this file take it from their context. */
 open class TypedRule internal constructor(internal val conditions: RuleConditions)
 
 /** A critical rule on a declared percept type under construction. */
@@ -14,29 +11,22 @@ class TypedCriticalRule internal constructor(internal val critical: CriticalCond
 context(rule: TypedCriticalRule)
 fun PerceptType.reflex(command: String): Unit = rule.critical.reflex(command)
 
-/** It is the atom [atom], as Jason writes it: `side eq "front"`. */
+/** It equals [value]: `side eq "front"`, `cm eq 36`, `position eq "pos(1,2)"`. The text of a string is given without quotes. */
 context(rule: TypedRule)
-infix fun AtomArgument.eq(atom: String): Unit = rule.conditions.argument(index, Test.Compare(Operator.EQ, atomOf(atom)))
+infix fun <V> TypedArgument<V>.eq(value: V): Unit = compare(Operator.EQ, value)
 
-/** It is another atom than [atom]: `side ne "front"`. */
+/** It differs from [value]: `side ne "front"`. */
 context(rule: TypedRule)
-infix fun AtomArgument.ne(atom: String): Unit = rule.conditions.argument(index, Test.Compare(Operator.NE, atomOf(atom)))
+infix fun <V> TypedArgument<V>.ne(value: V): Unit = compare(Operator.NE, value)
 
-/** It is one of [atoms]: `side isIn listOf("front", "back")`. */
+/** It is one of [values]: `side isIn listOf("front", "back")`, `cm isIn listOf(0, 255)`. */
 context(rule: TypedRule)
-infix fun AtomArgument.isIn(atoms: Collection<String>): Unit = rule.conditions.argument(index, Test.OneOf(atoms.map(::atomOf).toSet()))
+infix fun <V> TypedArgument<V>.isIn(values: Collection<V>): Unit =
+    rule.conditions.argument(index, TermTest.OneOf(values.map(termOf).toSet()))
 
-/** Its whole text matches the regular expression [pattern]: `side matches "front|left"`; see [Test.Matches]. */
+/** Its whole text, quotes included, matches the regular expression [pattern]: `side matches "front|left"`; see [TermTest.Matches]. */
 context(rule: TypedRule)
-infix fun AtomArgument.matches(pattern: String): Unit = rule.conditions.argument(index, Test.Matches(pattern))
-
-/** It equals [number]: `cm eq 36`. */
-context(rule: TypedRule)
-infix fun NumberArgument.eq(number: Number): Unit = compare(Operator.EQ, number)
-
-/** It differs from [number]: `cm ne 0`. */
-context(rule: TypedRule)
-infix fun NumberArgument.ne(number: Number): Unit = compare(Operator.NE, number)
+infix fun TypedArgument<String>.matches(pattern: String): Unit = rule.conditions.argument(index, TermTest.Matches(pattern))
 
 /** It is greater than [number]: `cm gt 200`. */
 context(rule: TypedRule)
@@ -54,45 +44,9 @@ infix fun NumberArgument.lt(number: Number): Unit = compare(Operator.LT, number)
 context(rule: TypedRule)
 infix fun NumberArgument.le(number: Number): Unit = compare(Operator.LE, number)
 
-/** It is one of [numbers]: `cm isIn listOf(0, 255)`. */
-context(rule: TypedRule)
-infix fun NumberArgument.isIn(numbers: Collection<Number>): Unit = rule.conditions.argument(index, Test.OneOf(numbers.map(Number::asValue).toSet()))
-
 /** Percepts are held back of which it has not moved by [width]: `cm deadband 5`; see [Rate]. */
 context(rule: TypedRule)
 infix fun NumberArgument.deadband(width: Number): Unit = rule.conditions.deadband(index, width)
-
-/** It is the string of [text], given without quotes: `message eq "low battery"`. */
-context(rule: TypedRule)
-infix fun StringArgument.eq(text: String): Unit = rule.conditions.argument(index, Test.Compare(Operator.EQ, Value.Text(text)))
-
-/** It is another string than that of [text]: `message ne "ok"`. */
-context(rule: TypedRule)
-infix fun StringArgument.ne(text: String): Unit = rule.conditions.argument(index, Test.Compare(Operator.NE, Value.Text(text)))
-
-/** It is the string of one of [texts]: `message isIn listOf("ok", "ready")`. */
-context(rule: TypedRule)
-infix fun StringArgument.isIn(texts: Collection<String>): Unit = rule.conditions.argument(index, Test.OneOf(texts.map(Value::Text).toSet()))
-
-/** Its whole text, quotes included, matches the regular expression [pattern]: `message matches "\"low .*"`; see [Test.Matches]. */
-context(rule: TypedRule)
-infix fun StringArgument.matches(pattern: String): Unit = rule.conditions.argument(index, Test.Matches(pattern))
-
-/** It equals [term], as Jason writes it: `position eq "pos(1,2)"`. */
-context(rule: TypedRule)
-infix fun TermArgument.eq(term: String): Unit = rule.conditions.argument(index, Test.Compare(Operator.EQ, Value.of(term)))
-
-/** It differs from [term]: `position ne "pos(1,2)"`. */
-context(rule: TypedRule)
-infix fun TermArgument.ne(term: String): Unit = rule.conditions.argument(index, Test.Compare(Operator.NE, Value.of(term)))
-
-/** It is one of [terms]: `position isIn listOf("pos(1,2)", "home")`. */
-context(rule: TypedRule)
-infix fun TermArgument.isIn(terms: Collection<String>): Unit = rule.conditions.argument(index, Test.OneOf(terms.map(Value::of).toSet()))
-
-/** Its whole text matches the regular expression [pattern]: `position matches "pos[(]1,.*"`; see [Test.Matches]. */
-context(rule: TypedRule)
-infix fun TermArgument.matches(pattern: String): Unit = rule.conditions.argument(index, Test.Matches(pattern))
 
 /** The percept must have [count] arguments: `arity(2)`. */
 context(rule: TypedRule)
@@ -119,13 +73,5 @@ context(rule: TypedRule)
 fun PerceptType.annotation(name: String, tests: AnnotationTests.() -> Unit): Unit = rule.conditions.annotation(name, tests)
 
 context(rule: TypedRule)
-private fun NumberArgument.compare(operator: Operator, number: Number) = rule.conditions.argument(index, Test.Compare(operator, number.asValue()))
-
-/** @throws IllegalArgumentException if [written] is no atom */
-private fun atomOf(written: String): Value {
-    val value = Value.of(written)
-    require(value is Value.Structure && value.arguments.isEmpty() && value.annotations.isEmpty()) {
-        "'$written' is not an atom, which the argument is declared to be"
-    }
-    return value
-}
+private fun <V> TypedArgument<V>.compare(operator: Operator, value: V) =
+    rule.conditions.argument(index, TermTest.Compare(operator, termOf(value)))

@@ -20,18 +20,18 @@ object Said : PerceptType("~said") {
 
 class FilterDslSpec : StringSpec({
     "a filter has the rules that are written, in their order" {
-        val filter = perceptionFilter("frontDistance") {
+        val filter = dropFilter("frontDistance") {
             drop("temperature")
             drop("distance") { argument(0) ne "front" }
         }
-        filter shouldBe PerceptionFilter("frontDistance", Rule("temperature"), Rule("distance", Condition.Argument(0, Test.Compare(Operator.NE, Value.of("front")))))
+        filter shouldBe PerceptionFilter("frontDistance", Rule("temperature"), Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front")))))
         filter.name shouldBe "frontDistance"
         filter.mode shouldBe Mode.DROP
         filter.onSwitch shouldBe OnSwitch.FORGET
     }
 
     "typed conditions are those on the argument's number" {
-        val typed = perceptionFilter("typed") {
+        val typed = dropFilter("typed") {
             drop(Distance) {
                 side ne "front"
                 cm gt 200
@@ -39,7 +39,7 @@ class FilterDslSpec : StringSpec({
             drop(Distance)
             drop(Said) { text eq "hi, \"you\""; where ne "pos( 1,2 )" }
         }
-        typed shouldBe perceptionFilter("untyped") {
+        typed shouldBe dropFilter("untyped") {
             drop("distance") { argument(0) ne "front"; argument(1) gt 200 }
             drop("distance")
             drop("~said") { argument(0) eq "\"hi, \\\"you\\\"\""; argument(1) ne "pos(1,2)" }
@@ -47,16 +47,16 @@ class FilterDslSpec : StringSpec({
     }
 
     "every word means what it says" {
-        val filter = perceptionFilter("all", OnSwitch.FREEZE) {
+        val filter = dropFilter("all", OnSwitch.FREEZE) {
             drop("d") {
                 arity(3)
                 everyMs(500)
                 deadband(2)
-                argument(0) eq "a"; argument(0) eq 1; argument(0) eq Value.Text("A")
-                argument(0) ne "a"; argument(0) ne 1.5; argument(0) ne Value.Text("A")
+                argument(0) eq "a"; argument(0) eq 1; argument(0) eq GroundTerm.Text("A")
+                argument(0) ne "a"; argument(0) ne 1.5; argument(0) ne GroundTerm.Text("A")
                 argument(1) gt 1; argument(1) ge 2L; argument(1) lt 3f; argument(1) le 4.0
                 argument(2) matches "a.*"
-                argument(2) isIn listOf("a", 1, Value.Text("A"))
+                argument(2) isIn listOf("a", 1, GroundTerm.Text("A"))
                 argument(2) deadband 0.5
                 hasAnnotation("urgent")
                 annotation("q") lt 0.5
@@ -86,7 +86,7 @@ class FilterDslSpec : StringSpec({
     }
 
     "every typed word means what its untyped twin says" {
-        val typed = perceptionFilter("typed") {
+        val typed = dropFilter("typed") {
             drop(Distance) {
                 arity(2)
                 everyMs(10)
@@ -102,7 +102,7 @@ class FilterDslSpec : StringSpec({
                 where eq "e"; where isIn listOf("f", "1"); where matches "g"
             }
         }
-        typed shouldBe perceptionFilter("untyped") {
+        typed shouldBe dropFilter("untyped") {
             drop("distance") {
                 arity(2)
                 everyMs(10)
@@ -121,43 +121,43 @@ class FilterDslSpec : StringSpec({
     }
 
     "a filter that keeps is written with keep" {
-        val filter = keepingFilter("front") {
+        val filter = keepFilter("front") {
             keep(Distance) { side eq "front" }
             keep("bumper")
         }
-        filter shouldBe PerceptionFilter("x", listOf(Rule("distance", Condition.Argument(0, Test.Compare(Operator.EQ, Value.of("front")))), Rule("bumper")), Mode.KEEP)
+        filter shouldBe PerceptionFilter("x", listOf(Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.EQ, GroundTerm.of("front")))), Rule("bumper")), Mode.KEEP)
     }
 
     "a filter includes another's rules where it says so" {
-        val light = perceptionFilter("light") { drop("light") }
-        perceptionFilter("all") { drop("a"); include(light); drop("b") } shouldBe perceptionFilter("x") { drop("a"); drop("light"); drop("b") }
+        val light = dropFilter("light") { drop("light") }
+        dropFilter("all") { drop("a"); include(light); drop("b") } shouldBe dropFilter("x") { drop("a"); drop("light"); drop("b") }
     }
 
     "a filter that keeps does not include one that drops, nor the other way round" {
-        val dropping = perceptionFilter("dropping") { drop("a") }
-        val keeping = keepingFilter("keeping") { keep("a") }
-        shouldThrow<IllegalArgumentException> { keepingFilter("x") { include(dropping) } }.message shouldContain "filter dropping cannot be included"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { include(keeping) } }.message shouldContain "filter keeping cannot be included"
+        val dropping = dropFilter("dropping") { drop("a") }
+        val keeping = keepFilter("keeping") { keep("a") }
+        shouldThrow<IllegalArgumentException> { keepFilter("x") { include(dropping) } }.message shouldContain "filter dropping cannot be included"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { include(keeping) } }.message shouldContain "filter keeping cannot be included"
     }
 
     "an argument or annotation of which nothing is said is refused" {
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(1) } } }.message shouldContain "nothing is said of argument(1) in a rule on d"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { annotation("q") } } }.message shouldContain "annotation(\"q\")"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(1) } } }.message shouldContain "nothing is said of argument(1) in a rule on d"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { annotation("q") } } }.message shouldContain "annotation(\"q\")"
     }
 
     "what a file is refused for is refused here" {
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("Dist") } }.message shouldContain "'Dist' is no functor"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(-1) eq 1 } } }.message shouldContain "none at -1"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(0) eq "Front" } } }.message shouldContain "variable"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(0) matches "(" } } }.message shouldContain "not a regular expression"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(0) isIn emptyList() } } }.message shouldContain "at least one"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { argument(0) isIn listOf(true) } } }.message shouldContain "is no value"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { arity(-1) } } }
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { arity(1); arity(2) } } }.message shouldContain "one arity"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop(Distance) { everyMs(10); everyMs(20) } } }.message shouldContain "one interval"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { deadband(1); deadband(2) } } }.message shouldContain "two deadbands"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop("d") { everyMs(0) } } }
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop(Distance) { side eq "pos(1)" } } }.message shouldContain "not an atom"
-        shouldThrow<IllegalArgumentException> { perceptionFilter("x") { drop(Distance) { cm deadband 0 } } }
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("Dist") } }.message shouldContain "'Dist' is no functor"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(-1) eq 1 } } }.message shouldContain "none at -1"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) eq "Front" } } }.message shouldContain "variable"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) matches "(" } } }.message shouldContain "not a regular expression"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) isIn emptyList() } } }.message shouldContain "at least one"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) isIn listOf(true) } } }.message shouldContain "is no value"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(-1) } } }
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(1); arity(2) } } }.message shouldContain "one arity"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { everyMs(10); everyMs(20) } } }.message shouldContain "one interval"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { deadband(1); deadband(2) } } }.message shouldContain "two deadbands"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { everyMs(0) } } }
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { side eq "pos(1)" } } }.message shouldContain "not an atom"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { cm deadband 0 } } }
     }
 })

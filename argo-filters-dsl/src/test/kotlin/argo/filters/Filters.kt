@@ -33,38 +33,38 @@ val predicates: Arb<Predicate> = Arb.bind(functors, Arb.element(false, false, tr
     Predicate(functor, negated, namespace)
 }
 
-val numbers: Arb<Value.Number> = Arb.choice(
+val numbers: Arb<GroundTerm.Number> = Arb.choice(
     Arb.int(-3..3).map(Int::toDouble),
     Arb.element(0.5, -0.5, 36.0, 1e10, 1e300, 5e-324, 123456789012345680.0),
     Arb.numericDouble(),
-).map(Value::Number)
+).map(GroundTerm::Number)
 
-val texts: Arb<Value.Text> = Arb.choice(
+val texts: Arb<GroundTerm.Text> = Arb.choice(
     Arb.element("", "front", "a,b", "]", ")", "(", "say \"hi\"", "line\nbreak", "\\t", "// no comment", "é 漢 \uD83D\uDE00", "'", ";", "<&>]]>"),
-    Arb.string(0..6).filter { Value.Text.ofOrNull(it) != null && it.none(Char::isISOControl) },
-).map(Value::Text)
+    Arb.string(0..6).filter { GroundTerm.Text.ofOrNull(it) != null && it.none(Char::isISOControl) },
+).map(GroundTerm::Text)
 
-fun values(depth: Int = 2): Arb<Value> {
-    val leaves = listOf<Arb<Value>>(numbers.map { it }, texts.map { it }, predicates.map { Value.Structure(it) }, Arb.element("front", "back", "true", "false").map(Value::of))
+fun values(depth: Int = 2): Arb<GroundTerm> {
+    val leaves = listOf<Arb<GroundTerm>>(numbers.map { it }, texts.map { it }, predicates.map { GroundTerm.Structure(it) }, Arb.element("front", "back", "true", "false").map(GroundTerm::of))
     if (depth == 0) return Arb.choice(leaves)
     val items = Arb.list(values(depth - 1), 0..3)
-    val lists: Arb<Value> = items.map(Value::Sequence)
-    val structures: Arb<Value> = Arb.bind(predicates, items, Arb.list(values(depth - 1), 0..2)) { predicate, arguments, annotations ->
-        Value.Structure(predicate, arguments, annotations.toSet())
+    val lists: Arb<GroundTerm> = items.map(GroundTerm::Sequence)
+    val structures: Arb<GroundTerm> = Arb.bind(predicates, items, Arb.list(values(depth - 1), 0..2)) { predicate, arguments, annotations ->
+        GroundTerm.Structure(predicate, arguments, annotations.toSet())
     }
     return Arb.choice(leaves + leaves + lists + structures)
 }
 
-val comparisons: Arb<Test> = Arb.enum<Operator>().flatMap { operator ->
-    val values: Arb<Value> = if (operator.ordering) numbers.map { it } else values()
-    values.map { Test.Compare(operator, it) }
+val comparisons: Arb<TermTest> = Arb.enum<Operator>().flatMap { operator ->
+    val values: Arb<GroundTerm> = if (operator.ordering) numbers.map { it } else values()
+    values.map { TermTest.Compare(operator, it) }
 }
 
-val tests: Arb<Test> = Arb.choice(
+val tests: Arb<TermTest> = Arb.choice(
     comparisons,
     comparisons,
-    Arb.list(values(), 1..3).map { Test.OneOf(it.toSet()) },
-    Arb.element("front", "f.*|b.*", "-?\\d+", "\"[^\"]*\"", ".*[(\\[].*", "a\nb|<&>", "(?i)FRONT", "[ ]x").map { Test.Matches(it) },
+    Arb.list(values(), 1..3).map { TermTest.OneOf(it.toSet()) },
+    Arb.element("front", "f.*|b.*", "-?\\d+", "\"[^\"]*\"", ".*[(\\[].*", "a\nb|<&>", "(?i)FRONT", "[ ]x").map { TermTest.Matches(it) },
 )
 
 val conditions: Arb<Condition> = Arb.choice(
@@ -93,7 +93,7 @@ val filters: Arb<PerceptionFilter> = Arb.bind(
 ) { rules, mode, onSwitch, critical -> PerceptionFilter("generated", rules, mode, onSwitch, critical) }
 
 /** The parts of a percept. Its annotations are structures, in their order. */
-data class Percept(val predicate: Predicate, val arguments: List<Value>, val annotations: List<Value>)
+data class Percept(val predicate: Predicate, val arguments: List<GroundTerm>, val annotations: List<GroundTerm>)
 
 val percepts: Arb<Percept> = Arb.bind(predicates, Arb.list(values(), 0..3), Arb.list(values(1), 0..2), ::Percept)
 
@@ -104,7 +104,7 @@ val blanks: Arb<String> = Arb.choice(Arb.constant(""), Arb.constant(""), Arb.ele
 val perceptTexts: Arb<String> = Arb.bind(percepts, Arb.list(blanks, 16..16), Arb.boolean()) { percept, blanks, spaced ->
     var next = 0
     fun blank() = if (spaced) blanks[next++ % blanks.size] else ""
-    fun group(open: String, terms: List<Value>, close: String) =
+    fun group(open: String, terms: List<GroundTerm>, close: String) =
         if (terms.isEmpty()) "" else terms.joinToString(",", open, close) { blank() + it + blank() }
     blank() + percept.predicate + blank() + group("(", percept.arguments, ")") + blank() + group("[", percept.annotations, "]") + blank()
 }

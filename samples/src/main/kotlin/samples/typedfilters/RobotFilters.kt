@@ -12,12 +12,12 @@ object Dist : PerceptType("dist") {
 }
 
 /** Keeps what is in front of the robot. */
-val frontOnly = keepingFilter("frontOnly") {
+val frontOnly = keepFilter("frontOnly") {
     keep(Dist) { side eq "f" }
 }
 
 /** Keeps what is in front of the robot and nearer than a metre. */
-val nearFront = keepingFilter("nearFront") {
+val nearFront = keepFilter("nearFront") {
     keep(Dist) {
         side eq "f"
         cm lt 100

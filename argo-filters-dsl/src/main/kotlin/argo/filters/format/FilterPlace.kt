@@ -38,7 +38,9 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
         val found = providers().flatMap { provider -> filtersOf(provider).filter { it.name == name }.map { provider to it } }
         if (found.map { it.second }.distinct().size > 1) {
             val owners = found.joinToString(" and ") { it.first.javaClass.name }
-            throw FilterNotFoundException("The filter '$name' is offered by $owners, and not the same by both; give one of them another name.")
+            throw FilterNotFoundException(
+                "The filter '$name' is offered by $owners, and not the same by both; give one of them another name.",
+            )
         }
         return found.firstOrNull()?.second
     }
@@ -139,7 +141,8 @@ private fun filesUnder(directory: Path, depth: Int): List<String> {
     val files = ArrayList<String>()
     val collector = object : SimpleFileVisitor<Path>() {
         override fun visitFile(file: Path, attributes: BasicFileAttributes): FileVisitResult {
-            if (FilterFormat.of(file.name) != null && file.isRegularFile()) files += directory.relativize(file).invariantSeparatorsPathString
+            val isFilter = FilterFormat.of(file.name) != null && file.isRegularFile()
+            if (isFilter) files += directory.relativize(file).invariantSeparatorsPathString
             return FileVisitResult.CONTINUE
         }
 

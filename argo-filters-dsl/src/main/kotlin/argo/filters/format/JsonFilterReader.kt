@@ -11,11 +11,11 @@ import argo.filters.PerceptionFilter.OnSwitch
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
-import argo.filters.Test
+import argo.filters.TermTest
 
 /** Makes a filter of a JSON document, or a list of all that is wrong with it. */
 internal class JsonFilterReader(text: String, source: String, private val name: String) {
-    private val root = JsonTreeReader(SourceText(text), source).read()
+    private val root = JsonTreeReader(text, source).read()
     private val problems = Problems(source)
 
     /** @throws FilterException with all problems of the document, in the order of the text */
@@ -58,8 +58,14 @@ internal class JsonFilterReader(text: String, source: String, private val name: 
             condition(it, HashMap())
         }
         val arity = wholeNumber(members[ARITY], 0)?.toInt()
-        val reflex = members[REFLEX]?.let { member -> text(member)?.let { reporting(member.value) { it.also(CriticalRule::requireSendable) } } }
-        return if (predicate == null || REFLEX in members && reflex == null) null else CriticalRule(Rule(predicate, conditions, arity), reflex)
+        val reflex = members[REFLEX]?.let(::reflex)
+        val isRefused = predicate == null || REFLEX in members && reflex == null
+        return if (isRefused) null else CriticalRule(Rule(predicate, conditions, arity), reflex)
+    }
+
+    private fun reflex(member: JsonNode.Member): String? {
+        val text = text(member) ?: return null
+        return reporting(member.value) { text.also(CriticalRule::requireSendable) }
     }
 
     private fun predicate(node: JsonNode, members: Map<String, JsonNode.Member>): Predicate? {
@@ -111,13 +117,13 @@ internal class JsonFilterReader(text: String, source: String, private val name: 
         return if (name == null || null in tests) null else Condition.Annotation(name, tests.filterNotNull())
     }
 
-    private fun limits(members: Map<String, JsonNode.Member>): List<Test?> {
+    private fun limits(members: Map<String, JsonNode.Member>): List<TermTest?> {
         refuse(members, OPERATOR, "an annotation with \"$LIMITS\"")
         refuse(members, VALUE, "an annotation with \"$LIMITS\"")
         return items(members[LIMITS]).map { limit -> members(limit, "a limit", OPERATOR, VALUE)?.let { test(limit, it) } }
     }
 
-    private fun test(node: JsonNode, members: Map<String, JsonNode.Member>): Test? {
+    private fun test(node: JsonNode, members: Map<String, JsonNode.Member>): TermTest? {
         val operator = operator(members[OPERATOR])
         val value = members[VALUE]?.value
         if (value == null) report(node.position, "there is no \"$VALUE\" to compare with")

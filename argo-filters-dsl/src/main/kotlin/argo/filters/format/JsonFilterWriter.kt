@@ -2,99 +2,108 @@ package argo.filters.format
 
 import argo.filters.Condition
 import argo.filters.CriticalRule
-import argo.filters.Deadband
+import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
-import kotlinx.serialization.ExperimentalSerializationApi
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.JsonArrayBuilder
-import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonObjectBuilder
-import kotlinx.serialization.json.JsonPrimitive
-import kotlinx.serialization.json.JsonUnquotedLiteral
-import kotlinx.serialization.json.buildJsonArray
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
-import kotlinx.serialization.json.putJsonArray
+import argo.filters.TermTest
+import com.fasterxml.jackson.core.JsonFactory
+import com.fasterxml.jackson.core.JsonGenerator
+import com.fasterxml.jackson.core.util.DefaultIndenter
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter
+import com.fasterxml.jackson.core.util.Separators
+import java.io.StringWriter
 
 /** Writes filters in the canonical form of the JSON format. */
-internal object JsonFilterWriter {
-    @OptIn(ExperimentalSerializationApi::class)
-    private val JSON = Json {
-        prettyPrint = true
-        prettyPrintIndent = "  "
+internal class JsonFilterWriter {
+    private val text = StringWriter()
+    private val json: JsonGenerator = JsonFactory().createGenerator(text).setPrettyPrinter(printer())
+
+    fun write(filter: PerceptionFilter): String {
+        json.use { filter(filter) }
+        return "$text\n"
     }
 
-    fun write(filter: PerceptionFilter): String = JSON.encodeToString(JsonElement.serializer(), filter(filter)) + "\n"
-
-    private fun filter(filter: PerceptionFilter): JsonObject = buildJsonObject {
-        if (filter.mode == PerceptionFilter.Mode.KEEP) put("keep", true)
-        if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) put("onSwitch", "freeze")
-        if (filter.critical.isNotEmpty()) putJsonArray("critical") { filter.critical.forEach { add(criticalRule(it)) } }
-        putJsonArray("rules") { filter.rules.forEach { add(rule(it)) } }
+    private fun filter(filter: PerceptionFilter) = entity {
+        if (filter.mode == PerceptionFilter.Mode.KEEP) json.writeBooleanField("keep", true)
+        if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) json.writeStringField("onSwitch", "freeze")
+        if (filter.critical.isNotEmpty()) array("critical", filter.critical, ::criticalRule)
+        array("rules", filter.rules, ::rule)
     }
 
-    private fun rule(rule: Rule): JsonObject = buildJsonObject {
-        put("predicate", rule.predicate.toString())
-        rule.arity?.let { put("arity", it) }
-        rule.rate?.everyMs?.let { put("everyMs", it) }
+    private fun rule(rule: Rule) = entity {
+        json.writeStringField("predicate", rule.predicate.toString())
+        rule.arity?.let { json.writeNumberField("arity", it) }
+        rule.rate?.everyMs?.let { json.writeNumberField("everyMs", it) }
         val (all, some) = rule.rate?.deadbands.orEmpty().partition { it.argument == null }
-        all.forEach { put("deadband", number(it.width)) }
-        if (rule.conditions.isNotEmpty() || some.isNotEmpty()) {
-            putJsonArray("conditions") {
-                rule.conditions.forEach { add(condition(it)) }
-                some.forEach { add(deadband(it)) }
-            }
-        }
+        all.forEach { numberField("deadband", it.width) }
+        val conditions = rule.conditions.map { { condition(it) } } + some.map { { argumentDeadband(it.argument!!, it.width) } }
+        if (conditions.isNotEmpty()) array("conditions", conditions) { it() }
     }
 
-    private fun criticalRule(critical: CriticalRule): JsonObject = buildJsonObject {
-        put("predicate", critical.rule.predicate.toString())
-        critical.rule.arity?.let { put("arity", it) }
-        critical.reflex?.let { put("reflex", it) }
-        if (critical.rule.conditions.isNotEmpty()) putJsonArray("conditions") { critical.rule.conditions.forEach { add(condition(it)) } }
+    private fun criticalRule(critical: CriticalRule) = entity {
+        json.writeStringField("predicate", critical.rule.predicate.toString())
+        critical.rule.arity?.let { json.writeNumberField("arity", it) }
+        critical.reflex?.let { json.writeStringField("reflex", it) }
+        if (critical.rule.conditions.isNotEmpty()) array("conditions", critical.rule.conditions, ::condition)
     }
 
-    private fun deadband(deadband: Deadband) = buildJsonObject {
-        put("argument", deadband.argument)
-        put("deadband", number(deadband.width))
+    private fun argumentDeadband(argument: Int, width: Double) = entity {
+        json.writeNumberField("argument", argument)
+        numberField("deadband", width)
     }
 
-    private fun condition(condition: Condition): JsonObject = buildJsonObject {
+    private fun condition(condition: Condition) = entity {
         when (condition) {
             is Condition.Argument -> {
-                put("argument", condition.index)
+                json.writeNumberField("argument", condition.index)
                 test(condition.test)
             }
             is Condition.Annotation -> {
-                put("annotation", condition.name.toString())
+                json.writeStringField("annotation", condition.name.toString())
                 val single = condition.tests.singleOrNull()
-                if (single != null) test(single) else if (condition.tests.isNotEmpty()) limits(condition.tests)
+                if (single != null) test(single)
+                else if (condition.tests.isNotEmpty()) array("limits", condition.tests) { entity { test(it) } }
             }
         }
     }
 
-    private fun JsonObjectBuilder.limits(tests: List<Test>) = putJsonArray("limits") { tests.forEach { limit(it) } }
-
-    private fun JsonArrayBuilder.limit(test: Test) = add(buildJsonObject { test(test) })
-
-    private fun JsonObjectBuilder.test(test: Test) {
-        put("operator", TestFormat.operator(test))
-        put("value", value(test))
+    private fun test(test: TermTest) {
+        json.writeStringField("operator", TestFormat.operator(test))
+        when (test) {
+            is TermTest.Compare -> json.writeFieldName("value").also { value(test.value) }
+            is TermTest.OneOf -> array("value", test.values, ::value)
+            is TermTest.Matches -> json.writeStringField("value", test.pattern)
+        }
     }
 
-    private fun value(test: Test): JsonElement = when (test) {
-        is Test.Compare -> value(test.value)
-        is Test.OneOf -> buildJsonArray { test.values.forEach { add(value(it)) } }
-        is Test.Matches -> JsonPrimitive(test.pattern)
+    private fun value(value: GroundTerm) =
+        if (value is GroundTerm.Number && value.value.isFinite()) json.writeNumber("$value") else json.writeString("$value")
+
+    private fun numberField(name: String, number: Double) {
+        json.writeFieldName(name)
+        value(GroundTerm.Number(number))
     }
 
-    private fun value(value: Value): JsonElement =
-        if (value is Value.Number && value.value.isFinite()) number(value.value) else JsonPrimitive(value.toString())
+    private fun entity(members: () -> Unit) {
+        json.writeStartObject()
+        members()
+        json.writeEndObject()
+    }
 
-    @OptIn(ExperimentalSerializationApi::class)
-    private fun number(number: Double): JsonElement = JsonUnquotedLiteral(Value.Number(number).toString())
+    private fun <T> array(name: String, items: Collection<T>, item: (T) -> Unit) {
+        json.writeArrayFieldStart(name)
+        items.forEach(item)
+        json.writeEndArray()
+    }
+
+    private fun printer(): DefaultPrettyPrinter {
+        val lines = DefaultIndenter("  ", "\n")
+        val separators = Separators.createDefaultInstance()
+            .withObjectFieldValueSpacing(Separators.Spacing.AFTER)
+            .withArrayEmptySeparator("")
+        return DefaultPrettyPrinter(separators).apply {
+            indentArraysWith(lines)
+            indentObjectsWith(lines)
+        }
+    }
 }

@@ -25,5 +25,5 @@ object JsonFilters {
         JsonFilterReader(input.removePrefix("\uFEFF"), source, name).read()
 
     /** The filter as a JSON document with LF line ends, which [read] reads back to an equal filter. */
-    fun write(filter: PerceptionFilter): String = JsonFilterWriter.write(filter)
+    fun write(filter: PerceptionFilter): String = JsonFilterWriter().write(filter)
 }

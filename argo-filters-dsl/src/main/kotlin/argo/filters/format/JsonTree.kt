@@ -2,9 +2,11 @@ package argo.filters.format
 
 import argo.filters.FilterException
 import argo.filters.Problem
-import kotlinx.serialization.SerializationException
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.JsonPrimitive
+import com.fasterxml.jackson.core.JsonFactory
+import com.fasterxml.jackson.core.JsonLocation
+import com.fasterxml.jackson.core.JsonProcessingException
+import com.fasterxml.jackson.core.JsonToken
+import com.fasterxml.jackson.core.StreamReadConstraints
 
 /** A value of a JSON document that knows where it stands. */
 internal sealed interface JsonNode {
@@ -29,92 +31,48 @@ internal sealed interface JsonNode {
     }
 }
 
-/**
- * Reads a JSON document into values that know where they stand.
- *
- * The library says whether the text is JSON and decodes names and scalars. Its own trees have no positions and keep but the last of
- * two members of one name, so the text is taken apart here.
- */
-internal class JsonTreeReader(private val text: SourceText, private val source: String) {
-    private val json = text.text
-    private var at = 0
+/** Reads a JSON document into values that know where they stand, of two members of one name both. */
+internal class JsonTreeReader(text: String, private val source: String) {
+    private val parser = FACTORY.createParser(text)
 
     /** @throws FilterException if the text is not JSON */
-    fun read(): JsonNode {
-        try {
-            Json.parseToJsonElement(json)
-        } catch (e: SerializationException) {
-            refuse(OFFSET.find(e.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull() ?: json.length, e.message.orEmpty().lineSequence().first())
+    fun read(): JsonNode = try {
+        if (parser.nextToken() == null) refuse(parser.currentLocation(), "it is empty")
+        val root = value()
+        if (parser.nextToken() != null) refuse(parser.currentTokenLocation(), "something follows its end")
+        root
+    } catch (e: JsonProcessingException) {
+        refuse(e.location ?: parser.currentLocation(), e.originalMessage)
+    }
+
+    private fun value(): JsonNode {
+        val at = position(parser.currentTokenLocation())
+        return when (val token = parser.currentToken()) {
+            JsonToken.START_OBJECT -> JsonNode.Object(at, until(JsonToken.END_OBJECT, ::member))
+            JsonToken.START_ARRAY -> JsonNode.Array(at, until(JsonToken.END_ARRAY, ::value))
+            else -> JsonNode.Scalar(at, parser.text, token == JsonToken.VALUE_STRING)
         }
-        return value(0)
     }
 
-    private fun value(depth: Int): JsonNode {
-        if (depth > MAX_DEPTH) refuse(at, "values nested deeper than filters are")
-        val start = text.position(blanks())
-        return when (json[at]) {
-            '{' -> JsonNode.Object(start, group('}') { member(depth) })
-            '[' -> JsonNode.Array(start, group(']') { value(depth + 1) })
-            else -> scalar()
-        }
+    private fun member(): JsonNode.Member {
+        val at = position(parser.currentTokenLocation())
+        val name = parser.text
+        parser.nextToken()
+        return JsonNode.Member(name, at, value())
     }
 
-    private fun member(depth: Int): JsonNode.Member {
-        val start = text.position(blanks())
-        val name = scalar().content
-        blanks()
-        at++
-        return JsonNode.Member(name, start, value(depth + 1))
+    private fun <T> until(end: JsonToken, item: () -> T): List<T> = buildList {
+        while (parser.nextToken() != end) add(item())
     }
 
-    private fun <T> group(close: Char, item: () -> T): List<T> {
-        val items = ArrayList<T>()
-        do {
-            at++
-            blanks()
-            if (json[at] != close) items += item()
-            blanks()
-        } while (json[at] != close)
-        at++
-        return items
-    }
+    private fun position(location: JsonLocation) = Position(location.lineNr, location.columnNr)
 
-    private fun scalar(): JsonNode.Scalar {
-        val start = at
-        at = if (json[start] == '"') stringEnd(start) else bareEnd(start)
-        val written = json.substring(start, at)
-        if (written[0] != '"' && !BARE.matches(written)) refuse(start, "'$written' needs quotes")
-        val control = written.indexOfFirst { it < ' ' }
-        if (control >= 0) refuse(start + control, "text holds the control character U+%04X, which JSON writes as an escape".format(written[control].code))
-        val primitive = Json.parseToJsonElement(written) as JsonPrimitive
-        return JsonNode.Scalar(text.position(start), primitive.content, primitive.isString)
-    }
-
-    private fun stringEnd(start: Int): Int {
-        var i = start + 1
-        while (json[i] != '"') i += if (json[i] == '\\') 2 else 1
-        return i + 1
-    }
-
-    private fun bareEnd(start: Int): Int {
-        var i = start
-        while (i < json.length && json[i] !in ",]}: \t\r\n") i++
-        return i
-    }
-
-    private fun blanks(): Int {
-        while (at < json.length && json[at].isWhitespace()) at++
-        return at
-    }
-
-    private fun refuse(offset: Int, message: String): Nothing {
-        val position = text.position(offset.coerceIn(0, json.length))
-        throw FilterException(listOf(Problem(source, position.line, position.column, "the text is not JSON of a filter: $message")))
-    }
+    private fun refuse(at: JsonLocation, message: String): Nothing =
+        throw FilterException(listOf(Problem(source, at.lineNr, at.columnNr, "the text is not JSON of a filter: $message")))
 
     private companion object {
         const val MAX_DEPTH = 32
-        val OFFSET = Regex("""offset (\d+)""")
-        val BARE = Regex("""true|false|null|-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?""")
+        val FACTORY: JsonFactory =
+            JsonFactory.builder().streamReadConstraints(StreamReadConstraints.builder().maxNestingDepth(MAX_DEPTH).build()).build()
     }
 }

@@ -2,20 +2,20 @@ package argo.filters.format
 
 import argo.filters.Condition
 import argo.filters.Deadband
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Predicate
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 
 /** Filters as Kotlin source. They are written only: reading one means compiling it. */
 object KotlinFilters {
     /**
      * The filter as a Kotlin file with LF line ends: a property that holds an equal filter of the same name.
      *
-     * The property is called what the filter is called, in backquotes where Kotlin asks for them; what the name of a Java method or file cannot hold
-     * becomes `_`.
+     * The property has the filter's name, in backquotes where Kotlin asks for them; what the name of a Java method or file cannot
+     * hold becomes `_`.
      */
     fun write(filter: PerceptionFilter): String = KotlinFilterWriter(filter).write()
 }
@@ -30,8 +30,8 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
         if (freezes) line(0, "import argo.filters.PerceptionFilter.OnSwitch")
         line(0, "")
         val (builder, verb) = when (filter.mode) {
-            PerceptionFilter.Mode.DROP -> "perceptionFilter" to "drop"
-            PerceptionFilter.Mode.KEEP -> "keepingFilter" to "keep"
+            PerceptionFilter.Mode.DROP -> "dropFilter" to "drop"
+            PerceptionFilter.Mode.KEEP -> "keepFilter" to "keep"
         }
         val onSwitch = when (filter.onSwitch) {
             PerceptionFilter.OnSwitch.FORGET -> ""
@@ -73,16 +73,16 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
         is Condition.Annotation -> annotation(kotlinString("${condition.name}"), condition.tests)
     }
 
-    private fun annotation(name: String, tests: List<Test>): String = when (tests.size) {
+    private fun annotation(name: String, tests: List<TermTest>): String = when (tests.size) {
         0 -> "hasAnnotation($name)"
         1 -> "annotation($name) ${infix(tests.single())}"
         else -> "annotation($name) { ${tests.joinToString("; ") { "${word(it)}(${value(it)})" }} }"
     }
 
-    private fun infix(test: Test) = "${word(test)} ${value(test)}"
+    private fun infix(test: TermTest) = "${word(test)} ${value(test)}"
 
-    private fun word(test: Test): String = when (test) {
-        is Test.Compare -> when (test.operator) {
+    private fun word(test: TermTest): String = when (test) {
+        is TermTest.Compare -> when (test.operator) {
             Operator.EQ -> "eq"
             Operator.NE -> "ne"
             Operator.GT -> "gt"
@@ -90,25 +90,25 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
             Operator.LT -> "lt"
             Operator.LE -> "le"
         }
-        is Test.OneOf -> "isIn"
-        is Test.Matches -> "matches"
+        is TermTest.OneOf -> "isIn"
+        is TermTest.Matches -> "matches"
     }
 
-    private fun value(test: Test): String = when (test) {
-        is Test.Compare -> value(test.value)
-        is Test.OneOf -> test.values.joinToString(", ", "listOf(", ")", transform = ::value)
-        is Test.Matches -> kotlinString(test.pattern)
+    private fun value(test: TermTest): String = when (test) {
+        is TermTest.Compare -> value(test.value)
+        is TermTest.OneOf -> test.values.joinToString(", ", "listOf(", ")", transform = ::value)
+        is TermTest.Matches -> kotlinString(test.pattern)
     }
 
-    private fun value(value: Value): String = when (value) {
-        is Value.Number -> number(value.value)
-        is Value.Text, is Value.Sequence, is Value.Structure -> kotlinString("$value")
+    private fun value(value: GroundTerm): String = when (value) {
+        is GroundTerm.Number -> number(value.value)
+        is GroundTerm.Text, is GroundTerm.Sequence, is GroundTerm.Structure -> kotlinString("$value")
     }
 
     private fun number(value: Double): String = when (value) {
         Double.POSITIVE_INFINITY -> "Double.POSITIVE_INFINITY"
         Double.NEGATIVE_INFINITY -> "Double.NEGATIVE_INFINITY"
-        else -> "${Value.Number(value)}"
+        else -> "${GroundTerm.Number(value)}"
     }
 
     private fun line(depth: Int, line: String) {
@@ -130,11 +130,12 @@ internal fun kotlinString(text: String): String = text.toCharArray().joinToStrin
 private val WORD = Regex("[A-Za-z_][A-Za-z0-9_]*")
 private const val FOREIGN_TO_FILES = ".;[]/<>:\\`*?\"|"
 private val HARD_KEYWORDS = setOf(
-    "as", "break", "class", "continue", "do", "else", "false", "for", "fun", "if", "in", "interface", "is", "null", "object", "package", "return",
-    "super", "this", "throw", "true", "try", "typealias", "typeof", "val", "var", "when", "while",
+    "as", "break", "class", "continue", "do", "else", "false", "for", "fun", "if", "in", "interface", "is", "null", "object", "package",
+    "return", "super", "this", "throw", "true", "try", "typealias", "typeof", "val", "var", "when", "while",
 )
 
 private fun kotlinName(name: String): String {
-    val possible = name.map { if (it in FOREIGN_TO_FILES || it.isISOControl() || it.isSurrogate()) '_' else it }.joinToString("").ifBlank { "filter" }
+    val possible = name.map { if (it in FOREIGN_TO_FILES || it.isISOControl() || it.isSurrogate()) '_' else it }
+        .joinToString("").ifBlank { "filter" }
     return if (possible.matches(WORD) && possible !in HARD_KEYWORDS && possible.any { it != '_' }) possible else "`$possible`"
 }

@@ -24,6 +24,9 @@ internal class SourceText(val text: String) {
     val end: Position
         get() = position(text.length)
 
+    /** Where the character at [line] and [column] stands; an end of the text for what is beyond it. */
+    fun offset(line: Int, column: Int): Int = (lineStarts[minOf(line, lineStarts.size) - 1] + column - 1).coerceIn(0, text.length)
+
     fun position(offset: Int): Position {
         val found = lineStarts.binarySearch(offset)
         val line = if (found >= 0) found else -found - 2

@@ -1,8 +1,8 @@
 package argo.filters.format
 
+import argo.filters.GroundTerm
 import argo.filters.Operator
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 
 /** The words that filter files have for tests: an operator and a value, both as text. */
 internal object TestFormat {
@@ -30,34 +30,34 @@ internal object TestFormat {
      *
      * @throws IllegalArgumentException if the value does not suit the operator; the message says what is expected
      */
-    fun test(operator: String, written: String): Test = when (operator) {
-        MATCHES -> Test.Matches(written)
-        IN -> Test.OneOf(values(written))
-        else -> Test.Compare(Operator.valueOf(operator), value(written))
+    fun test(operator: String, written: String): TermTest = when (operator) {
+        MATCHES -> TermTest.Matches(written)
+        IN -> TermTest.OneOf(values(written))
+        else -> TermTest.Compare(Operator.valueOf(operator), value(written))
     }
 
-    fun operator(test: Test): String = when (test) {
-        is Test.Compare -> test.operator.name
-        is Test.OneOf -> IN
-        is Test.Matches -> MATCHES
+    fun operator(test: TermTest): String = when (test) {
+        is TermTest.Compare -> test.operator.name
+        is TermTest.OneOf -> IN
+        is TermTest.Matches -> MATCHES
     }
 
-    fun value(test: Test): String = when (test) {
-        is Test.Compare -> test.value.toString()
-        is Test.OneOf -> test.values.joinToString(",", "[", "]")
-        is Test.Matches -> test.pattern
+    fun value(test: TermTest): String = when (test) {
+        is TermTest.Compare -> test.value.toString()
+        is TermTest.OneOf -> test.values.joinToString(",", "[", "]")
+        is TermTest.Matches -> test.pattern
     }
 
-    private fun value(written: String): Value = try {
-        Value.of(written)
+    private fun value(written: String): GroundTerm = try {
+        GroundTerm.of(written)
     } catch (e: IllegalArgumentException) {
         val hint = if (written.any { it in "*.|^$?\\" }) "; for a regular expression the operator is MATCHES" else ""
         throw IllegalArgumentException(e.message + hint, e)
     }
 
     /** A Jason list, or the same without its brackets. */
-    private fun values(written: String): Set<Value> {
-        val list = Value.ofOrNull(written) as? Value.Sequence ?: Value.ofOrNull("[$written]") as? Value.Sequence
+    private fun values(written: String): Set<GroundTerm> {
+        val list = GroundTerm.ofOrNull(written) as? GroundTerm.Sequence ?: GroundTerm.ofOrNull("[$written]") as? GroundTerm.Sequence
         requireNotNull(list) { "'$written' is not a list of values; expected [front,back] or front,back" }
         return list.items.toSet()
     }

@@ -4,17 +4,17 @@ import argo.filters.Condition
 import argo.filters.CriticalRule
 import argo.filters.Deadband
 import argo.filters.FilterException
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 
 /** Makes a filter of an XML document, or a list of all that is wrong with it. */
 internal class XmlFilterReader(text: String, source: String, private val name: String) {
-    private val tree = XmlTreeReader(SourceText(text), source).read()
+    private val tree = XmlTreeReader(text, source).read()
     private val problems = Problems(source)
 
     /** @throws FilterException with all problems of the document, in the order of the text */
@@ -40,7 +40,7 @@ internal class XmlFilterReader(text: String, source: String, private val name: S
     private fun <T> oneOf(attribute: XmlAttribute?, words: Map<String, T>): T? {
         if (attribute == null) return null
         val found = words[attribute.value.trim()]
-        if (found == null) report(attribute.position, "${attribute.name}=\"${attribute.value}\"; expected ${words.keys.joinToString(" or ")}")
+        if (found == null) reportValue(attribute, words.keys.joinToString(" or "))
         return found
     }
 
@@ -52,10 +52,10 @@ internal class XmlFilterReader(text: String, source: String, private val name: S
 
     private fun criticalRule(element: XmlElement): CriticalRule? {
         val attributes = attributes(element, ARITY, REFLEX)
-        val deadbands = element.children.filter { it.name == PARAMETER }.flatMap { parameter -> parameter.attributes.filter { it.name == DEADBAND } }
+        val deadbands = element.children.filter { it.name == PARAMETER }.flatMap { it.attributes }.filter { it.name == DEADBAND }
         deadbands.forEach { report(it.position, "a deadband in <$CRITICAL>; a critical percept is never held back") }
         val reflex = attributes[REFLEX]
-        val command = reflex?.let { attribute -> problems.reporting(attribute.position) { attribute.value.also(CriticalRule::requireSendable) } }
+        val command = reflex?.let { problems.reporting(it.position) { it.value.also(CriticalRule::requireSendable) } }
         val rule = rule(element, attributes)
         return if (rule == null || reflex != null && command == null) null else CriticalRule(rule, command)
     }
@@ -90,7 +90,7 @@ internal class XmlFilterReader(text: String, source: String, private val name: S
     }
 
     private fun deadband(attribute: XmlAttribute, index: Int?): Deadband? {
-        val width = Value.ofOrNull(attribute.value) as? Value.Number
+        val width = GroundTerm.ofOrNull(attribute.value) as? GroundTerm.Number
         if (width != null && width.value > 0 && width.value.isFinite()) return Deadband(index, width.value)
         report(attribute.position, "the deadband '${attribute.value}'; expected a number above 0, by which the argument must move")
         return null
@@ -99,9 +99,12 @@ internal class XmlFilterReader(text: String, source: String, private val name: S
     private fun wholeNumber(attribute: XmlAttribute?, range: LongRange): Long? {
         if (attribute == null) return null
         val number = wholeNumber(attribute.value)?.takeIf { it in range }
-        if (number == null) report(attribute.position, "${attribute.name}=\"${attribute.value}\"; expected a whole number from ${range.first}")
+        if (number == null) reportValue(attribute, "a whole number from ${range.first}")
         return number
     }
+
+    private fun reportValue(attribute: XmlAttribute, expected: String) =
+        report(attribute.position, "${attribute.name}=\"${attribute.value}\"; expected $expected")
 
     private fun predicate(rule: XmlElement, found: List<XmlElement>): Predicate? {
         if (found.isEmpty()) {
@@ -137,7 +140,7 @@ internal class XmlFilterReader(text: String, source: String, private val name: S
 
     private fun index(element: XmlElement, id: XmlAttribute?): Int? {
         if (id == null) {
-            report(element.position, "the <$PARAMETER> has no id; expected id=\"0\" for the first argument, id=\"1\" for the second and so on")
+            report(element.position, "the <$PARAMETER> has no id; expected id=\"0\" for the first argument, id=\"1\" for the second")
             return null
         }
         val index = indexOf(id.value)
@@ -169,18 +172,20 @@ internal class XmlFilterReader(text: String, source: String, private val name: S
         return null
     }
 
-    private fun limits(annotation: XmlElement, limits: List<XmlElement>, inherited: XmlAttribute?): List<Test?> {
+    private fun limits(annotation: XmlElement, limits: List<XmlElement>, inherited: XmlAttribute?): List<TermTest?> {
         noText(annotation)
         val usual = operator(inherited)
         return limits.map {
             val own = attributes(it, OPERATOR)[OPERATOR]
             children(it)
-            if (own != null && inherited != null) report(own.position, "a second operator for one annotation; expected it on <$LIMIT> or around it")
+            if (own != null && inherited != null) {
+                report(own.position, "a second operator for one annotation; expected it on <$LIMIT> or around it")
+            }
             test(it, if (own == null) usual else operator(own))
         }
     }
 
-    private fun test(element: XmlElement, operator: String?): Test? {
+    private fun test(element: XmlElement, operator: String?): TermTest? {
         val text = element.text
         if (text.isEmpty()) {
             if (isWhole(element)) report(element.position, "the <${element.name}> is empty; expected the value to compare with")
@@ -200,6 +205,9 @@ internal class XmlFilterReader(text: String, source: String, private val name: S
     private fun attributes(element: XmlElement, vararg known: String): Map<String, XmlAttribute> {
         val (expected, unknown) = element.attributes.partition { it.name in known }
         unknown.forEach { report(it.position, "the attribute '${it.name}' on <${element.name}>; expected ${words(known, "no attribute")}") }
+        expected.groupBy(XmlAttribute::name).values.flatMap { it.drop(1) }.forEach {
+            report(it.position, "a second '${it.name}' on <${element.name}>; expected one")
+        }
         return expected.associateBy(XmlAttribute::name)
     }
 

@@ -1,88 +1,81 @@
 package argo.filters.format
 
 import argo.filters.Condition
-import argo.filters.CriticalRule
 import argo.filters.Deadband
+import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
-import nl.adaptivity.xmlutil.XmlDeclMode
-import nl.adaptivity.xmlutil.XmlWriter
-import nl.adaptivity.xmlutil.core.XmlVersion
-import nl.adaptivity.xmlutil.newWriter
-import nl.adaptivity.xmlutil.xmlStreaming
+import argo.filters.TermTest
 
 /** Writes filters in the canonical form of the XML format: operators spelt out, parts of a rule in the order of the model. */
 internal class XmlFilterWriter {
-    private val text = StringBuilder()
-    private val xml: XmlWriter = xmlStreaming.newWriter(text, false, XmlDeclMode.None, XmlVersion.XML10)
+    private val text = StringBuilder("<?xml version=\"1.0\"?>\n")
+    private var depth = 0
 
     fun write(filter: PerceptionFilter): String {
-        xml.indentString = "  "
-        element("PerceptionFilter") {
-            if (filter.mode == PerceptionFilter.Mode.KEEP) attribute("keep", "true")
-            if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) attribute("onSwitch", "freeze")
-            filter.critical.forEach(::criticalRule)
-            filter.rules.forEach(::rule)
+        val keep = if (filter.mode == PerceptionFilter.Mode.KEEP) "true" else null
+        val onSwitch = if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) "freeze" else null
+        element("PerceptionFilter", "keep" to keep, "onSwitch" to onSwitch, isEmpty = filter.critical.isEmpty() && filter.rules.isEmpty()) {
+            filter.critical.forEach { rule("critical", it.rule, "reflex" to it.reflex) }
+            filter.rules.forEach { rule("filter", it) }
         }
-        xml.close()
-        return "<?xml version=\"1.0\"?>\n" + text.trim() + "\n"
+        return text.toString()
     }
 
-    private fun rule(rule: Rule) = element("filter") {
-        rule.arity?.let { attribute("arity", it.toString()) }
-        rule.rate?.everyMs?.let { attribute("everyMs", it.toString()) }
+    private fun rule(name: String, rule: Rule, reflex: Pair<String, String?>? = null) {
         val (all, some) = rule.rate?.deadbands.orEmpty().partition { it.argument == null }
-        all.forEach { attribute("deadband", Value.Number(it.width).toString()) }
-        element("predicate") { text(rule.predicate.toString()) }
-        rule.conditions.forEach(::condition)
-        some.forEach(::deadband)
+        val deadband = all.firstOrNull()?.let(::width)
+        val attributes = listOfNotNull("arity" to rule.arity, reflex, "everyMs" to rule.rate?.everyMs, "deadband" to deadband)
+        element(name, *attributes.toTypedArray()) {
+            leaf("predicate", rule.predicate.toString())
+            rule.conditions.forEach(::condition)
+            some.forEach { leaf("parameter", "", "id" to it.argument, "deadband" to width(it)) }
+        }
     }
 
-    private fun criticalRule(critical: CriticalRule) = element("critical") {
-        critical.rule.arity?.let { attribute("arity", it.toString()) }
-        critical.reflex?.let { attribute("reflex", it) }
-        element("predicate") { text(critical.rule.predicate.toString()) }
-        critical.rule.conditions.forEach(::condition)
-    }
-
-    private fun deadband(deadband: Deadband) = element("parameter") {
-        attribute("id", deadband.argument.toString())
-        attribute("deadband", Value.Number(deadband.width).toString())
-    }
+    private fun width(deadband: Deadband) = GroundTerm.Number(deadband.width).toString()
 
     private fun condition(condition: Condition) = when (condition) {
-        is Condition.Argument -> element("parameter") {
-            test(condition.test) { attribute("id", condition.index.toString()) }
-        }
-        is Condition.Annotation -> element("annotation") { annotation(condition) }
+        is Condition.Argument -> test("parameter", condition.test, "id" to condition.index)
+        is Condition.Annotation -> annotation(condition)
     }
 
     private fun annotation(condition: Condition.Annotation) {
-        attribute("name", condition.name.toString())
-        val single = condition.tests.singleOrNull()
-        if (single != null) test(single) else condition.tests.forEach { element("limit") { test(it) } }
+        val name = "name" to condition.name
+        when (condition.tests.size) {
+            0 -> leaf("annotation", "", name)
+            1 -> condition.tests.single().let { leaf("annotation", TestFormat.value(it), name, "operator" to TestFormat.operator(it)) }
+            else -> element("annotation", name) { condition.tests.forEach { test("limit", it) } }
+        }
     }
 
-    private fun test(test: Test, otherAttributes: () -> Unit = {}) {
-        attribute("operator", TestFormat.operator(test))
-        otherAttributes()
-        text(TestFormat.value(test))
+    private fun test(name: String, test: TermTest, vararg attributes: Pair<String, Any?>) =
+        leaf(name, TestFormat.value(test), "operator" to TestFormat.operator(test), *attributes)
+
+    private fun element(name: String, vararg attributes: Pair<String, Any?>, isEmpty: Boolean = false, children: () -> Unit) {
+        if (isEmpty) return leaf(name, "", *attributes)
+        line("<$name${written(attributes)}>")
+        depth++
+        children()
+        depth--
+        line("</$name>")
     }
 
-    private fun attribute(name: String, value: String) = xml.attribute(null, name, null, requireXml(value))
+    private fun leaf(name: String, content: String, vararg attributes: Pair<String, Any?>) =
+        line("<$name${written(attributes)}" + if (content.isEmpty()) "/>" else ">${escaped(content, "\r")}</$name>")
 
-    /** Carriage returns need a character reference, since a parser reads a bare one as a line feed. */
-    private fun text(text: String) = requireXml(text).split('\r').forEachIndexed { number, part ->
-        if (number > 0) xml.entityRef("#13")
-        if (part.isNotEmpty()) xml.text(part)
+    private fun written(attributes: Array<out Pair<String, Any?>>) =
+        attributes.filter { it.second != null }.joinToString("") { (name, value) -> " $name=\"${escaped("$value", "\t\n\r\"")}\"" }
+
+    private fun line(line: String) {
+        text.append("  ".repeat(depth)).append(line).append('\n')
     }
 
-    private fun requireXml(text: String): String {
+    /** [text] with references for markup and for the [unsafe] characters, which a parser would not give back as they are. */
+    private fun escaped(text: String, unsafe: String): String {
         val foreign = text.codePoints().filter { !isXml(it) }.findFirst()
         require(foreign.isEmpty) { "XML cannot hold the character U+%04X, which stands in %s".format(foreign.asInt, text) }
-        return text
+        return text.toCharArray().joinToString("") { ENTITIES[it] ?: if (it in unsafe) "&#${it.code};" else "$it" }
     }
 
     private fun isXml(character: Int) = when (character) {
@@ -90,9 +83,7 @@ internal class XmlFilterWriter {
         else -> character in 0x20..0xD7FF || character in 0xE000..0xFFFD || character in 0x10000..0x10FFFF
     }
 
-    private fun element(name: String, content: () -> Unit) {
-        xml.startTag("", name, "")
-        content()
-        xml.endTag("", name, "")
+    private companion object {
+        val ENTITIES = mapOf('&' to "&amp;", '<' to "&lt;", '>' to "&gt;")
     }
 }

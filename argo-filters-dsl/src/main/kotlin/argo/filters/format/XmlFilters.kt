@@ -2,7 +2,10 @@ package argo.filters.format
 
 import argo.filters.FilterException
 import argo.filters.PerceptionFilter
+import argo.filters.Problem
 import java.io.InputStream
+import java.nio.charset.Charset
+import javax.xml.stream.XMLStreamException
 
 /** Filters in XML files. */
 object XmlFilters {
@@ -11,14 +14,17 @@ object XmlFilters {
     /**
      * Reads a filter.
      *
-     * @param input the XML document, in any encoding that its declaration or byte-order mark names; UTF-8 where there is neither. Not closed.
+     * @param input the XML document, in the encoding that its declaration or its byte-order mark (of UTF-8 or UTF-16) names; UTF-8
+     * where there is neither. Not closed.
      * @param source the file or other place it comes from, for messages
      * @param name the filter's name; usually the last part of [source] without `.xml`
      * @throws FilterException with all problems of the text, if there are any
      * @throws java.io.IOException if [input] cannot be read
      */
-    fun read(input: InputStream, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
-        read(XmlDecoder(source).decode(input.readBytes()), source, name)
+    fun read(input: InputStream, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter {
+        val bytes = input.readBytes()
+        return read(decodeStrictly(bytes, encodingOf(bytes, source), source), source, name)
+    }
 
     /** As the other form, from text that has been decoded. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
@@ -30,8 +36,23 @@ object XmlFilters {
      * @throws IllegalArgumentException if a functor or a string of the filter holds a character that XML has no way to write
      */
     fun write(filter: PerceptionFilter): String = XmlFilterWriter().write(filter)
+
+    /** The encoding of a document, by its beginning alone: a byte that is not in it is reported with its position later. */
+    private fun encodingOf(bytes: ByteArray, source: String): Charset {
+        val tagEnd = bytes.indexOf('>'.code.toByte()) + 1
+        val isWide = tagEnd < bytes.size && bytes[tagEnd] == 0.toByte()
+        val beginning = bytes.copyOf(if (isWide) tagEnd + 1 else tagEnd)
+        return try {
+            Charset.forName(xmlInputFactory().createXMLStreamReader(beginning.inputStream()).encoding ?: "UTF-8")
+        } catch (e: XMLStreamException) {
+            if (!String(beginning, Charsets.ISO_8859_1).startsWith("<?xml")) return Charsets.UTF_8
+            val cause = e.message.orEmpty().substringAfter("Message: ")
+            val message = "the XML declaration cannot be read; UTF-8 is a good choice of encoding: $cause"
+            throw FilterException(listOf(Problem(source, 1, 1, message)), e)
+        }
+    }
 }
 
-/** What a filter is called whose text comes from [source]. */
+/** The name of a filter whose text comes from [source]. */
 internal fun nameOf(source: String, extension: String): String =
     source.substringAfterLast('/').substringAfterLast('\\').removeSuffix(extension)

@@ -13,7 +13,8 @@ internal class XmlAttribute(val name: String, val value: String, val position: P
 internal class XmlText(val text: String, val position: Position)
 
 /** An element as it stands in the document; names are kept as written, prefix included. */
-internal class XmlElement(val name: String, val position: Position, val attributes: List<XmlAttribute>) {
+internal class XmlElement(val name: String, val position: Position, attributes: List<XmlAttribute>) {
+    val attributes = ArrayList(attributes)
     val children = ArrayList<XmlElement>()
     val texts = ArrayList<XmlText>()
 
@@ -32,22 +33,31 @@ internal class XmlElement(val name: String, val position: Position, val attribut
 /** What could be read of a document: its root, if there was one, and why reading ended early, if it did. */
 internal class XmlTree(val root: XmlElement?, val problem: Problem?)
 
+/** A new one for each document, since factories are not safe for several threads at once. */
+internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
+    setProperty(XMLInputFactory.SUPPORT_DTD, false)
+    setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
+    setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
+    setProperty(XMLInputFactory.IS_COALESCING, true)
+    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // problems are thrown too; by default they are printed besides
+}
+
 /**
  * Reads an XML document into elements that know where they stand.
  *
- * The JDK's parser does the reading, since it takes nothing but well-formed XML; others let duplicate attributes pass.
- * A document type declaration is refused before anything that it declares could be used, so no entity is ever expanded or fetched.
+ * The JDK's parser knows where a tag ends; where it begins is found from there in [document]. A document type declaration is refused before
+ * anything that it declares could be used, so no entity is ever expanded or fetched.
  */
-internal class XmlTreeReader(private val text: SourceText, private val source: String) {
-    private val markup = XmlMarkup(text.text)
+internal class XmlTreeReader(private val document: String, private val source: String) {
+    private val positions = SourceText(document)
     private val open = ArrayDeque<XmlElement>()
     private var root: XmlElement? = null
 
-    /** Whether the element that was opened last is empty and the parser has yet to say so. */
-    private var justOpened = false
+    /** Where the last tag, comment or processing instruction ends, the character after it. */
+    private var markupEnd = 0
 
     fun read(): XmlTree = try {
-        val reader = factory().createXMLStreamReader(StringReader(text.text))
+        val reader = xmlInputFactory().createXMLStreamReader(StringReader(document))
         var problem: Problem? = null
         while (problem == null && reader.hasNext()) problem = event(reader)
         XmlTree(root, problem)
@@ -56,67 +66,68 @@ internal class XmlTreeReader(private val text: SourceText, private val source: S
     }
 
     private fun event(reader: XMLStreamReader): Problem? {
-        when (reader.next()) {
+        val event = reader.next()
+        if (event == XMLStreamConstants.CHARACTERS || event == XMLStreamConstants.CDATA) text(reader.text) else markupEnd = endOf(reader)
+        when (event) {
             XMLStreamConstants.START_ELEMENT -> start(reader)
             XMLStreamConstants.END_ELEMENT -> end()
-            XMLStreamConstants.COMMENT, XMLStreamConstants.PROCESSING_INSTRUCTION -> markup.step()
-            XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> text(reader.text)
             XMLStreamConstants.DTD -> return doctype()
         }
         return null
     }
 
+    /** The parser counts a character too few in a line that begins after a bare carriage return. */
+    private fun endOf(reader: XMLStreamReader): Int {
+        if (reader.location.lineNumber < 1) return document.length
+        return document.indexOf('>', positions.offset(reader.location.lineNumber, reader.location.columnNumber) - 1) + 1
+    }
+
     private fun start(reader: XMLStreamReader) {
-        markup.step()
-        val element = XmlElement(nameOf(reader.prefix, reader.localName), text.position(markup.start), attributes(reader))
+        val start = document.lastIndexOf('<', markupEnd - 1) // no attribute holds this character
+        val tag = document.substring(start, markupEnd)
+        val offsets = ATTRIBUTE.findAll(tag).associate { it.groupValues[1] to start + it.groups[1]!!.range.first }
+        val attributes = (0 until reader.attributeCount).map {
+            val name = nameOf(reader.getAttributePrefix(it), reader.getAttributeLocalName(it))
+            XmlAttribute(name, reader.getAttributeValue(it), positions.position(offsets[name] ?: start))
+        }
+        val element = XmlElement(nameOf(reader.prefix, reader.localName), positions.position(start), attributes)
         if (open.isEmpty()) root = element else open.last().children += element
         open += element
-        justOpened = markup.isEmptyElement
     }
 
     private fun end() {
-        if (justOpened) justOpened = false else markup.step()
-        open.removeLast().isClosed = true
-    }
-
-    private fun attributes(reader: XMLStreamReader): List<XmlAttribute> {
-        if (reader.attributeCount == 0) return emptyList()
-        val offsets = markup.attributeOffsets()
-        return List(reader.attributeCount) {
-            val name = nameOf(reader.getAttributePrefix(it), reader.getAttributeLocalName(it))
-            XmlAttribute(name, reader.getAttributeValue(it), text.position(offsets[name] ?: markup.start))
-        }
+        val element = open.removeLast()
+        element.isClosed = true
+        if (element.name !in ATTRIBUTE_ELEMENTS || element.children.isNotEmpty() || open.isEmpty()) return
+        open.last().children -= element
+        open.last().attributes += XmlAttribute(element.name, element.text, element.textPosition)
     }
 
     private fun nameOf(prefix: String?, localName: String) = if (prefix.isNullOrEmpty()) localName else "$prefix:$localName"
 
     private fun text(found: String) {
         if (open.isEmpty()) return
-        var offset = markup.end
-        if (found.isNotBlank()) while (text.text[offset].isWhitespace()) offset++
-        open.last().texts += XmlText(found, text.position(offset))
+        var offset = markupEnd
+        if (found.isNotBlank()) while (document[offset].isWhitespace()) offset++
+        open.last().texts += XmlText(found, positions.position(offset))
     }
 
-    private fun doctype(): Problem {
-        markup.step()
-        return problem(text.position(markup.start), "a document type declaration; filters have none, and no entities of their own")
-    }
+    private fun doctype() = problem(
+        positions.position(document.lastIndexOf("<!DOCTYPE", markupEnd)),
+        "a document type declaration; filters have none, and no entities of their own",
+    )
 
     private fun notWellFormed(e: XMLStreamException): Problem {
-        val at = e.location?.takeIf { it.lineNumber > 0 }?.let { Position(it.lineNumber, it.columnNumber) } ?: text.end
-        val cause = e.message.orEmpty().substringAfter("Message: ")
-        return problem(at, "the text is not well-formed XML: $cause")
+        val at = e.location?.takeIf { it.lineNumber > 0 }?.let { Position(it.lineNumber, it.columnNumber) } ?: positions.end
+        return problem(at, "the text is not well-formed XML: ${e.message.orEmpty().substringAfter("Message: ")}")
     }
 
     private fun problem(at: Position, message: String) = Problem(source, at.line, at.column, message)
 
     private companion object {
-        /** A new one for each document, since factories are not safe for several threads at once. */
-        fun factory(): XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
-            setProperty(XMLInputFactory.SUPPORT_DTD, false)
-            setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
-            setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
-            setProperty(XMLInputFactory.IS_COALESCING, true)
-        }
+        val ATTRIBUTE = Regex("""\s([^\s=]+)\s*=\s*(?:"[^"]*"|'[^']*')""")
+
+        /** Files of 2014 have elements in place of these attributes. */
+        val ATTRIBUTE_ELEMENTS = setOf("id", "name", "operator")
     }
 }

@@ -1,7 +1,7 @@
 package argo.filters.jason
 
+import argo.filters.GroundTerm
 import argo.filters.Syntax
-import argo.filters.Value
 import argo.filters.matching.DecimalReader
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.ArithExpr
@@ -55,7 +55,8 @@ internal class LiteralParser(private val text: String) {
         }
         if (text[start] !in 'a'..'z') return null
         at = Syntax.wordEnd(text, start, end)
-        val isSpecial = at < end && (text[at] == '.' || text[at] == ':') || Syntax.isReserved(text, start, at) || Syntax.isTruthValue(text, start, at)
+        val isSpecial = at < end && (text[at] == '.' || text[at] == ':') ||
+            Syntax.isReserved(text, start, at) || Syntax.isTruthValue(text, start, at)
         return if (isSpecial) null else text.substring(start, at)
     }
 
@@ -111,7 +112,7 @@ internal class LiteralParser(private val text: String) {
         at = Syntax.stringEnd(text, start, end)
         if (at < 0) return null
         val written = text.substring(start + 1, at - 1)
-        val string = StringTermImpl(if ('\\' in written) Value.Text.unescape(written) else written)
+        val string = StringTermImpl(if ('\\' in written) GroundTerm.Text.unescape(written) else written)
         string.srcInfo = SOURCE
         return string
     }

@@ -1,7 +1,7 @@
 package argo.filters.jason
 
-import argo.filters.Value
-import argo.filters.ValueReader
+import argo.filters.GroundTerm
+import argo.filters.GroundTermReader
 import argo.filters.matching.FilterSession
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
@@ -24,15 +24,15 @@ fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
 /**
  * The text of [percept] as a board would send it, for filters to decide over. Never throws.
  *
- * It differs from `toString` in strings, whose quotes and line breaks are escaped here. A string that no text can hold is written as a variable,
- * and so are terms nested deeper than filters look.
+ * It differs from `toString` in strings, whose quotes and line breaks are escaped here. A string that no text can hold is written as a
+ * variable, and so are terms nested deeper than filters look.
  */
 fun perceptText(percept: Literal): String = text(percept, 0)
 
 private fun text(term: Term, depth: Int): String = when {
-    depth > ValueReader.MAX_DEPTH -> NO_VALUE
+    depth > GroundTermReader.MAX_DEPTH -> NO_VALUE
     term.isVar -> term.toString() // to Jason a variable is a list, a string and a number as well
-    term is StringTerm -> term.string?.let(Value.Text::ofOrNull)?.toString() ?: NO_VALUE
+    term is StringTerm -> term.string?.let(GroundTerm.Text::ofOrNull)?.toString() ?: NO_VALUE
     term is NumberTermImpl -> number(term.solve())
     term is ArithExpr && term.arity == 1 -> "(${term.functor}${text(term.getTerm(0), depth + 1)})"
     term is ListTerm -> if (term.tail == null) term.asList.joinToString(",", "[", "]") { text(it, depth + 1) } else NO_VALUE
@@ -40,7 +40,7 @@ private fun text(term: Term, depth: Int): String = when {
     else -> term.toString()
 }
 
-private fun number(number: Double) = if (number.isNaN()) NO_VALUE else Value.Number(number).toString()
+private fun number(number: Double) = if (number.isNaN()) NO_VALUE else GroundTerm.Number(number).toString()
 
 private fun structure(literal: Literal, depth: Int): String = buildString {
     if (literal.ns != Literal.DefaultNS) append(literal.ns).append("::")

@@ -9,7 +9,8 @@ import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
 
 /**
- * Makes percepts of a board's messages: splits a message, filters the texts, reads what is kept, and limits how much of it the agent believes.
+ * Makes percepts of a board's messages: splits a message, filters the texts, reads what is kept, and limits how much of it the agent
+ * believes.
  *
  * Time is the caller's: milliseconds of any clock that never goes back. Not safe for use by several threads at once.
  *

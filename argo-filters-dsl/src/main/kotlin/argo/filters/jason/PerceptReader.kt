@@ -35,8 +35,10 @@ object PerceptReader {
         throw PerceptSyntaxException("${shortened(percept)} is nested too deep to be read", e)
     }
 
-    private fun refusal(percept: String, cause: Throwable) =
-        PerceptSyntaxException("${shortened(percept)} is not a literal that Jason can read: ${cause.message.orEmpty().lineSequence().first()}", cause)
+    private fun refusal(percept: String, cause: Throwable): PerceptSyntaxException {
+        val found = cause.message.orEmpty().lineSequence().first()
+        return PerceptSyntaxException("${shortened(percept)} is not a literal that Jason can read: $found", cause)
+    }
 
     private fun shortened(percept: String) = if (percept.length <= SHOWN) "'$percept'" else "'${percept.take(SHOWN)}…'"
 }

@@ -2,14 +2,14 @@ package argo.filters.matching
 
 import argo.filters.Condition
 import argo.filters.CriticalRule
+import argo.filters.GroundTerm
+import argo.filters.GroundTermReader
 import argo.filters.Operator
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
 import argo.filters.Syntax
-import argo.filters.Test
-import argo.filters.Value
-import argo.filters.ValueReader
+import argo.filters.TermTest
 
 /**
  * A rule in the form in which it is applied.
@@ -19,60 +19,79 @@ import argo.filters.ValueReader
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val predicate = rule.predicate
     private val arity = rule.arity ?: ANY
-    private val compiled = rule.conditions.map { if (it is Condition.Argument) ArgumentCondition(it) else AnnotationCondition(it as Condition.Annotation) }.toTypedArray()
+    private val compiled = rule.conditions.map(::CompiledCondition).toTypedArray()
     val rate: Rate? = rule.rate
 
     /** Whether [percept], whose functor is the rule's, is in its predicate and has its arity. */
     fun isFor(percept: PerceptText): Boolean = (arity == ANY || percept.arity == arity) && percept.isOf(predicate)
 
-    /** Whether [percept], whose functor is the rule's, meets the rule. */
-    fun isMetBy(percept: PerceptText): Boolean {
-        if (!isFor(percept)) return false
-        for (condition in compiled) if (!condition.isMetBy(percept)) return false
+    /** Whether [percept], whose functor is the rule's, meets the rule. Inlined, so that the percept stays in registers, see [perceptIn]. */
+    @Suppress("NOTHING_TO_INLINE")
+    inline fun isMetBy(percept: PerceptText): Boolean =
+        isFor(percept) && areMet(percept.text, percept.functorEnd, percept.end, percept.tail)
+
+    /** Whether the percept in [text] meets all conditions whose functor ends at [functorEnd] and goes on with [tail]. */
+    fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
+        for (condition in compiled) if (!condition.isMet(text, functorEnd, end, tail)) return false
         return true
     }
 
     /** The first condition that [percept] does not meet. */
-    fun failing(percept: PerceptText): Condition = rule.conditions[compiled.indexOfFirst { !it.isMetBy(percept) }]
+    fun failing(percept: PerceptText): Condition =
+        rule.conditions[compiled.indexOfFirst { !it.isMet(percept.text, percept.functorEnd, percept.end, percept.tail) }]
 
     private companion object {
         const val ANY = -1
     }
 }
 
-/** A condition in the form in which it is applied. */
-private sealed interface CompiledCondition {
-    fun isMetBy(percept: PerceptText): Boolean
-}
+/** A condition in the form in which it is applied: on an argument, or on annotations. */
+private class CompiledCondition(condition: Condition) {
+    private val argument = (condition as? Condition.Argument)?.index ?: -1
+    private val annotation = (condition as? Condition.Annotation)?.name
+    private val tests = when (condition) {
+        is Condition.Argument -> listOf(condition.test)
+        is Condition.Annotation -> condition.tests
+    }.map(::CompiledTest).toTypedArray()
 
-private class ArgumentCondition(private val condition: Condition.Argument) : CompiledCondition {
-    private val test = CompiledTest(condition.test)
-
-    override fun isMetBy(percept: PerceptText) = percept.argumentMeets(condition.index, test)
-}
-
-private class AnnotationCondition(private val condition: Condition.Annotation) : CompiledCondition {
-    private val tests = condition.tests.map(::CompiledTest)
-
-    override fun isMetBy(percept: PerceptText) = percept.anyAnnotationMeets { annotation ->
-        annotation is Value.Structure && annotation.predicate == condition.name && tests.all { it.isMetBy(annotation.arguments.firstOrNull()) }
+    /** Whether the percept in [text] meets it whose functor ends at [functorEnd] and goes on with [tail]. */
+    fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
+        if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
+        if (argument >= TermBounds.arity(tail)) return false
+        val start = TermBounds.argument(text, functorEnd, end, argument)
+        return tests[0].isMetBy(text, start, TermBounds.partEnd(text, start, end, ')'))
     }
+
+    private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {
+        var i = open
+        while (i < end && text[i] != ']') {
+            val start = Syntax.skipBlanks(text, i + 1, end)
+            if (text[start] == ']') return false
+            i = TermBounds.partEnd(text, start, end, ']')
+            if (isMetByAnnotation(GroundTermReader(text, start, i).readWhole())) return true
+        }
+        return false
+    }
+
+    private fun isMetByAnnotation(annotation: GroundTerm?) =
+        annotation is GroundTerm.Structure && annotation.predicate == this.annotation &&
+            tests.all { it.isMetBy(annotation.arguments.firstOrNull()) }
 }
 
-/** A test of a term in its text; only what is neither a plain atom nor a plain number is read into a [Value] first. */
-internal class CompiledTest(private val test: Test) {
-    private val operator = (test as? Test.Compare)?.operator ?: Operator.EQ
-    private val values: Set<Value> = when (test) {
-        is Test.Compare -> setOf(test.value)
-        is Test.OneOf -> test.values
-        is Test.Matches -> emptySet()
+/** A test of a term in its text; only what is neither a plain atom nor a plain number is read into a [GroundTerm] first. */
+internal class CompiledTest(private val test: TermTest) {
+    private val operator = (test as? TermTest.Compare)?.operator ?: Operator.EQ
+    private val values: Set<GroundTerm> = when (test) {
+        is TermTest.Compare -> setOf(test.value)
+        is TermTest.OneOf -> test.values
+        is TermTest.Matches -> emptySet()
     }
     private val atoms: Array<String> = values.mapNotNull(::plainAtom).toTypedArray()
-    private val numbers: DoubleArray = values.filterIsInstance<Value.Number>().map(Value.Number::value).toDoubleArray()
+    private val numbers: DoubleArray = values.filterIsInstance<GroundTerm.Number>().map(GroundTerm.Number::value).toDoubleArray()
 
     /** Whether the term that [text] holds from [start], where it is not blank, to [end] meets the test. Never throws. */
     fun isMetBy(text: CharSequence, start: Int, end: Int): Boolean {
-        if (test is Test.Matches) return isMetBy(ValueReader(text, start, end).readWhole())
+        if (test is TermTest.Matches) return isMetBy(GroundTermReader(text, start, end).readWhole())
         if (text[start] in 'a'..'z') {
             val wordEnd = Syntax.wordEnd(text, start, end)
             if (Syntax.skipBlanks(text, wordEnd, end) == end && !Syntax.isReserved(text, start, wordEnd)) {
@@ -80,17 +99,17 @@ internal class CompiledTest(private val test: Test) {
             }
         }
         val number = DecimalReader.plain(text, start, end)
-        return if (number.isNaN()) isMetBy(ValueReader(text, start, end).readWhole()) else decides(isANumber(number), number)
+        return if (number.isNaN()) isMetBy(GroundTermReader(text, start, end).readWhole()) else decides(isANumber(number), number)
     }
 
     /** Whether [value] meets the test; null stands for a term that is not ground and plain. */
-    fun isMetBy(value: Value?): Boolean = when {
+    fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
-        test is Test.Matches -> test.matches(value.toString())
-        else -> decides(value in values, (value as? Value.Number)?.value ?: Double.NaN)
+        test is TermTest.Matches -> test.matches(value.toString())
+        else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Whether a term meets the test that [isEqual] to one of the values or not, and is [number]: NaN, which has no order, if it is none. */
+    /** Whether a term meets the test that [isEqual] to one of the values and is [number]; NaN, which has no order, if it is none. */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual
@@ -111,6 +130,6 @@ internal class CompiledTest(private val test: Test) {
     }
 
     /** The word of an atom without quotes, negation, namespace, arguments and annotations. */
-    private fun plainAtom(value: Value): String? =
-        (value as? Value.Structure)?.predicate?.functor?.takeIf { value == Value.Structure(Predicate(it)) && it[0] != '\'' }
+    private fun plainAtom(value: GroundTerm): String? =
+        (value as? GroundTerm.Structure)?.predicate?.functor?.takeIf { value == GroundTerm.Structure(Predicate(it)) && it[0] != '\'' }
 }

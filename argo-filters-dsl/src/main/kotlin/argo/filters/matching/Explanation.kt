@@ -31,7 +31,10 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         fun noFilter(percept: String) = Explanation(percept, Outcome.KEPT, null, ": there is no filter")
 
         fun noPercept(percept: String, filter: PerceptionFilter) =
-            Explanation(percept, Outcome.KEPT, null, " by filter ${filter.name}: its text is not a percept, and filters leave that to the parser")
+            kept(percept, null, filter, "its text is not a percept, and filters leave that to the parser")
+
+        private fun kept(percept: String, rule: Rule?, filter: PerceptionFilter, reason: String) =
+            Explanation(percept, Outcome.KEPT, rule, " by filter ${filter.name}: $reason")
 
         fun of(matcher: PerceptMatcher, percept: PerceptText): Explanation {
             val critical = matcher.criticalRules(percept).firstOrNull()
@@ -45,12 +48,13 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
 
         private fun critical(matcher: PerceptMatcher, percept: PerceptText, met: CriticalRule): Explanation {
             val number = matcher.filter.critical.indexOfFirst { it === met } + 1
-            return Explanation("$percept", Outcome.KEPT, met.rule, " by filter ${matcher.filter.name}: critical rule $number meets it: $met")
+            return kept("$percept", met.rule, matcher.filter, "critical rule $number meets it: $met")
         }
 
         fun heldBack(matcher: PerceptMatcher, percept: PerceptText, hold: Hold<*>, nowMs: Long): Explanation {
             val time = " for another ${hold.dueMs - nowMs} ms by filter ${matcher.filter.name}"
-            return Explanation("$percept", Outcome.HELD_BACK, hold.rule.rule, "$time: ${met(matcher, hold.rule)}; ${hold.lastPercept} stands for it")
+            val reason = "$time: ${met(matcher, hold.rule)}; ${hold.lastPercept} stands for it"
+            return Explanation("$percept", Outcome.HELD_BACK, hold.rule.rule, reason)
         }
 
         private fun met(matcher: PerceptMatcher, rule: CompiledRule) = "${numbered(matcher, rule)} meets it: ${rule.rule}"

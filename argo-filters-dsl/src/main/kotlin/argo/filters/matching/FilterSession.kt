@@ -23,8 +23,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     /**
      * Makes [filter] the active one from the next perception on; null: none.
      *
-     * A filter that freezes keeps those percepts of the last perception that it hides: they are delivered with every perception until another
-     * change, or until a percept that differs from them in numbers only is let through. What rates held back is forgotten.
+     * A filter that freezes keeps those percepts of the last perception that it hides: they are delivered with every perception until
+     * another change, or until a percept that differs from them in numbers only is let through. What rates held back is forgotten.
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.matcher()
@@ -92,10 +92,10 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     private fun hiddenBy(next: PerceptMatcher): Map<String, P> =
-        last.kept.filter { next.drops(textOf(it)) }.associateBy { PerceptText(textOf(it)).key(RateMemory.ANY_NUMBER) }
+        last.kept.filter { next.drops(textOf(it)) }.associateBy { perceptIn(textOf(it)).key(RateMemory.ANY_NUMBER) }
 
     private fun stillFrozen(passed: List<P>): Collection<P> {
-        frozen = frozen - passed.mapNotNull { PerceptText(textOf(it)).takeIf(PerceptText::isPercept)?.key(RateMemory.ANY_NUMBER) }.toSet()
+        frozen = frozen - passed.mapNotNull { perceptIn(textOf(it)).takeIf(PerceptText::isPercept)?.key(RateMemory.ANY_NUMBER) }.toSet()
         return frozen.values
     }
 

@@ -26,7 +26,7 @@ class PerceptMatcher internal constructor(
      */
     @JvmOverloads
     fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean {
-        val found = PerceptText(percept, start, end)
+        val found = perceptIn(percept, start, end)
         if (!found.isPercept) return false
         var isMet = false
         for (rule in found.rulesIn(index)) {
@@ -50,7 +50,7 @@ class PerceptMatcher internal constructor(
     fun explain(percept: String): Explanation =
         percept(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept, filter)
 
-    internal fun percept(text: String): PerceptText? = PerceptText(text).takeIf { it.isPercept }
+    internal fun percept(text: String): PerceptText? = perceptIn(text).takeIf { it.isPercept }
 
     internal fun criticalRules(percept: PerceptText): List<CriticalRule> {
         val index = criticalIndex ?: return emptyList()

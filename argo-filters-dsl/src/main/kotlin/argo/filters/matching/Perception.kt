@@ -7,11 +7,11 @@ import java.util.Collections
  * What an agent perceives of one picture of its world. The lists cannot be changed.
  *
  * @property received the percepts of the picture, as they came
- * @property kept the percepts that the agent perceives: in the order of [received] those that passed and, for each that is held back, the one
- * of its kind that was let through last; frozen percepts follow
+ * @property kept the percepts that the agent perceives: in the order of [received] those that passed and, for each that is held back,
+ * the one of its kind that was let through last; frozen percepts follow
  * @property seen those of [kept] that are in [received] and passed: no stand-ins, no frozen ones
  * @property critical the percepts of [received] that critical rules meet, once for each such rule
- * @property nextDueMs when the next percept that is held back is to be delivered, in the milliseconds of the caller's clock; null: none is held back
+ * @property nextDueMs when the next percept that is held back is to be delivered, in milliseconds of the caller's clock; null: none is
  */
 class Perception<P> internal constructor(
     val received: List<P>,

@@ -23,8 +23,8 @@ internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, private val last
 /**
  * What the rates of a filter's rules remember: the percept that each let through last, for each percept up to its numbers.
  *
- * Bounded: of a board that sends percepts of more kinds than [CAPACITY], those that came longest ago are forgotten and let through anew, and
- * percepts longer than [MAX_LENGTH] characters are not remembered, so never held back.
+ * Bounded: of a board that sends percepts of more kinds than [CAPACITY], those that came longest ago are forgotten and let through
+ * anew, and percepts longer than [MAX_LENGTH] characters are not remembered, so never held back.
  */
 internal class RateMemory<P>(filter: PerceptionFilter?) {
     private data class Key(val rule: CompiledRule, val percept: String)

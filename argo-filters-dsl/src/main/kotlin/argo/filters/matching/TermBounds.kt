@@ -14,6 +14,21 @@ internal object TermBounds {
     const val NO_TAIL = -1L
     private const val MAX_DEPTH = 256
 
+    /** The end of the functor that starts at [start] if it is a word, no reserved one, with arguments or nothing behind it; else [NONE]. */
+    fun plainFunctorEnd(text: CharSequence, start: Int, end: Int): Int {
+        if (start >= end || text[start] !in 'a'..'z') return NONE
+        val wordEnd = Syntax.wordEnd(text, start, end)
+        val isPlain = (wordEnd == end || text[wordEnd] == '(') && !Syntax.isReserved(text, start, wordEnd)
+        return if (isPlain) wordEnd else NONE
+    }
+
+    /** [tail] for the functor from [start] to [functorEnd], which may be [NONE]. Behind truth values stands nothing. */
+    fun tailOf(text: CharSequence, start: Int, functorEnd: Int, end: Int): Long {
+        if (functorEnd < 0) return NO_TAIL
+        val tail = tail(text, functorEnd, end)
+        return if (tail == end.toLong() || !Syntax.isTruthValue(text, start, functorEnd)) tail else NO_TAIL
+    }
+
     /**
      * What follows a functor that ends at [functorEnd]: the arity and where the annotations open, which [arity] and [annotations] take
      * apart, or [NO_TAIL] if the text up to [end] is no percept.
@@ -39,15 +54,12 @@ internal object TermBounds {
     /** Where the bracket of the annotations opens; the end of the text if there are none. */
     fun annotations(tail: Long): Int = tail.toInt()
 
-    /** Where the argument at [index] starts, after blanks, given that the functor ends at [functorEnd] and that there is such an argument. */
+    /** Where the argument at [index], which there is, starts after blanks, given that the functor ends at [functorEnd]. */
     fun argument(text: CharSequence, functorEnd: Int, end: Int, index: Int): Int {
         var start = Syntax.skipBlanks(text, Syntax.skipBlanks(text, functorEnd, end) + 1, end)
         repeat(index) { start = Syntax.skipBlanks(text, partEnd(text, start, end, ')') + 1, end) }
         return start
     }
-
-    /** Where the annotation starts that follows the bracket or comma at [before], after blanks; a closing bracket if none follows. */
-    fun annotation(text: CharSequence, before: Int, end: Int): Int = Syntax.skipBlanks(text, before + 1, end)
 
     /** The comma or [close] that ends the part which starts at [start], or [NONE] if there is none or the part is empty. */
     fun partEnd(text: CharSequence, start: Int, end: Int, close: Char): Int {

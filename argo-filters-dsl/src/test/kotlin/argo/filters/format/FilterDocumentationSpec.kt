@@ -1,8 +1,8 @@
 package argo.filters.format
 
 import argo.filters.Compilation
+import argo.filters.dropFilter
 import argo.filters.matching.matcher
-import argo.filters.perceptionFilter
 import argo.filters.xml
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.StringSpec
@@ -17,7 +17,7 @@ import org.jetbrains.kotlin.cli.common.ExitCode
 class FilterDocumentationSpec : StringSpec({
     val page = generateSequence(File("").absoluteFile) { it.parentFile }.map { it.resolve("docs/filters.md") }.first { it.exists() }.readText()
     fun blocks(language: String) = Regex("```$language\\n(.*?)```", RegexOption.DOT_MATCHES_ALL).findAll(page).map { it.groupValues[1] }.toList().also { it.shouldNotBeEmpty() }
-    val frontDistance = perceptionFilter("frontDistance") {
+    val frontDistance = dropFilter("frontDistance") {
         drop("temperature")
         drop("light")
         drop("distance") { argument(0) ne "front" }
@@ -45,11 +45,11 @@ class FilterDocumentationSpec : StringSpec({
         val rows = row.findAll(page).toList()
         rows.size shouldBe 5
         val kotlin = listOf(
-            perceptionFilter("f") { drop("d") { argument(0) ne "front" } },
-            perceptionFilter("f") { drop("d") { annotation("q") lt 0.5 } },
-            perceptionFilter("f") { drop("d") { hasAnnotation("urgent") } },
-            perceptionFilter("f") { drop("d") { annotation("q") { gt(0); lt(1) } } },
-            perceptionFilter("f") { drop("d") { argument(1) deadband 5 } },
+            dropFilter("f") { drop("d") { argument(0) ne "front" } },
+            dropFilter("f") { drop("d") { annotation("q") lt 0.5 } },
+            dropFilter("f") { drop("d") { hasAnnotation("urgent") } },
+            dropFilter("f") { drop("d") { annotation("q") { gt(0); lt(1) } } },
+            dropFilter("f") { drop("d") { argument(1) deadband 5 } },
         )
         rows.zip(kotlin).forEach { (row, expected) ->
             val (inXml, inJson) = row.destructured

@@ -3,20 +3,20 @@ package argo.filters.format
 import argo.filters.AnyTerm
 import argo.filters.Condition
 import argo.filters.CriticalRule
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
 import argo.filters.RuleConditions
 import argo.filters.RuleList
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
+import argo.filters.dropFilter
 import argo.filters.filters
 import argo.filters.jason.perceptText
-import argo.filters.keepingFilter
+import argo.filters.keepFilter
 import argo.filters.matching.FilterSession
 import argo.filters.matching.matcher
 import argo.filters.perceptTexts
-import argo.filters.perceptionFilter
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.core.spec.style.stringSpec
 import io.kotest.matchers.collections.shouldContainExactly
@@ -56,10 +56,10 @@ private fun parity(form: Form) = stringSpec {
 
 /** A filter rewritten in Kotlin's words, as a person would write it. */
 private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
-    fun AnyTerm.say(test: Test) = when (test) {
-        is Test.Compare -> compare(test)
-        is Test.OneOf -> isIn(test.values)
-        is Test.Matches -> matches(test.pattern)
+    fun AnyTerm.say(test: TermTest) = when (test) {
+        is TermTest.Compare -> compare(test)
+        is TermTest.OneOf -> isIn(test.values)
+        is TermTest.Matches -> matches(test.pattern)
     }
     fun RuleConditions.say(rule: Rule) {
         rule.arity?.let(::arity)
@@ -79,19 +79,19 @@ private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
         }
     }
     return when (filter.mode) {
-        PerceptionFilter.Mode.DROP -> perceptionFilter(filter.name, filter.onSwitch) {
+        PerceptionFilter.Mode.DROP -> dropFilter(filter.name, filter.onSwitch) {
             filter.rules.forEach { rule -> drop("${rule.predicate}") { say(rule) } }
             sayCritical()
         }
-        PerceptionFilter.Mode.KEEP -> keepingFilter(filter.name, filter.onSwitch) {
+        PerceptionFilter.Mode.KEEP -> keepFilter(filter.name, filter.onSwitch) {
             filter.rules.forEach { rule -> keep("${rule.predicate}") { say(rule) } }
             sayCritical()
         }
     }
 }
 
-private fun AnyTerm.compare(test: Test.Compare) {
-    val number = (test.value as? Value.Number)?.value
+private fun AnyTerm.compare(test: TermTest.Compare) {
+    val number = (test.value as? GroundTerm.Number)?.value
     when (test.operator) {
         Operator.EQ -> if (number != null) eq(number) else eq("${test.value}")
         Operator.NE -> if (number != null) ne(number) else ne("${test.value}")
@@ -121,7 +121,7 @@ class FilterParitySpec : StringSpec({
     }
 
     "the paper's filter is one filter in all forms" {
-        val kotlin = perceptionFilter("frontDistance") {
+        val kotlin = dropFilter("frontDistance") {
             drop("temperature")
             drop("light")
             drop("distance") { argument(0) ne "front" }

@@ -4,7 +4,7 @@ import argo.filters.FilterNotFoundException
 import argo.filters.FilterProvider
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.perceptionFilter
+import argo.filters.dropFilter
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.engine.spec.tempdir
@@ -25,15 +25,15 @@ class DayFilters : FilterProvider {
 }
 
 private object TopLevel {
-    val filter = perceptionFilter("lazy") { drop("Dist") }
+    val filter = dropFilter("lazy") { drop("Dist") }
 }
 
 class EarlyMistake : FilterProvider {
-    override val filters = listOf(perceptionFilter("early") { drop("Dist") })
+    override val filters = listOf(dropFilter("early") { drop("Dist") })
 }
 
 class LateMistake : FilterProvider {
-    override val filters get() = listOf(perceptionFilter("late") { drop("Dist") })
+    override val filters get() = listOf(dropFilter("late") { drop("Dist") })
 }
 
 class MistakeElsewhere : FilterProvider {

@@ -2,11 +2,11 @@ package argo.filters.format
 
 import argo.filters.Condition
 import argo.filters.FilterException
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 import argo.filters.filters
 import argo.filters.rule
 import io.kotest.assertions.throwables.shouldThrow
@@ -27,7 +27,7 @@ class JsonFiltersSpec : FreeSpec({
     "it is written for people too" {
         val filter = PerceptionFilter(
             "f", Rule("temperature"),
-            Rule("distance", Condition.Argument(0, Test.Compare(Operator.NE, Value.of("front"))), Condition.Annotation("q", Test.Compare(Operator.LT, Value.of("0.5")))),
+            Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front"))), Condition.Annotation("q", TermTest.Compare(Operator.LT, GroundTerm.of("0.5")))),
         )
         JsonFilters.write(filter) shouldBe """
             {
@@ -57,13 +57,13 @@ class JsonFiltersSpec : FreeSpec({
 
     "values are Jason's terms" {
         fun value(json: String) =
-            ((JsonFilters.read("""{"rules": [{"predicate": "d", "conditions": [{"argument": 0, "value": $json}]}]}""", "f.json").rules[0].conditions[0] as Condition.Argument).test as Test.Compare).value
-        value("36") shouldBe Value.of("36")
-        value("-3.60e1") shouldBe Value.of("-36")
-        value("\"36.0\"") shouldBe Value.of("36")
-        value("\"front\"") shouldBe Value.of("front")
-        value("\"\\\"front\\u00e9\\\"\"") shouldBe Value.Text("fronté")
-        value("\"pos(1, [2])\"") shouldBe Value.of("pos(1,[2])")
+            ((JsonFilters.read("""{"rules": [{"predicate": "d", "conditions": [{"argument": 0, "value": $json}]}]}""", "f.json").rules[0].conditions[0] as Condition.Argument).test as TermTest.Compare).value
+        value("36") shouldBe GroundTerm.of("36")
+        value("-3.60e1") shouldBe GroundTerm.of("-36")
+        value("\"36.0\"") shouldBe GroundTerm.of("36")
+        value("\"front\"") shouldBe GroundTerm.of("front")
+        value("\"\\\"front\\u00e9\\\"\"") shouldBe GroundTerm.Text("fronté")
+        value("\"pos(1, [2])\"") shouldBe GroundTerm.of("pos(1,[2])")
     }
 
     "it is called as its file is, with a byte-order mark or without" {
@@ -137,7 +137,7 @@ class JsonFiltersSpec : FreeSpec({
     }
 
     "text that is not JSON is refused with its position" {
-        for ((document, position) in listOf("" to (1 to 1), "{\"rules\": [}" to (1 to 12), "{\n  \"rules\" []}" to (2 to 11), "{\"rules\": [dist]}" to (1 to 12), "{\"rules\": []} x" to (1 to 16), "{\"rules\": [],}" to (1 to 13), "{\"rules\": [{\"predicate\":\n \"d\n\"}]}" to (2 to 4))) {
+        for ((document, position) in listOf("" to (1 to 1), "{\"rules\": [}" to (1 to 12), "{\n  \"rules\" []}" to (2 to 11), "{\"rules\": [dist]}" to (1 to 16), "{\"rules\": []} x" to (1 to 16), "{\"rules\": [],}" to (1 to 14), "{\"rules\": [{\"predicate\":\n \"d\n\"}]}" to (2 to 4))) {
             withClue(document) {
                 val problem = problems(document).single()
                 problem.message shouldContain "not JSON"

@@ -2,14 +2,14 @@ package argo.filters.format
 
 import argo.filters.Condition
 import argo.filters.CriticalRule
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rate
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
+import argo.filters.dropFilter
 import argo.filters.filters
-import argo.filters.perceptionFilter
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -43,7 +43,7 @@ class KotlinFiltersSpec : FunSpec({
 
     test("the paper's filter is written as a person writes it") {
         KotlinFilters.write(
-            perceptionFilter("frontDistance") {
+            dropFilter("frontDistance") {
                 drop("temperature")
                 drop("distance") { argument(0) ne "front" }
                 drop("light") { argument(1) gt 200; everyMs(500) }
@@ -51,7 +51,7 @@ class KotlinFiltersSpec : FunSpec({
         ) shouldBe """
             import argo.filters.*
 
-            val frontDistance = perceptionFilter("frontDistance") {
+            val frontDistance = dropFilter("frontDistance") {
                 drop("temperature")
                 drop("distance") { argument(0) ne "front" }
                 drop("light") {
@@ -72,7 +72,7 @@ class KotlinFiltersSpec : FunSpec({
     }
 })
 
-private val infinite = PerceptionFilter("infinite", Rule("dist", Condition.Argument(0, Test.Compare(Operator.GT, Value.Number(Double.NEGATIVE_INFINITY)))))
+private val infinite = PerceptionFilter("infinite", Rule("dist", Condition.Argument(0, TermTest.Compare(Operator.GT, GroundTerm.Number(Double.NEGATIVE_INFINITY)))))
 
 private fun <T> Arb<T>.sampleAt(seed: Int): T = sample(RandomSource.seeded(seed.toLong())).value
 

@@ -1,11 +1,11 @@
 package argo.filters.format
 
 import argo.filters.Condition
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 import argo.filters.filters
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.StringSpec
@@ -26,12 +26,12 @@ class XmlRoundTripSpec : StringSpec({
     }
 
     "a character that XML cannot hold is refused" {
-        val filter = PerceptionFilter("f", Rule("d", Condition.Argument(0, Test.Compare(Operator.EQ, Value.Text("\u0001")))))
+        val filter = PerceptionFilter("f", Rule("d", Condition.Argument(0, TermTest.Compare(Operator.EQ, GroundTerm.Text("\u0001")))))
         shouldThrow<IllegalArgumentException> { XmlFilters.write(filter) }.message shouldContain "U+0001"
     }
 
     "it is written as the paper writes it" {
-        val filter = PerceptionFilter("frontDistance", Rule("temperature"), Rule("distance", Condition.Argument(0, Test.Compare(Operator.NE, Value.of("front")))))
+        val filter = PerceptionFilter("frontDistance", Rule("temperature"), Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front")))))
         XmlFilters.write(filter) shouldBe """
             <?xml version="1.0"?>
             <PerceptionFilter>

@@ -1,6 +1,6 @@
 package argo.filters.jason
 
-import argo.filters.perceptionFilter
+import argo.filters.dropFilter
 import argo.filters.format.XmlFilters
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -29,7 +29,7 @@ class MessageSessionSpec : StringSpec({
 
     "what stands for a held-back percept is perceived and not seen, until the other is due" {
         val session = MessageSession(::read)
-        session.switchTo(perceptionFilter("f") { drop("dist") { everyMs(100) } })
+        session.switchTo(dropFilter("f") { drop("dist") { everyMs(100) } })
         session.perceive("dist(1)", 0)
         val held = session.perceive("dist(2);light(3)", 50)
         texts(held.percepts) shouldContainExactly listOf("dist(1)", "light(3)")
@@ -43,7 +43,7 @@ class MessageSessionSpec : StringSpec({
 
     "critical percepts come with their rules, and the limit knows them" {
         val session = MessageSession(::read) { kept, critical -> (critical + kept).take(1) }
-        session.switchTo(perceptionFilter("f") { critical("dist") { argument(0) lt 15; reflex("stop") } })
+        session.switchTo(dropFilter("f") { critical("dist") { argument(0) lt 15; reflex("stop") } })
         val perception = session.perceive("light(3);dist(14)", 0)
         texts(perception.percepts) shouldContainExactly listOf("dist(14)")
         perception.critical.map { it.rule.reflex to "${it.percept}" } shouldContainExactly listOf("stop" to "dist(14)")

@@ -5,14 +5,15 @@ import argo.filters.CriticalRule
 import argo.filters.Deadband
 import argo.filters.DropRules
 import argo.filters.FilterException
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptType
 import argo.filters.PerceptionFilter
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
+import argo.filters.dropFilter
 import argo.filters.filters
 import argo.filters.format.JsonFilters
 import argo.filters.format.XmlFilters
@@ -20,7 +21,6 @@ import argo.filters.jason.perceptText
 import argo.filters.lt
 import argo.filters.matching.CriticalPercept
 import argo.filters.perceptTexts
-import argo.filters.perceptionFilter
 import argo.filters.reflex
 import argo.filters.xml
 import io.kotest.assertions.throwables.shouldThrow
@@ -40,17 +40,17 @@ private object Range : PerceptType("dist") {
 }
 
 class CriticalRuleSpec : FreeSpec({
-    val near = Rule("dist", Condition.Argument(1, Test.Compare(Operator.LT, Value.Number(15.0))))
+    val near = Rule("dist", Condition.Argument(1, TermTest.Compare(Operator.LT, GroundTerm.Number(15.0))))
     val stop = CriticalRule(near, "stop")
 
     "it is one rule in all forms" {
         val expected = PerceptionFilter("f", listOf(Rule("light")), critical = listOf(stop, CriticalRule(Rule("bump"))))
-        perceptionFilter("f") {
+        dropFilter("f") {
             critical("dist") { argument(1) lt 15; reflex("stop") }
             drop("light")
             critical("bump")
         } shouldBe expected
-        perceptionFilter("f") {
+        dropFilter("f") {
             drop("light")
             critical(Range) { cm lt 15; reflex("stop") }
             critical("bump")
@@ -129,7 +129,7 @@ class CriticalRuleSpec : FreeSpec({
     }
 
     "what makes no sense in Kotlin is refused" {
-        fun refusal(rules: DropRules.() -> Unit) = shouldThrow<IllegalArgumentException> { perceptionFilter("f", rules = rules) }.message
+        fun refusal(rules: DropRules.() -> Unit) = shouldThrow<IllegalArgumentException> { dropFilter("f", rules = rules) }.message
         refusal { critical("dist") { everyMs(5) } } shouldContain "never held back"
         refusal { critical("dist") { argument(0) deadband 5 } } shouldContain "never held back"
         refusal { critical("dist") { reflex("") } } shouldContain "empty"

@@ -2,13 +2,13 @@ package argo.filters.matching
 
 import argo.filters.Condition
 import argo.filters.Deadband
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 import argo.filters.filters
 import argo.filters.jason.perceptText
 import argo.filters.matching.Explanation.Outcome
@@ -19,7 +19,7 @@ import io.kotest.property.checkAll
 import jason.asSyntax.ASSyntax
 
 class ExplanationSpec : StringSpec({
-    val rules = listOf(Rule("light"), Rule("dist", Condition.Argument(0, Test.Compare(Operator.NE, Value.of("f")))))
+    val rules = listOf(Rule("light"), Rule("dist", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("f")))))
     val dropping = PerceptionFilter("front", rules).matcher()
     val keeping = PerceptionFilter("others", rules, PerceptionFilter.Mode.KEEP).matcher()
 
@@ -56,7 +56,7 @@ class ExplanationSpec : StringSpec({
         val keep = PerceptionFilter("k", listOf(Rule(Predicate("d"), emptyList(), 2, Rate(500, setOf(Deadband(1, 0.5))))), PerceptionFilter.Mode.KEEP, PerceptionFilter.OnSwitch.FREEZE)
         "$keep" shouldBe "filter k keeps only d where there are 2 arguments and the last one was less than 500 ms ago and argument 1 has not moved by 0.5, and freezes what it hides"
         "${PerceptionFilter("none")}" shouldBe "filter none drops nothing"
-        "${Rule("d", Condition.Annotation("q", Test.OneOf(setOf(Value.of("a"), Value.of("1"))), Test.Matches("a.*")))}" shouldBe
+        "${Rule("d", Condition.Annotation("q", TermTest.OneOf(setOf(GroundTerm.of("a"), GroundTerm.of("1"))), TermTest.Matches("a.*")))}" shouldBe
             "d where annotation q is one of a, 1 and matches a.*"
     }
 })

@@ -1,12 +1,12 @@
 package argo.filters.matching
 
 import argo.filters.Condition
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Predicate
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 import argo.filters.format.XmlFilters
 import argo.filters.jason.literalSession
 import argo.filters.rates
@@ -203,7 +203,7 @@ class FilterSessionSpec : FreeSpec({
         "a frozen percept gives way to one that differs from it in numbers only" {
             val session = Played(FilterSession.ofTexts())
             session.perceive(listOf("dist(f,227)", "dist(b,300)"), 0)
-            val far = Rule("dist", Condition.Argument(1, Test.Compare(Operator.GT, Value.of("200"))))
+            val far = Rule("dist", Condition.Argument(1, TermTest.Compare(Operator.GT, GroundTerm.of("200"))))
             session.switchTo(PerceptionFilter("near", listOf(far), onSwitch = PerceptionFilter.OnSwitch.FREEZE))
             session.perceive(listOf("dist(f,228)", "dist(b,301)"), 1) shouldContainExactly listOf("dist(f,227)", "dist(b,300)")
             session.perceive(listOf("dist(f,150)", "dist(b,301)"), 2) shouldContainExactly listOf("dist(f,150)", "dist(b,300)")

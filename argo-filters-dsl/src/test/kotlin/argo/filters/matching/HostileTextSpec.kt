@@ -1,11 +1,11 @@
 package argo.filters.matching
 
 import argo.filters.Condition
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 import argo.filters.jason.perceptText
 import argo.filters.rule
 import io.kotest.assertions.withClue
@@ -25,8 +25,8 @@ private val tokens = Arb.list(
 ).map { it.joinToString("") }
 
 class HostileTextSpec : StringSpec({
-    val anyCondition = listOf(Operator.EQ, Operator.NE).map { Rule("d", Condition.Argument(0, Test.Compare(it, Value.of("1")))) } +
-        Rule("d", Condition.Annotation("d", Test.Compare(Operator.NE, Value.of("1"))))
+    val anyCondition = listOf(Operator.EQ, Operator.NE).map { Rule("d", Condition.Argument(0, TermTest.Compare(it, GroundTerm.of("1")))) } +
+        Rule("d", Condition.Annotation("d", TermTest.Compare(Operator.NE, GroundTerm.of("1"))))
     val matcher = PerceptionFilter("any", anyCondition).matcher()
     val dropsAll = rule("d")
 
@@ -66,7 +66,7 @@ class HostileTextSpec : StringSpec({
     }
 
     "no text makes the reader of values throw, and what it reads it can write" {
-        checkAll(20_000, tokens) { text -> Value.ofOrNull(text)?.let { Value.of("$it") shouldBe it } }
-        checkAll(5_000, Arb.string(0..12)) { text -> Value.ofOrNull("\"$text\"")?.let { Value.of("$it") shouldBe it } }
+        checkAll(20_000, tokens) { text -> GroundTerm.ofOrNull(text)?.let { GroundTerm.of("$it") shouldBe it } }
+        checkAll(5_000, Arb.string(0..12)) { text -> GroundTerm.ofOrNull("\"$text\"")?.let { GroundTerm.of("$it") shouldBe it } }
     }
 })

@@ -1,11 +1,11 @@
 package argo.filters.matching
 
 import argo.filters.Condition
+import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
-import argo.filters.Test
-import argo.filters.Value
+import argo.filters.TermTest
 import argo.filters.format.XmlFilters
 import argo.filters.jason.perceptText
 import argo.filters.rule
@@ -78,6 +78,9 @@ class PerceptMatcherSpec : FreeSpec({
             Case("<annotation name='q' operator='LT'>0.5</annotation>", listOf("d(f,3)[q(0.4),source(x)]", "d[source(x),q(0.1)]", "d[q(9),q(0)]"), listOf("d(f,3)[q(0.5)]", "d(f,3)", "d[q]", "d[r(0.4)]", "d[~q(0.4)]", "d(q(0.4))")),
             Case("<anotation name='q'><limit operator='GT'>1</limit><limit operator='LT'>9</limit></anotation>", listOf("d[q(5)]"), listOf("d[q(1)]", "d[q(0),q(10)]")),
             Case("<anotation name='q' operator='GT'><limit>1</limit></anotation>", listOf("d[q(5)]"), listOf("d[q(1)]")),
+            Case("<anotation><name>q</name><limit operator='B'>2</limit></anotation>", listOf("d[q(3)]", "d[a,q(2.5)]"), listOf("d[q(2)]", "d[r(3)]", "d")),
+            Case("<anotation>\n <name> q </name>\n <limit>\n  <operator>S</operator>2</limit></anotation>", listOf("d[q(1)]"), listOf("d[q(2)]", "d")),
+            Case("<parameter><id>1</id><operator>NE</operator>a</parameter>", listOf("d(x,b)"), listOf("d(x,a)", "d(b)")),
             Case("<annotation name='q'>a</annotation>", listOf("d[q(a)]", "d[q(a,b)]"), listOf("d[q(b,a)]", "d[q]", "d[q(\"a\")]")),
             Case("<annotation name='q' operator='NE'>a</annotation>", listOf("d[q(b)]"), listOf("d[q(a)]", "d[q]", "d", "d[r(b)]")),
             Case("<annotation name='urgent'/>", listOf("d[urgent]", "d[a,urgent(1)]"), listOf("d", "d[~urgent]", "d[\"urgent\"]", "d(urgent)")),
@@ -131,7 +134,7 @@ class PerceptMatcherSpec : FreeSpec({
     }
 
     "a large filter decides as a small one" {
-        val rules = (0 until 1_000).map { Rule("sensor$it", Condition.Argument(0, Test.Compare(Operator.LT, Value.of("$it")))) }
+        val rules = (0 until 1_000).map { Rule("sensor$it", Condition.Argument(0, TermTest.Compare(Operator.LT, GroundTerm.of("$it")))) }
         val matcher = PerceptionFilter("large", rules).matcher()
         for (number in 0 until 1_000) {
             matcher.drops("sensor$number(${number - 1})") shouldBe true

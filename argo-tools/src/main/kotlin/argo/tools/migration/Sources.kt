@@ -18,4 +18,4 @@ private fun isBuilt(path: Path) = path.any { it.name in setOf("build", "target",
 internal fun kotlinFiltersIn(folders: List<Path>): Set<String> = folders.filter { it.isDirectory() }.flatMap { sourcesIn(it, setOf("kt")) }.distinct()
     .flatMap { source -> FILTER_MADE.findAll(source.readBytes().toString(Charsets.UTF_8)).map { it.groupValues[1] } }.toSet()
 
-private val FILTER_MADE = Regex("""\b(?:perceptionFilter|keepingFilter)\(\s*(?:name\s*=\s*)?"([^"]+)"""")
+private val FILTER_MADE = Regex("""\b(?:dropFilter|keepFilter)\(\s*(?:name\s*=\s*)?"([^"]+)"""")

@@ -10,7 +10,7 @@ object Dist : PerceptType("dist") {
 }
 
 /** Lets the robot see what is in front of it, and nothing else. */
-val frontOnly = keepingFilter("frontOnly") {
+val frontOnly = keepFilter("frontOnly") {
     keep(Dist) { side eq "front" }
 }
 

@@ -62,7 +62,7 @@ class FilterCommandsSpec : FunSpec({
         argo("filter", "convert", front, "--to", "json", "--out", json.path) shouldBe Said(0, "", "")
         JsonFilters.read(json.readText(), json.path) shouldBe filter
         XmlFilters.read(argo("filter", "convert", json.path, "--to", "xml").out, "back.xml") shouldBe filter
-        argo("filter", "convert", front, "--to", "kotlin").out shouldContain "val front = perceptionFilter(\"front\", OnSwitch.FREEZE) {"
+        argo("filter", "convert", front, "--to", "kotlin").out shouldContain "val front = dropFilter(\"front\", OnSwitch.FREEZE) {"
     }
 
     test("convert overwrites nothing, and says why a file cannot be read") {

@@ -12,16 +12,16 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonObject
-import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.useDirectoryEntries
 import kotlin.io.path.writeText
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 
 class MigrationSpec : FunSpec({
     val root = tempdir().toPath()
@@ -151,10 +151,10 @@ class MigrationSpec : FunSpec({
 
     test("filters that the project makes in Kotlin, or has as JSON, are there") {
         val agent = "+!s <- .change_filter(front); .change_filter(byDay); .change_filter(\"night.json\")."
-        val project = arrayOf("src/agt/a.asl" to agent, "src/main/kotlin/F.kt" to "val f = keepingFilter(\n  \"front\") { }", "src/agt/filters/night.json" to "{}")
+        val project = arrayOf("src/agt/a.asl" to agent, "src/main/kotlin/F.kt" to "val f = keepFilter(\n  \"front\") { }", "src/agt/filters/night.json" to "{}")
         advices(*project).single().what shouldContain "there is no file of the filter byDay"
         advices(*project, "src/agt/byDay.json" to "{}").shouldBeEmpty()
-        advices(*project, "build/F.kt" to "perceptionFilter(\"byDay\") { }").single().what shouldContain "byDay"
+        advices(*project, "build/F.kt" to "dropFilter(\"byDay\") { }").single().what shouldContain "byDay"
     }
 
     test("the command's exit status says whether something must change") {

@@ -15,16 +15,16 @@ enum class Operator(internal val words: String, internal val ordering: Boolean) 
  *
  * Every test is false for a term that is not ground and plain: variables, expressions, plans.
  */
-sealed interface Test {
+sealed interface TermTest {
 
     /**
      * Compares the term with [value]. The orderings hold only for numbers.
      *
      * @throws IllegalArgumentException if [operator] is an ordering and [value] is not a number
      */
-    data class Compare(val operator: Operator, val value: Value) : Test {
+    data class Compare(val operator: Operator, val value: GroundTerm) : TermTest {
         init {
-            require(!operator.ordering || value is Value.Number) { "$operator compares numbers, and '$value' is not one" }
+            require(!operator.ordering || value is GroundTerm.Number) { "$operator compares numbers, and '$value' is not one" }
         }
 
         override fun toString(): String = "${operator.words} $value"
@@ -35,7 +35,7 @@ sealed interface Test {
      *
      * @throws IllegalArgumentException if there is no value
      */
-    data class OneOf(val values: Set<Value>) : Test {
+    data class OneOf(val values: Set<GroundTerm>) : TermTest {
         init {
             require(values.isNotEmpty()) { "IN needs at least one value" }
         }
@@ -44,7 +44,7 @@ sealed interface Test {
     }
 
     /**
-     * Holds for a term whose whole text matches the regular expression [pattern]. The text is the one that [Value.toString] gives: strings
+     * Holds for a term whose whole text matches the regular expression [pattern]. The text is that of [GroundTerm.toString]: strings
      * have their quotes, structures no blanks.
      *
      * Matching takes time linear in the length of the text, whatever the pattern: it is RE2's syntax, which has no look-around and no
@@ -52,7 +52,7 @@ sealed interface Test {
      *
      * @throws IllegalArgumentException if [pattern] is no such expression, or is too large
      */
-    data class Matches(val pattern: String) : Test {
+    data class Matches(val pattern: String) : TermTest {
         init {
             require(pattern.isNotEmpty() && pattern == pattern.trim()) {
                 "the pattern '$pattern' is empty or begins or ends with a blank, which a file cannot hold there; [ ] matches one"

@@ -6,20 +6,20 @@ package argo.filters
  * Whatever is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text) gives null,
  * and so does anything nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
  */
-internal class ValueReader(private val text: CharSequence, start: Int, private val end: Int) {
+internal class GroundTermReader(private val text: CharSequence, start: Int, private val end: Int) {
     private var at = start
 
     /** The term that fills the whole region, blanks around it aside. */
-    fun readWhole(): Value? {
+    fun readWhole(): GroundTerm? {
         val value = term(0) ?: return null
         return value.takeIf { blanks() == end }
     }
 
-    private fun term(depth: Int): Value? {
+    private fun term(depth: Int): GroundTerm? {
         if (depth > MAX_DEPTH || blanks() >= end) return null
         return when (text[at]) {
             '"' -> string()
-            '[' -> list(depth)?.let(Value::Sequence)
+            '[' -> list(depth)?.let(GroundTerm::Sequence)
             '(' -> parenthesised(depth)
             '+', '-' -> signed(depth)
             in '0'..'9' -> number()
@@ -28,41 +28,41 @@ internal class ValueReader(private val text: CharSequence, start: Int, private v
         }
     }
 
-    private fun parenthesised(depth: Int): Value? {
+    private fun parenthesised(depth: Int): GroundTerm? {
         at++
         val value = term(depth + 1)
         return value.takeIf { take(')') }
     }
 
-    private fun signed(depth: Int): Value? {
+    private fun signed(depth: Int): GroundTerm? {
         val minus = text[at++] == '-'
         val value = when {
             blanks() >= end -> null
             text[at] == '(' -> parenthesised(depth)
             else -> number()
-        } as? Value.Number ?: return null
-        return if (minus) Value.Number(-value.value) else value
+        } as? GroundTerm.Number ?: return null
+        return if (minus) GroundTerm.Number(-value.value) else value
     }
 
-    private fun number(): Value? {
+    private fun number(): GroundTerm? {
         val numberEnd = Syntax.numberEnd(text, at, end)
         if (numberEnd < 0) return null
         val value = text.substring(at, numberEnd).toDouble()
         at = numberEnd
-        return Value.Number(value)
+        return GroundTerm.Number(value)
     }
 
-    private fun string(): Value? {
+    private fun string(): GroundTerm? {
         val stringEnd = Syntax.stringEnd(text, at, end)
         if (stringEnd < 0) return null
-        val value = Value.Text.unescape(text.substring(at + 1, stringEnd - 1))
+        val value = GroundTerm.Text.unescape(text.substring(at + 1, stringEnd - 1))
         at = stringEnd
-        return Value.Text(value)
+        return GroundTerm.Text(value)
     }
 
-    private fun list(depth: Int): List<Value>? {
+    private fun list(depth: Int): List<GroundTerm>? {
         at++
-        val items = ArrayList<Value>()
+        val items = ArrayList<GroundTerm>()
         if (take(']')) return items
         do items += term(depth + 1) ?: return null while (take(','))
         if (take('|')) {
@@ -72,16 +72,16 @@ internal class ValueReader(private val text: CharSequence, start: Int, private v
         return items.takeIf { take(']') }
     }
 
-    private fun structure(depth: Int): Value? {
+    private fun structure(depth: Int): GroundTerm? {
         val predicate = predicate() ?: return null
-        if (predicate.functor in Syntax.TRUTH_VALUES) return Value.Structure(predicate)
+        if (predicate.functor in Syntax.TRUTH_VALUES) return GroundTerm.Structure(predicate)
         val arguments = if (take('(')) terms(depth, ')') ?: return null else emptyList()
         val annotations = if (blanks() < end && text[at] == '[') list(depth) ?: return null else emptyList()
-        return Value.Structure(predicate, arguments, annotations.toSet())
+        return GroundTerm.Structure(predicate, arguments, annotations.toSet())
     }
 
-    private fun terms(depth: Int, close: Char): List<Value>? {
-        val terms = ArrayList<Value>()
+    private fun terms(depth: Int, close: Char): List<GroundTerm>? {
+        val terms = ArrayList<GroundTerm>()
         do terms += term(depth + 1) ?: return null while (take(','))
         return terms.takeIf { take(close) }
     }

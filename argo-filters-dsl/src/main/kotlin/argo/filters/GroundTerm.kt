@@ -6,10 +6,10 @@ package argo.filters
  * Values are equal as Jason's terms are: `36` and `36.0` are one number, the atom `front` and the string `"front"` are two things.
  * `toString` gives text that [of] reads back to an equal value.
  */
-sealed interface Value {
+sealed interface GroundTerm {
 
     /** A number. Jason's numbers are doubles. */
-    class Number(value: Double) : Value {
+    class Number(value: Double) : GroundTerm {
         /** The number itself; never NaN, and never the negative zero, which Jason does not tell from zero. */
         val value: Double = value + 0.0
 
@@ -35,12 +35,13 @@ sealed interface Value {
     /**
      * A string.
      *
-     * @property text what stands between the quotes once Jason has read it: `\n` and `\"` are resolved, every other escape is kept as written
+     * @property text what stands between the quotes once Jason has read it: `\n` and `\"` are resolved, other escapes kept as written
      */
-    data class Text(val text: String) : Value {
+    data class Text(val text: String) : GroundTerm {
         init {
             require(isWritable(text)) {
-                "Jason cannot write the string ${write(text)}: a backslash in it stands before one of n t b r f \\ ' \" 0-7, and \\n is a line break"
+                "Jason cannot write the string ${write(text)}: " +
+                    "a backslash in it stands before one of n t b r f \\ ' \" 0-7, and \\n is a line break"
             }
         }
 
@@ -57,25 +58,28 @@ sealed interface Value {
 
             private fun isWritable(text: String): Boolean {
                 val written = write(text)
-                return Syntax.stringEnd(written, 0, written.length) == written.length && unescape(written.substring(1, written.length - 1)) == text
+                return Syntax.stringEnd(written, 0, written.length) == written.length &&
+                    unescape(written.substring(1, written.length - 1)) == text
             }
         }
     }
 
     /** A list. */
-    data class Sequence(val items: List<Value>) : Value {
+    data class Sequence(val items: List<GroundTerm>) : GroundTerm {
         override fun toString(): String = items.joinToString(",", "[", "]")
     }
 
     /** An atom, if it has no arguments, or a structure; its annotations have no order. */
     data class Structure(
         val predicate: Predicate,
-        val arguments: List<Value> = emptyList(),
-        val annotations: Set<Value> = emptySet(),
-    ) : Value {
+        val arguments: List<GroundTerm> = emptyList(),
+        val annotations: Set<GroundTerm> = emptySet(),
+    ) : GroundTerm {
         init {
             val functor = predicate.functor
-            require(!Syntax.isDotted(functor, 0, functor.length)) { "'$functor' is an internal action or a function to Jason, and no value" }
+            require(!Syntax.isDotted(functor, 0, functor.length)) {
+                "'$functor' is an internal action or a function to Jason, and no value"
+            }
             require(functor !in Syntax.TRUTH_VALUES || arguments.isEmpty() && annotations.isEmpty()) {
                 "'$functor' has neither arguments nor annotations in Jason"
             }
@@ -84,7 +88,7 @@ sealed interface Value {
         override fun toString(): String = buildString {
             append(predicate)
             if (arguments.isNotEmpty()) arguments.joinTo(this, ",", "(", ")")
-            if (annotations.isNotEmpty()) annotations.map(Value::toString).sorted().joinTo(this, ",", "[", "]")
+            if (annotations.isNotEmpty()) annotations.map(GroundTerm::toString).sorted().joinTo(this, ",", "[", "]")
         }
     }
 
@@ -94,10 +98,10 @@ sealed interface Value {
          *
          * @throws IllegalArgumentException if [text] is none; the message says what is wrong with it
          */
-        fun of(text: String): Value = requireNotNull(ofOrNull(text)) { explain(text) }
+        fun of(text: String): GroundTerm = requireNotNull(ofOrNull(text)) { explain(text) }
 
         /** As [of], or null. Variables, expressions and plans are no values. */
-        fun ofOrNull(text: CharSequence): Value? = ValueReader(text, 0, text.length).readWhole()
+        fun ofOrNull(text: CharSequence): GroundTerm? = GroundTermReader(text, 0, text.length).readWhole()
 
         private fun explain(text: String): String {
             val trimmed = text.trim()

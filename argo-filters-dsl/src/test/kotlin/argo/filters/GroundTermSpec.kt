@@ -7,37 +7,37 @@ import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.property.checkAll
 
-class ValueSpec : StringSpec({
-    "what a value writes is read back to it" { checkAll(5_000, values()) { Value.of("$it") shouldBe it } }
+class GroundTermSpec : StringSpec({
+    "what a value writes is read back to it" { checkAll(5_000, values()) { GroundTerm.of("$it") shouldBe it } }
 
     "numbers are equal by what they are, not by how they are written" {
-        for (written in listOf("36.0", "3.6e1", " 36", "+36", "360e-1", "036")) Value.of(written) shouldBe Value.of("36")
-        Value.of("-0.0") shouldBe Value.of("0")
-        Value.of("-0.0").hashCode() shouldBe Value.of("0").hashCode()
+        for (written in listOf("36.0", "3.6e1", " 36", "+36", "360e-1", "036")) GroundTerm.of(written) shouldBe GroundTerm.of("36")
+        GroundTerm.of("-0.0") shouldBe GroundTerm.of("0")
+        GroundTerm.of("-0.0").hashCode() shouldBe GroundTerm.of("0").hashCode()
     }
 
-    "a string is not the atom of the same text" { Value.of("\"front\"") shouldNotBe Value.of("front") }
+    "a string is not the atom of the same text" { GroundTerm.of("\"front\"") shouldNotBe GroundTerm.of("front") }
 
-    "annotations have no order" { Value.of("a[b,c]") shouldBe Value.of("a[c,b,c]") }
+    "annotations have no order" { GroundTerm.of("a[b,c]") shouldBe GroundTerm.of("a[c,b,c]") }
 
     "what is no ground term is refused with what is wrong" {
         for ((written, words) in listOf("" to "missing", "Front" to "variable", "_x" to "variable", "a b" to "not a value", "1d" to "not a value", "0x10" to "not a value", "a+b" to "not a value", "[a|T]" to "not a value", "\"x" to "not a value")) {
-            shouldThrow<IllegalArgumentException> { Value.of(written) }.message shouldContain words
+            shouldThrow<IllegalArgumentException> { GroundTerm.of(written) }.message shouldContain words
         }
     }
 
     "a string that Jason cannot write is refused" {
-        for (text in listOf("\\", "a\\", "\\x", "\r", "\\n")) shouldThrow<IllegalArgumentException> { Value.Text(text) }
+        for (text in listOf("\\", "a\\", "\\x", "\r", "\\n")) shouldThrow<IllegalArgumentException> { GroundTerm.Text(text) }
     }
 
     "a structure that Jason cannot write is refused" {
-        shouldThrow<IllegalArgumentException> { Value.Structure(Predicate("true"), listOf(Value.of("1"))) }
-        shouldThrow<IllegalArgumentException> { Value.Structure(Predicate("math.abs"), listOf(Value.of("1"))) }
+        shouldThrow<IllegalArgumentException> { GroundTerm.Structure(Predicate("true"), listOf(GroundTerm.of("1"))) }
+        shouldThrow<IllegalArgumentException> { GroundTerm.Structure(Predicate("math.abs"), listOf(GroundTerm.of("1"))) }
         shouldThrow<IllegalArgumentException> { Predicate("a", namespace = "this_ns") }
     }
 
     "an ordering needs a number" {
-        shouldThrow<IllegalArgumentException> { Test.Compare(Operator.GT, Value.of("front")) }.message shouldContain "'front' is not one"
+        shouldThrow<IllegalArgumentException> { TermTest.Compare(Operator.GT, GroundTerm.of("front")) }.message shouldContain "'front' is not one"
     }
 
     "a predicate is written as it is read" {
