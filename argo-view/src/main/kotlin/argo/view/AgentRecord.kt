@@ -4,90 +4,106 @@ import argo.filters.PerceptionFilter
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
 import argo.observing.IssuedCommand
+import argo.observing.ObservedAgent
 import argo.observing.PerceivedMessage
-import java.util.concurrent.ConcurrentHashMap
-import java.util.concurrent.atomic.AtomicLong
+import java.util.concurrent.locks.ReentrantLock
+import java.util.logging.Logger
+import kotlin.concurrent.withLock
 
 /**
- * What has happened to an agent lately, kept for its view. What is kept is bounded, however much happens.
+ * Records what has happened to [agent] lately, for its view. What is kept is bounded, however much happens.
  *
- * Safe for use by several threads; the threads of the agent leave a note and go on.
- *
- * @param nanos a clock in ns that never goes back
+ * Safe for use by several threads; the lock is held for no longer than a note takes.
  */
-internal class AgentRecord(private val beliefs: BeliefWatch, private val nanos: () -> Long) : AgentObserver {
-    /** The agent's commands. */
-    val commands = CommandRecord(nanos)
+internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : AgentObserver {
+    /** What the agent believes. */
+    val beliefs = BeliefWatch(agent::beliefs, log, agent::nanos)
 
-    /** What its boards said. */
-    val frames = FrameRecord()
-
-    private val portChanges = ConcurrentHashMap<String, PortChange>()
-    private val changes = AtomicLong()
-    private val handOvers = AtomicLong()
-    private val cycles = AtomicLong()
-
-    /** The active filter. */
-    @Volatile
-    var filter: PerceptionFilter? = null
-        private set
-
-    /** When the agent last perceived a message. */
-    @Volatile
-    var lastHandOver: HandedOver? = null
-        private set
+    private val lock = ReentrantLock()
+    private val commands = CommandRecord()
+    private val portChanges = HashMap<String, PortChange>()
+    private val unseen = ArrayDeque<PerceivedMessage>()
+    private var lastReceived: Long? = null
+    private var filter: PerceptionFilter? = null
+    private var lastPerception: Perception? = null
+    private var counts = Counts(0, 0, 0, 0)
+    private var changes = 0L
 
     /** Another number after each event but the end of a cycle. */
-    val version: Long get() = changes.get()
+    val version: Long get() = lock.withLock { changes }
 
-    /** What has happened so far, counted. */
-    fun counts() = Counts(frames.count, handOvers.get(), commands.count, cycles.get())
+    /** All that is recorded at [now]. [Recorded.unseen] are the messages since the last call. */
+    fun take(now: Long): Recorded = lock.withLock {
+        val counted = counts.copy(commands = commands.count)
+        Recorded(counted, filter, lastPerception, unseen.toList(), portChanges.toMap(), commands.state(now)).also { unseen.clear() }
+    }
 
-    /** How [port] came into the state it is in; null: not known. */
-    fun changeOf(port: String): PortChange? = portChanges[port]
-
-    override fun messageFiltered(message: PerceivedMessage) = changing { frames.add(message) }
+    override fun messageFiltered(message: PerceivedMessage) = changing {
+        if (message.receivedNanos != lastReceived) counts = counts.copy(frames = counts.frames + 1)
+        lastReceived = message.receivedNanos
+        if (unseen.size == MAX_UNSEEN) unseen.removeFirst()
+        unseen += message
+    }
 
     override fun messagePerceived(message: PerceivedMessage) = changing {
-        handOvers.incrementAndGet()
-        val now = nanos()
-        lastHandOver = HandedOver(now, now - message.receivedNanos)
+        counts = counts.copy(handOvers = counts.handOvers + 1)
+        val now = agent.nanos()
+        lastPerception = Perception(now, now - message.receivedNanos)
     }
 
     override fun commandIssued(command: IssuedCommand) = changing { commands.issued(command) }
 
-    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = changing { commands.ended(command, failure) }
+    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =
+        changing { commands.ended(command, failure, agent.nanos()) }
 
     override fun portChanged(port: String, status: String, reason: String?) = changing {
-        if (portChanges.size < MOST_PORTS) portChanges[port] = PortChange(status, reason?.let(::shown), nanos())
+        if (portChanges.size < MAX_PORTS) portChanges[port] = PortChange(status, reason?.let(::shown), agent.nanos())
     }
 
     override fun filterChanged(filter: PerceptionFilter?) = changing { this.filter = filter }
 
     override fun cycleFinished() {
-        cycles.incrementAndGet()
+        lock.withLock { counts = counts.copy(cycles = counts.cycles + 1) }
         beliefs.cycleFinished()
     }
 
     /** There is nothing to give back. */
     override fun close() = Unit
 
-    private inline fun changing(event: () -> Unit) {
+    private inline fun changing(event: () -> Unit) = lock.withLock {
         event()
-        changes.incrementAndGet()
+        changes++
+        Unit
     }
-
-    /** A port came into the state [status] at [nanos]. */
-    data class PortChange(val status: String, val reason: String?, val nanos: Long)
-
-    /** A message was perceived at [nanos], [delayNanos] after its last byte. */
-    data class HandedOver(val nanos: Long, val delayNanos: Long)
 
     private companion object {
         /** As many names as ports can have states, twice. */
-        const val MOST_PORTS = 256
+        const val MAX_PORTS = 256
+
+        /** As many as a board that sends its percepts one by one says in a tenth of a second at 115200 baud. */
+        const val MAX_UNSEEN = 64
     }
 }
 
-/** How many messages came, were handed to the agent, how many commands were done or failed, and how many cycles there were. */
+/**
+ * What a record holds.
+ *
+ * @property ports how the ports came into their states, by their names
+ */
+internal class Recorded(
+    val counts: Counts,
+    val filter: PerceptionFilter?,
+    val lastPerception: Perception?,
+    val unseen: List<PerceivedMessage>,
+    val ports: Map<String, PortChange>,
+    val commands: CommandsState,
+)
+
+/** A port came into the state [status] at [nanos]. */
+internal class PortChange(val status: String, val reason: String?, val nanos: Long)
+
+/** A message was perceived at [nanos], [delayNanos] after its last byte. */
+internal class Perception(val nanos: Long, val delayNanos: Long)
+
+/** How many messages came and were perceived, how many commands were done or failed, and how many cycles there were. */
 internal data class Counts(val frames: Long, val handOvers: Long, val commands: Long, val cycles: Long)

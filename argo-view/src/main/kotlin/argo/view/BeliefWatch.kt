@@ -3,6 +3,7 @@ package argo.view
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.bb.BeliefBase
+import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
@@ -52,9 +53,10 @@ internal class BeliefWatch(private val beliefs: () -> BeliefBase, private val lo
 
     private fun picture(): Picture? = try {
         val base = beliefs()
-        val perceived = base.percepts.asSequence().take(MOST_OF_A_KIND)
-        val (hidden, others) = base.asSequence().take(MOST_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }.partition { it.hasAnnot(HIDDEN) }
-        Picture(nanos(), base.size() - hidden.size, (others.take(MOST_OF_A_KIND) + perceived).map(::belief))
+        val perceived = base.percepts.asSequence().take(MAX_OF_A_KIND)
+        val (hidden, others) = base.asSequence().take(MAX_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }
+            .partition { it.hasAnnot(HIDDEN) }
+        Picture(nanos(), base.size() - hidden.size, (others.take(MAX_OF_A_KIND) + perceived).map(::belief))
     } catch (changed: RuntimeException) { // a belief base of the project's own, or one that another thread changes: its agent must go on
         if (!hasFailed) log.warning("the live view cannot read the belief base: $changed")
         hasFailed = true
@@ -72,9 +74,9 @@ internal class BeliefWatch(private val beliefs: () -> BeliefBase, private val lo
 
     companion object {
         /** The least time between two pictures, in ns. */
-        const val INTERVAL_NANOS = 100_000_000L
+        val INTERVAL_NANOS: Long = TimeUnit.MILLISECONDS.toNanos(100)
         private val HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector") // Jason's own rules
-        private const val MOST_OF_A_KIND = 150
-        private const val MOST_LOOKED_AT = 5000
+        private const val MAX_OF_A_KIND = 150
+        private const val MAX_LOOKED_AT = 5000
     }
 }

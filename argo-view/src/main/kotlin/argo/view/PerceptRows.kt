@@ -1,9 +1,10 @@
 package argo.view
 
 import argo.observing.PerceivedMessage
+import java.util.concurrent.TimeUnit
 
 /**
- * What each sensor said last. Percepts that differ in numbers only are one sensor's, and a sensor that has said nothing for
+ * The last percept of each sensor. Percepts that differ in numbers only are one sensor's, and a sensor without a percept for
  * [FORGOTTEN_NANOS] ns is forgotten. Not safe for use by several threads.
  */
 internal class PerceptRows {
@@ -23,7 +24,7 @@ internal class PerceptRows {
         val kept = message.kept.toHashSet()
         val standIns = (kept - message.texts.toSet()).mapTo(HashSet(), ::shape)
         val seen = HashMap<String, Int>()
-        for (text in message.texts.take(MOST_ROWS)) {
+        for (text in message.texts.take(MAX_ROWS)) {
             val shape = shape(text)
             val key = "${shown(shape)} ${seen.merge(shape, 1, Int::plus)}"
             val before = rows[key]
@@ -31,8 +32,8 @@ internal class PerceptRows {
             val since = if (before?.text == words) before.sinceNanos else message.receivedNanos
             rows[key] = Row(words, fate(text, message.unreadable, kept, shape in standIns), message.receivedNanos, since)
         }
-        more = maxOf(0, message.texts.size - MOST_ROWS)
-        while (rows.size > MOST_ROWS) rows.remove(rows.minBy { it.value.seenNanos }.key)
+        more = maxOf(0, message.texts.size - MAX_ROWS)
+        while (rows.size > MAX_ROWS) rows.remove(rows.minBy { it.value.seenNanos }.key)
     }
 
     private fun fate(text: String, unreadable: Set<String>, kept: Set<String>, isStoodFor: Boolean) = when {
@@ -42,7 +43,7 @@ internal class PerceptRows {
         else -> "dropped"
     }
 
-    /** All rows at [now], in the order in which the sensors were first heard, and how many are left out. */
+    /** All rows at [now], in the order of the sensors' first percepts, and how many are left out. */
     fun state(now: Long): Pair<List<PerceptState>, Int> {
         rows.values.removeIf { now - it.seenNanos > FORGOTTEN_NANOS }
         return rows.map { (key, row) -> PerceptState(key, row.text, row.fate, ms(now - row.seenNanos), ms(now - row.sinceNanos)) } to more
@@ -51,9 +52,9 @@ internal class PerceptRows {
     private class Row(val text: String, val fate: String, val seenNanos: Long, val sinceNanos: Long)
 
     companion object {
-        /** For how long a sensor is shown that says nothing any more, in ns. */
-        const val FORGOTTEN_NANOS = 10_000_000_000L
-        private const val MOST_ROWS = 200
+        /** For how long a sensor without a new percept is shown, in ns. */
+        val FORGOTTEN_NANOS: Long = TimeUnit.SECONDS.toNanos(10)
+        private const val MAX_ROWS = 200
         private val NUMBER = Regex("""(?<!\w)[-+]?\d+(\.\d+)?([eE][-+]?\d+)?""")
 
         private fun shape(percept: String) = percept.replace(NUMBER, "#")

@@ -1,5 +1,7 @@
 package argo.view
 
+import java.util.concurrent.TimeUnit
+
 /** How often things happen, measured over the last [WINDOW_NANOS] ns. Not safe for use by several threads. */
 internal class RateMeter {
     private val samples = ArrayDeque<Pair<Long, Counts>>()
@@ -10,13 +12,13 @@ internal class RateMeter {
         while (samples.size > 2 && now - samples[1].first >= WINDOW_NANOS) samples.removeFirst()
         val (begin, before) = samples.first()
         val seconds = (now - begin) / 1e9
-        if (now - begin < LEAST_NANOS) return null
+        if (now - begin < MIN_NANOS) return null
         fun rate(count: (Counts) -> Long) = (count(counts) - count(before)) / seconds
         return Rates(rate(Counts::frames), rate(Counts::handOvers), rate(Counts::commands), rate(Counts::cycles))
     }
 
     private companion object {
-        const val WINDOW_NANOS = 2_000_000_000L
-        const val LEAST_NANOS = 500_000_000L
+        val WINDOW_NANOS = TimeUnit.SECONDS.toNanos(2)
+        val MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(500)
     }
 }

@@ -18,7 +18,8 @@ internal object RequestGate {
      * @param isPage whether the page itself is asked for, which any link may do
      */
     fun refusal(host: String?, origin: String?, fetchSite: String?, isPage: Boolean): String? = when {
-        host == null || !LOOPBACK.matches(host) -> "this view is for this computer only: open it by 127.0.0.1 or localhost, not by ${host?.let(::shown) ?: "no name"}"
+        host == null || !LOOPBACK.matches(host) ->
+            "this view is for this computer only: open it by 127.0.0.1 or localhost, not by ${host?.let(::shown) ?: "no name"}"
         origin != null && !origin.equals("http://$host", ignoreCase = true) -> "the request comes from another page, ${shown(origin)}"
         !isPage && fetchSite != null && fetchSite != "same-origin" && fetchSite != "none" -> "the request comes from another page"
         else -> null

@@ -1,6 +1,5 @@
 package argo.view
 
-import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.Executor
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.ThreadPoolExecutor
@@ -10,40 +9,42 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The threads that answer the requests to a view, one for each at a time. A request for which there is none at the moment waits for its turn.
- *
- * A program that begins requests and does not end them holds threads up; [giveUpUnfinished] takes them back. Safe for use by several threads.
+ * The threads that answer the requests to a view, one for each at a time. A client that does not finish its request, or does not read its
+ * response, holds its thread up until [interruptStalled]. Safe for use by several threads.
  *
  * @param agent whose view it is, for the threads' names
  * @param nanos a clock in ns that never goes back
  */
 internal class RequestThreads(agent: String, private val nanos: () -> Long) : Executor {
+    private val lock = ReentrantLock()
+    private val waitingSince = HashMap<Thread, Long>()
     private val numbers = AtomicInteger()
-    private val unfinished = ConcurrentHashMap<Thread, Request>()
-    private val pool = ThreadPoolExecutor(MOST_THREADS, MOST_THREADS, IDLE_S, TimeUnit.SECONDS, LinkedBlockingQueue(MOST_WAITING)) { work ->
+    private val pool = ThreadPoolExecutor(MAX_THREADS, MAX_THREADS, IDLE_S, TimeUnit.SECONDS, LinkedBlockingQueue(MAX_QUEUED)) { work ->
         Thread(work, "argo-$agent-view-${numbers.incrementAndGet()}").apply { isDaemon = true }
     }.apply { allowCoreThreadTimeOut(true) }
 
-    override fun execute(request: Runnable) = pool.execute {
-        val begun = Request(Thread.currentThread(), nanos())
-        unfinished[begun.thread] = begun
+    /** Runs [request], which begins by reading from its client: see [stopWaiting]. */
+    override fun execute(request: Runnable) = pool.execute { waiting { request.run() } }
+
+    /** Does [io], in which the calling thread waits for its client. */
+    inline fun waiting(io: () -> Unit) {
+        lock.withLock { waitingSince[Thread.currentThread()] = nanos() }
         try {
-            request.run()
+            io()
         } finally {
-            unfinished -= begun.thread
-            begun.end()
+            stopWaiting()
         }
     }
 
-    /** The request that the calling thread serves has come whole: what takes long from now on is not its sender's doing. */
-    fun received() {
-        unfinished.remove(Thread.currentThread())?.end()
+    /** The calling thread waits for its client no longer. */
+    fun stopWaiting() = lock.withLock {
+        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // meant for the wait that is over
     }
 
-    /** Ends requests that have not come whole for [limitNanos] ns, or a tenth of it while others wait for a thread, and with them their connections. */
-    fun giveUpUnfinished(limitNanos: Long) {
-        val limit = if (pool.queue.isEmpty()) limitNanos else limitNanos / 10
-        unfinished.values.forEach { if (nanos() - it.sinceNanos > limit) it.giveUp() }
+    /** Ends waits longer than [MAX_WAIT_NANOS], or a tenth of it while requests are queued, and with them their connections. */
+    fun interruptStalled() = lock.withLock {
+        val limit = if (pool.queue.isEmpty()) MAX_WAIT_NANOS else MAX_WAIT_NANOS / 10
+        waitingSince.entries.removeIf { (thread, since) -> (nanos() - since > limit).also { if (it) thread.interrupt() } }
     }
 
     /** Ends all requests and threads; returns when they have ended, or after a second. */
@@ -52,24 +53,13 @@ internal class RequestThreads(agent: String, private val nanos: () -> Long) : Ex
         pool.awaitTermination(1, TimeUnit.SECONDS)
     }
 
-    private class Request(val thread: Thread, val sinceNanos: Long) {
-        private val lock = ReentrantLock()
-        private var isServed = true
+    companion object {
+        /** How long a client may take to send its request or to read what it is sent, over a slow tunnel too. */
+        val MAX_WAIT_NANOS = TimeUnit.SECONDS.toNanos(10)
 
-        /** Its thread does something else from now on. */
-        fun end() {
-            lock.withLock { isServed = false }
-            Thread.interrupted()
-        }
-
-        /** Ends what its thread waits for. */
-        fun giveUp() = lock.withLock { if (isServed) thread.interrupt() }
-    }
-
-    private companion object {
         /** Twice as many as there are pages at most, each of which holds one. */
-        const val MOST_THREADS = 24
-        const val MOST_WAITING = 200
-        const val IDLE_S = 5L
+        private const val MAX_THREADS = 24
+        private const val MAX_QUEUED = 200
+        private const val IDLE_S = 5L
     }
 }

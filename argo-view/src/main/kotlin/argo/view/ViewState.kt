@@ -3,10 +3,9 @@ package argo.view
 import kotlinx.serialization.Serializable
 
 /**
- * All that a page shows, at one moment. Times are ages in ms at that moment; what there may be much of is cut off and counted.
+ * All that a page shows, at one moment. Times are ages in ms at that moment; long lists are cut off, and what is left out is counted.
  *
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
- * @property ended how it ended, when the agent has; null while it runs
  */
 @Serializable
 internal data class ViewState(
@@ -15,7 +14,7 @@ internal data class ViewState(
     val intervalMs: Int,
     val perceiving: Boolean,
     val waitingToStart: Boolean,
-    val ended: String?,
+    val ended: Boolean,
     val filter: FilterState?,
     val ports: List<PortState>,
     val sensors: SensorState,
@@ -30,15 +29,24 @@ internal data class ViewState(
 internal data class FilterState(val name: String, val words: String)
 
 /**
- * A port; [ageMs] is how long it has been in this state.
+ * A port.
  *
+ * @property stale whether nothing comes from it although the agent perceives
  * @property reason why it is not on, if that is known
+ * @property ageMs for how long it has been in this state
  */
 @Serializable
-internal data class PortState(val name: String, val status: String, val inUse: Boolean, val reason: String?, val ageMs: Long?)
+internal data class PortState(
+    val name: String,
+    val status: String,
+    val inUse: Boolean,
+    val stale: Boolean,
+    val reason: String?,
+    val ageMs: Long?,
+)
 
 /**
- * What the board said, and when the agent last took it in.
+ * What the board sent, and when the agent last perceived it.
  *
  * @property frameAgeMs how old the newest message is; null: there was none
  * @property handedOverAgeMs when the agent last perceived a message; null: it has not
@@ -59,8 +67,8 @@ internal data class SensorState(
  *
  * @property key the same for the readings of one sensor, which differ in numbers only
  * @property fate `kept`, `dropped`, `held` back, or `unreadable` when the filter keeps it and it is no percept
- * @property ageMs how long ago it was said last
- * @property sameMs how long it has said the same
+ * @property ageMs how long ago it came last
+ * @property sameMs for how long it has been the same
  */
 @Serializable
 internal data class PerceptState(val key: String, val text: String, val fate: String, val ageMs: Long, val sameMs: Long)
@@ -113,11 +121,11 @@ internal data class CommandState(
 @Serializable
 internal data class Rates(val frames: Double, val handOvers: Double, val commands: Double, val cycles: Double)
 
-/** A [DistancePicture]. */
+/** A [Picture]. */
 @Serializable
-internal data class PictureState(val distance: Double?, val limit: Double?, val range: Double, val unit: String, val doing: String)
+internal data class PictureState(val svg: String, val words: String)
 
-/** [text] as it is shown, at most [MOST_CHARACTERS] of it. */
-internal fun shown(text: String): String = if (text.length <= MOST_CHARACTERS) text else text.take(MOST_CHARACTERS) + "…"
+/** [text] as it is shown, at most [MAX_CHARACTERS] of it. */
+internal fun shown(text: String): String = if (text.length <= MAX_CHARACTERS) text else text.take(MAX_CHARACTERS) + "…"
 
-private const val MOST_CHARACTERS = 300
+private const val MAX_CHARACTERS = 300

@@ -1,16 +1,16 @@
 'use strict';
-// Shows one agent. Whatever a board or an agent says is put in as text, never as markup.
+// Shows one agent. Whatever a board or an agent sends is put in as text, never as markup.
 
 const $ = id => document.getElementById(id);
 const TICK_MS = 200;
-let state = null;          // what was said last
-let receivedAt = 0;        // when
+let state = null;          // the newest
+let receivedAt = 0;        // when it came
 let source = null;
 let connection = 'connecting';
 let frozen = null;         // what is shown instead while the page is frozen
 let filters = null;        // the names of the filters there are
 let waits = false;         // for the answer to a button
-const explained = new Map(); // a percept's key: its text when it was asked about, and why
+const explained = new Map(); // a percept's key: its text and filter when it was asked about, and why it was kept or dropped
 
 // --- words ---
 
@@ -75,18 +75,10 @@ function row(label) {
 function showPicture(picture) {
   $('picture').hidden = !picture;
   if (!picture) return;
-  const put = (element, distance) => element.style.setProperty('--at', 1 - Math.min(1, Math.max(0, distance / picture.range)));
-  const measure = value => `${value.toFixed(1)} ${picture.unit}`;
-  const known = picture.distance !== null;
-  text($('picture-distance'), known ? measure(picture.distance) : 'no distance yet');
-  text($('picture-doing'), picture.doing);
-  $('track-robot').style.display = known ? '' : 'none';
-  if (known) put($('track-robot'), picture.distance);
-  $('track-limit').style.display = picture.limit === null ? 'none' : '';
-  if (picture.limit !== null) put($('track-limit'), picture.limit);
-  text($('picture-range'), `${picture.range} ${picture.unit} from the wall`);
-  text($('picture-limit'), picture.limit === null ? '' : `to stop at ${picture.limit} ${picture.unit}`);
-  $('track').setAttribute('aria-label', `${known ? measure(picture.distance) : 'unknown distance'} from the wall, ${picture.doing}`);
+  const [image, caption] = $('picture').children;
+  const source = `data:image/svg+xml,${encodeURIComponent(picture.svg)}`; // an image runs no scripts
+  if (image.src !== source) image.src = source;
+  text(caption, picture.words);
 }
 
 function showFigures(shown, since) {
@@ -148,28 +140,42 @@ function showPorts(shown, since) {
   }, 'The agent has asked for no port.');
 }
 
+/** Why the sensors show the past although the agent perceives; empty if they do not. */
+function silence(shown) {
+  if (!shown.perceiving) return '';
+  const used = shown.ports.filter(port => port.inUse);
+  const port = (used.length ? used : shown.ports).find(port => port.status !== 'on' || port.stale);
+  if (!port) return '';
+  const words = { off: 'is off', timeout: 'does not answer' }[port.status] || 'is silent';
+  return `The port ${port.name} ${words}${port.reason ? `: ${port.reason}` : ''}. The sensors show what came before.`;
+}
+
 function perceptRow(percept) {
   const button = element('button', 'text');
   button.type = 'button';
   button.title = 'Why?';
   const made = row(button);
-  button.addEventListener('click', () => explain(percept.key, button.textContent));
+  button.addEventListener('click', () => {
+    if (!explained.delete(percept.key)) explain(percept.key, button.textContent);
+    show();
+  });
   return made;
 }
 
 function showSensors(shown, since) {
   const { percepts, more } = shown.sensors;
+  const isPast = Boolean(silence(shown));
   const kept = percepts.filter(percept => percept.fate === 'kept').length;
-  text($('sensors-count'), percepts.length ? `${kept} of ${percepts.length} reach the agent` : '');
+  text($('sensors-count'), percepts.length ? `${kept} of ${percepts.length} ${isPast ? 'reached' : 'reach'} the agent` : '');
   text($('sensors-words'), !shown.perceiving ? 'Percepts are blocked: the agent goes on believing what it perceived last.'
     : percepts.length ? 'Press a percept to read why it is kept or dropped.' : '');
   rows($('sensors'), percepts, percept => percept.key, perceptRow, (line, percept) => {
     const [words, kind] = FATES[percept.fate] || [percept.fate, ''];
-    const why = explained.get(percept.key);
-    line.className = percept.fate === 'kept' ? '' : 'off';
+    const why = explained.get(percept.key)?.why;
+    line.className = percept.fate === 'kept' && !isPast ? '' : 'off';
     text(line.children[0], percept.text);
     line.children[0].setAttribute('aria-expanded', String(Boolean(why)));
-    chip(line.children[1], words, kind);
+    chip(line.children[1], words, isPast ? '' : kind);
     text(line.children[2], age(percept.ageMs + since));
     line.children[2].title = `the same for ${age(percept.sameMs + since)}`;
     text(line.children[3], why || '');
@@ -216,11 +222,13 @@ function disable(button) { button.disabled = waits || connection !== 'live' || B
 
 function showConnection() {
   const words = { connecting: ['connecting', ''], live: ['live', 'good'], lost: ['no connection', 'bad'], full: ['too many pages', 'bad'], ended: ['ended', ''] }[connection];
-  if (frozen && connection === 'live') chip($('connection'), 'frozen', 'warn'); else chip($('connection'), ...words);
+  if (frozen && connection === 'live') chip($('connection'), 'frozen', 'warn');
+  else if (connection === 'live' && silence(state)) chip($('connection'), 'board silent', 'bad');
+  else chip($('connection'), ...words);
 }
 
 function notice() {
-  if (state?.ended) return `Ended: ${state.ended}. What you see is how it was then.`;
+  if (state?.ended) return 'The agent has ended. What you see is how it was then.';
   if (frozen) return 'This page is frozen. The agent goes on.';
   if (connection === 'lost') return 'The connection is lost: the program has ended or does not answer. What you see is how it was then; this page tries again by itself.';
   if (connection === 'full') return 'Too many pages show this agent already. Close one and load this one again.';
@@ -235,6 +243,8 @@ function show() {
   if (!shown) return;
   const stands = frozen || connection !== 'live';
   const since = frozen ? frozen.since : stands ? 0 : performance.now() - receivedAt;
+  say($('silence'), state.ended ? '' : silence(shown));
+  if (!stands) renewExplanations(shown);
   showHead(shown);
   showPicture(shown.picture);
   showFigures(shown, since);
@@ -251,7 +261,7 @@ async function ask(path, body) {
   const options = body === undefined ? {} : { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) };
   const response = await fetch(path, options);
   const answer = await response.json();
-  if (!response.ok) throw new Error(answer.words);
+  if (!response.ok) throw new Error(answer.message);
   return answer;
 }
 
@@ -271,15 +281,29 @@ async function order(path, body) {
 
 function changeFilter(name) { order('filter', { name }).then(loadFilters); }
 
+/** Asks why [percept] is kept or dropped, and shows it under the row [key]. */
 async function explain(key, percept) {
-  if (explained.delete(key)) return show();
+  const before = explained.get(key);
+  const entry = { percept, filter: filterWords(), why: before?.why, isAsked: true };
+  explained.set(key, entry);
   try {
-    explained.set(key, (await ask(`explain?percept=${encodeURIComponent(percept)}`)).words);
-    text($('told'), explained.get(key));
+    entry.why = (await ask(`explain?percept=${encodeURIComponent(percept)}`)).message;
+    if (!before) text($('told'), entry.why);
   } catch (trouble) {
-    explained.set(key, `cannot be told now: ${trouble.message}`);
+    entry.why = `cannot be explained now: ${trouble.message}`;
   }
+  entry.isAsked = false;
   show();
+}
+
+const filterWords = () => JSON.stringify(state.filter);
+
+/** Asks again why, where a percept or the filter has changed since. */
+function renewExplanations(shown) {
+  for (const { key, text: percept } of shown.sensors.percepts) {
+    const entry = explained.get(key);
+    if (entry && !entry.isAsked && (entry.percept !== percept || entry.filter !== filterWords())) explain(key, percept);
+  }
 }
 
 async function loadFilters() {

@@ -80,7 +80,7 @@ internal class Chromium private constructor(private val driver: ChromeDriver, pr
             val service = ChromeDriverService.Builder().usingDriverExecutable(checkNotNull(chromeDriver)).usingAnyFreePort().withSilent(true).build()
             val options = ChromeOptions().setBinary(checkNotNull(browser))
             // a container's root has no sandbox to use, and a small /dev/shm
-            options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--window-size=1280,1000")
+            options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--disable-background-networking", "--window-size=1280,1000")
             options.setCapability("goog:loggingPrefs", mapOf("browser" to "ALL"))
             return Chromium(ChromeDriver(service, options), address)
         }

@@ -11,7 +11,7 @@ import io.kotest.matchers.shouldBe
 class CommandRecordSpec : FunSpec({
     var now = 0L
     var number = 0L
-    fun record() = CommandRecord { now }.also { now = 0 }
+    fun record() = CommandRecord().also { now = 0 }
     fun CommandRecord.issue(port: String, text: String) = IssuedCommand(++number, port, text, now).also(::issued)
 
     test("the first command of each port is on the line, the others wait") {
@@ -27,7 +27,7 @@ class CommandRecordSpec : FunSpec({
         val record = record()
         val command = record.issue("left", "a")
         now = 30_000_000
-        record.ended(command, null)
+        record.ended(command, null, now)
         with(record.state(50_000_000).finished.single()) { listOf(state, tookMs, ageMs, error) shouldBe listOf("done", 30L, 50L, null) }
         record.state(now).unfinished.shouldBeEmpty()
         record.count shouldBe 1
@@ -35,7 +35,7 @@ class CommandRecordSpec : FunSpec({
 
     test("a command that failed tells why") {
         val record = record()
-        record.ended(record.issue("left", "a"), CableOut)
+        record.ended(record.issue("left", "a"), CableOut, now)
         with(record.state(0).finished.single()) { state to error shouldBe ("failed" to "port_gone: the cable is out") }
     }
 
@@ -46,7 +46,7 @@ class CommandRecordSpec : FunSpec({
         state.waiting shouldBe 10_000
         state.unfinished.size shouldBeLessThan 100
         state.unfinished.first().text shouldBe "c1"
-        commands.forEach { record.ended(it, null) }
+        commands.forEach { record.ended(it, null, now) }
         with(record.state(0)) {
             waiting shouldBe 0
             unfinished.shouldBeEmpty()

@@ -15,28 +15,30 @@ private const val AGENT = """
     +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open); argo.act(hello); !refuse.
     +!refuse <- argo.act("a command that is so long that it would make a narrow page wider than it is if words could not be broken_anywhere_in_the_middle").
 """
+/** A picture that would change the page's title if its script ran. */
+private const val SVG = """<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><rect width="9" height="9"/><script>parent.document.title='taken'</script></svg>"""
 private const val FRONT = """<PerceptionFilter><filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter></PerceptionFilter>"""
 
 /** The page in a real browser. */
 class PageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
 
-    fun shown(answer: String, test: Chromium.(ViewedMas) -> Unit) = FakeBoard.plugIn("robot").use { board ->
+    fun shown(answer: String, test: Chromium.(ViewedMas, FakeBoard) -> Unit) = FakeBoard.plugIn("robot").use { board ->
         board.lenient().whenAsked("getPercepts").answer(answer)
         ViewedMas().use { mas ->
             mas.file("front.xml", FRONT)
             mas.agent("bob", AGENT)
             Chromium.open(mas.viewOf("bob")).use { page ->
                 page.await { texts("#sensors .text").isNotEmpty() && texts("#beliefs .text").size > 2 && texts("#commands .text").size == 2 }
-                mas.agentView("bob").show { DistancePicture(73.2, 40.0, 200.0, "cm", "driving") }
+                mas.agentView("bob").show { Picture(SVG, "73.2 cm – driving") }
                 page.await { run("return !document.getElementById('picture').hidden") }
-                page.test(mas)
+                page.test(mas, board)
             }
         }
     }
 
     test("the page shows the agent").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);dist(b,90);light(4);temp(20);") {
+        shown("dist(f,38);dist(b,90);light(4);temp(20);") { _, _ ->
             text("#connection") shouldBe "live"
             text("#agent") shouldBe "bob"
             texts("#sensors .text") shouldBe listOf("dist(f,38)", "dist(b,90)", "light(4)", "temp(20)")
@@ -44,7 +46,9 @@ class PageSpec : FunSpec({
             texts("#beliefs .text").toSet() shouldBe setOf("likes(tea)", "port(\"sim:robot\",on)", "dist(f,38)", "light(4)", "temp(20)")
             texts("#commands .chip").forEach { it shouldContain "done in" }
             texts("#ports .chip") shouldBe listOf("on")
-            text("#picture-distance") shouldBe "73.2 cm"
+            text("#picture figcaption") shouldBe "73.2 cm – driving"
+            await { run("return document.querySelector('#picture img').naturalWidth > 0") }
+            run<String>("return document.title") shouldBe "bob · ARGO"
             await { "/s" in text("#figures") }
             picture("light")
             prefer("prefers-color-scheme" to "dark")
@@ -53,7 +57,7 @@ class PageSpec : FunSpec({
     }
 
     test("on a phone nothing has to be scrolled sideways").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);" + "x".repeat(180) + "(1);dist(b,90);") {
+        shown("dist(f,38);" + "x".repeat(180) + "(1);dist(b,90);") { _, _ ->
             size(360, 740)
             run<Long>("return document.documentElement.scrollWidth") shouldBeLessThanOrEqualTo 360
             picture("phone")
@@ -65,16 +69,16 @@ class PageSpec : FunSpec({
     }
 
     test("markup that a board says is text").config(enabledOrReasonIf = browser) {
-        shown("""say("<img src=x onerror=document.title='taken'><b>x</b>");'</li><script>document.title=\'taken\'</script>'(1);""") {
+        shown("""say("<img src=x onerror=document.title='taken'><b>x</b>");'</li><script>document.title=\'taken\'</script>'(1);""") { _, _ ->
             texts("#sensors .text") shouldContainText "<img src=x"
             texts("#beliefs .text") shouldContainText "<b>x</b>"
-            run<Long>("return document.querySelectorAll('main img, main b, main script').length") shouldBe 0
+            run<Long>("return document.querySelectorAll('section img, section b, main script').length") shouldBe 0
             run<String>("return document.title") shouldBe "bob · ARGO"
         }
     }
 
     test("a press on a percept tells why, and another takes it away").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);dist(b,90);") {
+        shown("dist(f,38);dist(b,90);") { _, _ ->
             press("dist(b,90)")
             await { texts("#sensors .detail")[1].contains("is dropped by filter front: rule 1 meets it") }
             picture("why")
@@ -83,8 +87,36 @@ class PageSpec : FunSpec({
         }
     }
 
+    test("why a percept is kept or dropped is renewed when it or the filter changes").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);dist(b,90);") { _, board ->
+            press("dist(b,90)")
+            await { texts("#sensors .detail")[1].startsWith("dist(b,90) is dropped by filter front") }
+            board.whenAsked("getPercepts").answer("dist(f,38);dist(b,91);")
+            await { texts("#sensors .detail")[1].startsWith("dist(b,91) is dropped by filter front") }
+            press("none")
+            await { texts("#sensors .detail")[1].startsWith("dist(b,91) is kept: there is no filter") }
+        }
+    }
+
+    test("a board that is silent is announced, and its sensors show the past").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);dist(b,90);") { _, board ->
+            text("#silence") shouldBe ""
+            board.stall()
+            await { text("#silence").startsWith("The port \"sim:robot\" does not answer") }
+            text("#connection") shouldBe "board silent"
+            texts("#sensors .chip.good") shouldBe emptyList()
+            text("#sensors-count") shouldBe "1 of 2 reached the agent"
+            picture("silent")
+            board.resume()
+            await { text("#silence").isEmpty() && text("#connection") == "live" && texts("#sensors .chip.good") == listOf("kept") }
+            board.close()
+            await { text("#silence").startsWith("The port \"sim:robot\" is off: ") }
+            picture("off")
+        }
+    }
+
     test("buttons change the agent's filter").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);dist(b,90);") { mas ->
+        shown("dist(f,38);dist(b,90);") { mas, _ ->
             await { texts("#filters [aria-pressed=true]") == listOf("front") }
             press("none")
             await { texts("#filters [aria-pressed=true]") == listOf("none") && texts("#sensors .chip") == listOf("kept", "kept") }
@@ -97,7 +129,7 @@ class PageSpec : FunSpec({
     }
 
     test("percepts are blocked and opened by a button, also from the keyboard").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);") {
+        shown("dist(f,38);") { _, _ ->
             run<Any?>("document.getElementById('percepts').focus(); return null")
             type(Keys.ENTER)
             await { text("#percepts") == "Open percepts" && text("#sensors-words").contains("blocked") }
@@ -108,7 +140,7 @@ class PageSpec : FunSpec({
     }
 
     test("a frozen page stands still while the agent goes on").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);dist(b,90);") { mas ->
+        shown("dist(f,38);dist(b,90);") { mas, _ ->
             press("Freeze page")
             text("#notice") shouldContain "The agent goes on"
             val figures = text("#figures")
@@ -122,7 +154,7 @@ class PageSpec : FunSpec({
     }
 
     test("keyboard focus stays where it is while the page changes").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);dist(b,90);") {
+        shown("dist(f,38);dist(b,90);") { _, _ ->
             run<Any?>("document.querySelectorAll('#sensors button')[1].focus(); return null")
             press("none") // changes every row
             run<Any?>("document.querySelectorAll('#sensors button')[1].focus(); return null")
@@ -132,11 +164,12 @@ class PageSpec : FunSpec({
     }
 
     test("the agent's end is told, and what was seen last stays").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);") { mas ->
-            mas.agentView("bob").conclude("stopped 38.6 cm from the wall")
+        shown("dist(f,38);") { mas, _ ->
+            mas.agentView("bob").show { Picture(SVG, "stopped 38.6 cm from the wall") }
             mas.kill("bob")
             await { text("#connection") == "ended" }
-            text("#notice") shouldContain "Ended: stopped 38.6 cm from the wall"
+            text("#notice") shouldContain "The agent has ended"
+            text("#picture figcaption") shouldBe "stopped 38.6 cm from the wall"
             texts("#sensors .text") shouldBe listOf("dist(f,38)")
             run<Long>("return [...document.querySelectorAll('header button, #filters button')].filter(b => !b.disabled).length") shouldBe 0
             picture("ended")
@@ -144,10 +177,10 @@ class PageSpec : FunSpec({
     }
 
     test("nothing moves for those who want nothing to move").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);") {
-            val duration = "return getComputedStyle(document.getElementById('track-robot')).transitionDuration"
+        shown("dist(f,38);") { _, _ ->
+            val duration = "return getComputedStyle(document.getElementById('freeze')).transitionDuration"
             prefer("prefers-reduced-motion" to "no-preference")
-            run<String>(duration) shouldBe "0.12s"
+            run<String>(duration) shouldBe "0.15s, 0.15s"
             prefer("prefers-reduced-motion" to "reduce")
             run<String>(duration) shouldBe "0s"
         }
@@ -156,7 +189,7 @@ class PageSpec : FunSpec({
     context("words stand out from what is behind them") {
         listOf("light", "dark").forEach { scheme ->
             test("in the $scheme").config(enabledOrReasonIf = browser) {
-                shown("dist(f,38);dist(b,90);X;") {
+                shown("dist(f,38);dist(b,90);X;") { _, _ ->
                     prefer("prefers-color-scheme" to scheme, "prefers-reduced-motion" to "reduce")
                     press("dist(b,90)")
                     await { texts("#sensors .detail")[1].isNotEmpty() }
@@ -167,7 +200,7 @@ class PageSpec : FunSpec({
     }
 
     test("every control has a name, and the console has no complaint").config(enabledOrReasonIf = browser) {
-        shown("dist(f,38);") {
+        shown("dist(f,38);") { _, _ ->
             run<Long>("return [...document.querySelectorAll('button')].filter(b => !b.textContent.trim()).length") shouldBe 0
             run<Long>("return [...document.querySelectorAll('section')].filter(s => !document.getElementById(s.getAttribute('aria-labelledby')).textContent.trim()).length") shouldBe 0
             complaints() shouldNotContain "SEVERE"

@@ -7,8 +7,6 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
 
-private const val LIMIT_NANOS = 10_000_000_000L
-
 class SlowRequestSpec : FunSpec({
     fun threads(agent: String) = Thread.getAllStackTraces().keys.count { it.name.startsWith("argo-$agent-view-") }
 
@@ -19,15 +17,15 @@ class SlowRequestSpec : FunSpec({
         test("requests with $what that does not end do not keep pages out for good, and are given up sooner while others wait") {
             val now = AtomicLong()
             val agent = "slow-${what.length}"
-            val server = ViewServer(agent, 0, ViewCommands(Nobody), Browsers(4, now::get), Newest(), now::get)
+            val server = ViewServer(agent, 0, Routes(Nobody), Broadcast(4), now::get)
             thread(isDaemon = true) { server.start() }.join()
             val unfinished = List(24) { Socket(server.address.host, server.address.port).apply { getOutputStream().write(begin.toByteArray()) } }
             try {
                 eventually({ "${threads(agent)} threads" }) { threads(agent) == unfinished.size }
-                now.set(LIMIT_NANOS / 5)
+                now.set(RequestThreads.MAX_WAIT_NANOS / 5)
                 val page = CompletableFuture.supplyAsync { server.address.get("/").statusCode() }
                 eventually({ "no page" }) {
-                    server.giveUpUnfinished(LIMIT_NANOS)
+                    server.closeStalled()
                     page.isDone
                 }
                 page.get() shouldBe 200
@@ -40,20 +38,19 @@ class SlowRequestSpec : FunSpec({
 
     test("a browser that watches for long is not given up as a request that does not end") {
         val now = AtomicLong()
-        val browsers = Browsers(4, now::get)
-        val states = Newest<ViewServer.Sent>()
-        val server = ViewServer("long", 0, ViewCommands(Nobody), browsers, states, now::get)
+        val pages = Broadcast(4)
+        val server = ViewServer("long", 0, Routes(Nobody), pages, now::get)
         thread(isDaemon = true) { server.start() }.join()
         try {
             Socket(server.address.host, server.address.port).use { browser ->
                 browser.getOutputStream().write("GET /events HTTP/1.0\r\nHost: ${server.address.authority}\r\n\r\n".toByteArray())
                 val lines = browser.getInputStream().bufferedReader()
                 while (lines.readLine() != "retry: 1000") Unit // it is let in
-                now.set(2 * LIMIT_NANOS)
-                server.giveUpUnfinished(LIMIT_NANOS)
+                now.set(2 * RequestThreads.MAX_WAIT_NANOS)
+                server.closeStalled()
                 val told = CompletableFuture.supplyAsync { generateSequence(lines::readLine).first { it.startsWith("data") } }
                 eventually({ "it is told nothing" }) {
-                    states.say(ViewServer.Sent("1", isLast = false)) // again, since it is told only what is said after it was let in
+                    pages.publish("1", isLast = false) // again, since it is sent only what is published after it was let in
                     told.isDone
                 }
                 told.get() shouldBe "data: 1"

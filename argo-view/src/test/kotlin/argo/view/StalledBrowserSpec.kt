@@ -9,27 +9,28 @@ import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
 import java.net.InetSocketAddress
 import java.net.Socket
+import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
 
-private val LARGE = ViewServer.Sent("\"" + "x".repeat(1_000_000) + "\"", isLast = false)
+private val LARGE = "\"" + "x".repeat(1_000_000) + "\""
 
 class StalledBrowserSpec : FunSpec({
     test("a browser that has not taken what was written to it for too long is given up") {
-        val browsers = Browsers(4, System::nanoTime)
-        val states = Newest<ViewServer.Sent>()
-        val server = ViewServer("bob", 0, ViewCommands(Nobody), browsers, states)
+        val now = AtomicLong()
+        val pages = Broadcast(4)
+        val server = ViewServer("bob", 0, Routes(Nobody), pages, now::get)
         thread(isDaemon = true) { server.start() }.join()
         try {
             Socket().use { browser ->
                 browser.receiveBufferSize = 1024
                 browser.connect(InetSocketAddress("127.0.0.1", server.address.port))
                 browser.getOutputStream().write("GET /events HTTP/1.1\r\nHost: ${server.address.authority}\r\n\r\n".toByteArray())
-                eventually({ "no browser" }) { browsers.areWatching() }
-                repeat(20) { states.say(LARGE) }
+                eventually({ "no browser" }) { pages.isWatched }
                 eventually({ "it still watches" }) {
-                    states.say(LARGE)
-                    browsers.giveUpStalled(50_000_000)
-                    !browsers.areWatching()
+                    pages.publish(LARGE, isLast = false)
+                    now.addAndGet(RequestThreads.MAX_WAIT_NANOS / 100)
+                    server.closeStalled()
+                    !pages.isWatched
                 }
             }
         } finally {
@@ -37,14 +38,22 @@ class StalledBrowserSpec : FunSpec({
         }
     }
 
-    test("a browser that is written to for a while is not given up") {
-        var now = 0L
-        val browsers = Browsers(4) { now }
-        browsers.admit { browser ->
-            browser.write { now = 10; browsers.giveUpStalled(20) }
-            now = 100
-            browsers.giveUpStalled(20)
-        } shouldBe true
+    test("a browser that takes what is written to it is not given up, however long it watches") {
+        val now = AtomicLong()
+        val threads = RequestThreads("bob", now::get)
+        threads.waiting { now.set(RequestThreads.MAX_WAIT_NANOS) }
+        now.set(10 * RequestThreads.MAX_WAIT_NANOS)
+        threads.interruptStalled()
+        Thread.interrupted() shouldBe false
+    }
+
+    test("an interrupt that comes too late does not hit what the thread does next") {
+        val now = AtomicLong()
+        val threads = RequestThreads("bob", now::get)
+        threads.waiting {
+            now.set(2 * RequestThreads.MAX_WAIT_NANOS)
+            threads.interruptStalled()
+        }
         Thread.interrupted() shouldBe false
     }
 })

@@ -13,7 +13,6 @@ import java.net.ServerSocket
 import java.net.URI
 import java.util.concurrent.atomic.AtomicInteger
 
-private const val LIMIT_MS = 20_000
 private const val LOOKS = """
     !start.
     +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open); argo.act(hello).
@@ -38,7 +37,7 @@ class ViewSpec : FunSpec({
         watched { _, _, address ->
             Watcher(address).use { watcher ->
                 val state = watcher.await { it.sensors.percepts.any { p -> p.fate == "dropped" } && it.commands.finished.isNotEmpty() && it.beliefs.beliefs.size == 3 }
-                listOf(state.agent, state.policy, state.intervalMs, state.perceiving, state.ended) shouldBe listOf("bob", "fresh", 20, true, null)
+                listOf(state.agent, state.policy, state.intervalMs, state.perceiving, state.ended) shouldBe listOf("bob", "fresh", 20, true, false)
                 state.ports.map { listOf(it.name, it.status, it.inUse) } shouldBe listOf(listOf("\"sim:robot\"", "on", true))
                 state.filter.shouldNotBeNull().name shouldBe "front"
                 state.sensors.percepts.map { it.text to it.fate } shouldBe listOf("dist(f,38)" to "kept", "dist(b,90)" to "dropped", "light(4)" to "kept")
@@ -227,20 +226,26 @@ class ViewSpec : FunSpec({
             Watcher(address).use { watcher ->
                 val view = mas.agentView("bob")
                 view.address shouldBe address
-                view.awaitBrowser(LIMIT_MS.toLong()) shouldBe true
-                view.show { DistancePicture(73.5, 40.0, 200.0, "cm", "driving") }
-                watcher.await { it.picture == PictureState(73.5, 40.0, 200.0, "cm", "driving") }
-                view.show { DistancePicture(Double.NaN, Double.POSITIVE_INFINITY, 200.0, "cm", "lost") }
-                watcher.await { it.picture == PictureState(null, null, 200.0, "cm", "lost") }
+                val asked = AtomicInteger()
+                view.show { Picture("<svg/>", "driving ${asked.incrementAndGet()}") }
+                watcher.await { it.picture?.svg == "<svg/>" && it.picture.words != "driving 1" }
                 view.show { throw NoSuchElementException("no robot") }
                 watcher.await { it.picture == null }
-                mas.log shouldContain "the live view's picture is given up"
-                view.conclude("stopped")
+                mas.log shouldContain "the live view shows no picture any more"
+                view.show { Picture("<svg/>", "stopped") }
                 mas.kill("bob")
-                watcher.await { it.ended != null }.ended shouldBe "stopped"
-                view.awaitEnd(LIMIT_MS.toLong())
-                eventually(::viewThreads) { viewThreads().isEmpty() } // told to end, they take their time
+                watcher.await { it.ended }.picture?.words shouldBe "stopped"
             }
+        }
+    }
+
+    test("the picture is asked for when a page is open, and not before") {
+        watched { mas, _, address ->
+            val asked = AtomicInteger()
+            mas.agentView("bob").show { null.also { asked.incrementAndGet() } }
+            eventually({ mas.beliefs("bob") }) { "light(4)" in mas.beliefs("bob") }
+            asked.get() shouldBe 0
+            Watcher(address).use { eventually(asked::get) { asked.get() > 0 } }
         }
     }
 
@@ -258,7 +263,7 @@ class ViewSpec : FunSpec({
             Watcher(address).use { watcher ->
                 watcher.await { it.sensors.percepts.isNotEmpty() }
                 mas.kill("bob")
-                watcher.await { it.ended != null }.ended shouldBe "the agent has ended"
+                watcher.await { it.ended }
                 watcher.awaitEnd()
             }
             eventually(::viewThreads) { viewThreads().isEmpty() }

@@ -1,10 +1,10 @@
 package samples.collision
 
 import argo.view.AgentView
-import argo.view.DistancePicture
 import java.io.IOException
 import java.io.InputStream
 import java.io.PrintStream
+import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
@@ -12,34 +12,38 @@ import java.util.concurrent.TimeUnit
  *
  * @property port where the agent's view is to be, 0 being any port that is free
  * @param waitS for how long the run waits, in s
- * @param out where is said where the view is
- * @param keyboard where Enter ends the waiting; one that says nothing, or has ended, does not
+ * @param out where the view's address is printed
+ * @param keyboard where Enter ends the waiting; one that has nothing to read, or has ended, does not
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {
-    private var view: AgentView? = null
+    private val firstBrowser = CountDownLatch(1)
 
-    /** Says where [view] is and waits for the first browser; null: the view could not be had, which is said. */
-    fun gather(view: AgentView?, picture: () -> DistancePicture) {
-        this.view = view
-        if (view == null) return out.println("there is no live view, since port $port is taken or not allowed; --view without a number takes one that is free")
-        view.show(picture)
-        out.println("live view: ${view.address}" + if (waitS > 0) "  (the robot starts when a browser shows it, at Enter, or in $waitS s)" else "")
-        awaitBrowser(view)
+    @Volatile
+    private var conclusion: String? = null
+
+    /** Prints where [view] is, shows [picture] there and waits for the first browser. Null: it could not be opened, which is printed. */
+    fun gather(view: AgentView?, picture: () -> TrackPicture) {
+        if (view == null) {
+            out.println("there is no live view, since port $port is taken or not allowed; --view without a number takes one that is free")
+            return
+        }
+        view.show {
+            firstBrowser.countDown() // a view asks for its picture when it has somebody to show it to
+            picture().let { now -> now.copy(words = conclusion ?: now.words) }.drawn()
+        }
+        val waiting = if (waitS > 0) "  (the robot starts when a browser shows it, at Enter, or in $waitS s)" else ""
+        out.println("live view: ${view.address}$waiting")
+        awaitBrowser()
     }
 
-    private fun awaitBrowser(view: AgentView) {
+    private fun awaitBrowser() {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(waitS.toLong())
-        while (System.nanoTime() < deadline) if (view.awaitBrowser(LOOK_MS) || isEntered()) return
+        while (System.nanoTime() < deadline) if (firstBrowser.await(LOOK_MS, TimeUnit.MILLISECONDS) || isEntered()) return
     }
 
-    /** Tells them how the run ended. */
+    /** Has the picture say how the run ended. */
     fun conclude(words: String) {
-        view?.conclude(words)
-    }
-
-    /** Waits until they have been told; the agent must have been stopped. */
-    fun dismiss() {
-        view?.awaitEnd(FAREWELL_MS)
+        conclusion = words
     }
 
     private fun isEntered(): Boolean = try {
@@ -50,6 +54,5 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
 
     private companion object {
         const val LOOK_MS = 100L
-        const val FAREWELL_MS = 3000L
     }
 }

@@ -68,7 +68,6 @@ internal class CollisionRun(
         } finally {
             abandon()
             mas.end()
-            audience?.dismiss()
             if (levels.port == null) SimulatedBoards.unplug(RobotBoard.NAME)
         }
     }

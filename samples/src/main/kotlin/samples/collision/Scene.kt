@@ -1,6 +1,5 @@
 package samples.collision
 
-import argo.view.DistancePicture
 import javino.LineClock
 import samples.cm
 import samples.seconds
@@ -10,8 +9,8 @@ internal interface Scene {
     /** The run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
     fun look(): List<String>
 
-    /** The same as a picture. Any thread may ask. */
-    fun picture(): DistancePicture
+    /** The same as a picture. Any thread may call it. */
+    fun picture(): TrackPicture
 
     /** How it ended, or null while it lasts. */
     fun verdict(): Verdict?
@@ -31,10 +30,10 @@ internal class SimulatedScene(private val robot: Robot, private val beliefs: () 
         return listOf("distance ${cm(course.distanceAt(now))} cm", words(course.stateAt(now)), "${seconds(now - (course.departure ?: now))} s")
     }
 
-    override fun picture(): DistancePicture {
+    override fun picture(): TrackPicture {
         val now = clock.nanos()
         val course = robot.course
-        return DistancePicture(course.distanceAt(now), limit.toDouble(), Course.START_CM, "cm", words(course.stateAt(now)))
+        return TrackPicture(course.distanceAt(now), limit, Course.START_CM, words(course.stateAt(now)))
     }
 
     override fun verdict(): Verdict? {
@@ -67,9 +66,9 @@ internal class BoardScene(private val witness: Witness, private val port: String
         return listOf(distance, doing(beliefs), "${seconds(clock.nanos() - begin)} s")
     }
 
-    override fun picture(): DistancePicture {
+    override fun picture(): TrackPicture {
         val beliefs = witness.beliefs
-        return DistancePicture(beliefs.distance, limit.toDouble(), maxOf(Course.START_CM, limit.toDouble()), "cm", doing(beliefs))
+        return TrackPicture(beliefs.distance, limit, maxOf(Course.START_CM, limit.toDouble()), doing(beliefs))
     }
 
     private fun doing(beliefs: Witness.Beliefs): String = when {

@@ -20,10 +20,10 @@ class LiveViewSpec : FunSpec({
             status shouldBe 0
             val verdict = printed.lines().last()
             verdict shouldContain "stopped"
-            states.last() shouldContain "\"ended\":\"$verdict\""
-            states.last() shouldContain "\"doing\":\"stopped\""
-            states.dropLast(1).forEach { it shouldContain "\"ended\":null" }
-            states.joinToString() shouldContain "\"doing\":\"driving\""
+            states.last() shouldContain "\"ended\":true"
+            states.last() shouldContain " cm – $verdict"
+            states.dropLast(1).forEach { it shouldContain "\"ended\":false" }
+            states.joinToString() shouldContain " cm – driving"
             states.joinToString() shouldContain "\"fate\":\"dropped\""
             states.joinToString() shouldContain "\"text\":\"front\""
         }

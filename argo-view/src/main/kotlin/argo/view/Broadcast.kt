@@ -1,0 +1,78 @@
+package argo.view
+
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * Passes the newest state of an agent on to the pages that show it. A page that is slower than the agent misses states. Safe for use
+ * by several threads.
+ *
+ * @param maxPages how many pages there may be at once
+ */
+internal class Broadcast(private val maxPages: Int) {
+    private val lock = ReentrantLock()
+    private val changed = lock.newCondition()
+    private var pages = 0
+    private var hasNewPage = false
+    private var newest = Published(0, "", isLast = false)
+
+    /** Whether there is a page. */
+    val isWatched: Boolean get() = lock.withLock { pages > 0 }
+
+    /** Whether a page has come since the last call. */
+    fun takeNewPage(): Boolean = lock.withLock { hasNewPage.also { hasNewPage = false } }
+
+    /** Replaces the newest state by [json]; nothing follows one that [isLast]. */
+    fun publish(json: String, isLast: Boolean) = lock.withLock {
+        newest = Published(newest.number + 1, json, isLast)
+        changed.signalAll()
+    }
+
+    /**
+     * Serves a page on the calling thread: calls [begin], then [send] with each state that is published from now on, until the last
+     * one. [send] is called with null when [HEARTBEAT_NANOS] ns pass without a state, so that a closed connection is noticed.
+     *
+     * @return false if there are too many pages; then nothing was called
+     */
+    fun serve(begin: () -> Unit, send: (String?) -> Unit): Boolean {
+        var number = lock.withLock {
+            if (pages == maxPages) return false
+            pages++
+            hasNewPage = true
+            newest.number // this state is of another time
+        }
+        try {
+            begin()
+            do {
+                val next = await(number)
+                number = next?.number ?: number
+                send(next?.json)
+            } while (next?.isLast != true)
+            return true
+        } finally {
+            lock.withLock {
+                pages--
+                changed.signalAll()
+            }
+        }
+    }
+
+    private fun await(after: Long): Published? = lock.withLock {
+        var left = HEARTBEAT_NANOS
+        while (newest.number <= after && left > 0) left = changed.awaitNanos(left)
+        newest.takeIf { it.number > after }
+    }
+
+    /** Waits until there is no page, at most [limitMs] ms. */
+    fun awaitNoPage(limitMs: Long) = lock.withLock {
+        var left = TimeUnit.MILLISECONDS.toNanos(limitMs)
+        while (pages > 0 && left > 0) left = changed.awaitNanos(left)
+    }
+
+    private class Published(val number: Long, val json: String, val isLast: Boolean)
+
+    private companion object {
+        val HEARTBEAT_NANOS = TimeUnit.SECONDS.toNanos(2)
+    }
+}

@@ -1,0 +1,26 @@
+package argo.view
+
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+
+/**
+ * The response to a request.
+ *
+ * @property allow the methods of the resource, if another one was used
+ */
+internal class HttpResponse(val status: Int, val type: String, val body: ByteArray, val allow: String? = null) {
+    companion object {
+        /** [message] for a person, as `{"message": …}`. */
+        fun message(status: Int, message: String, allow: String? = null) =
+            HttpResponse(status, JSON, Json.encodeToString(Message.serializer(), Message(message)).toByteArray(), allow)
+
+        /** The resource has the method [allowed] only. */
+        fun wrongMethod(allowed: String) = message(405, "use $allowed here", allowed)
+
+        /** The content type of requests and responses. */
+        const val JSON = "application/json"
+    }
+
+    @Serializable
+    private class Message(val message: String)
+}

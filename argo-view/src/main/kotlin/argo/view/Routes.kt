@@ -1,0 +1,121 @@
+package argo.view
+
+import argo.filters.FilterException
+import argo.filters.FilterNotFoundException
+import argo.observing.ObservedAgent
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import java.net.URLDecoder
+import java.util.ServiceConfigurationError
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+
+/**
+ * Responds to the requests of [agent]'s page, but for its stream of states: its files, and what its buttons ask for. Filters are
+ * looked for and read by the thread of the request; the agent's own thread changes the agent. Safe for use by several threads.
+ */
+internal class Routes(private val agent: ObservedAgent) {
+    private val routes: Map<String, Route> = mapOf(
+        "/" to Route("GET") { file("view.html", "text/html") },
+        "/view.css" to Route("GET") { file("view.css", "text/css") },
+        "/view.js" to Route("GET") { file("view.js", "text/javascript") },
+        "/filters" to Route("GET") { filters() },
+        "/explain" to Route("GET") { explain(it.query.orEmpty()) },
+        "/filter" to Route("POST") { request -> request.read<FilterRequest> { changeFilter(it.name) } },
+        "/percepts" to Route("POST") { request -> request.read<PerceptsRequest> { perceive(it.open) } },
+    )
+
+    /** The response to [request]. */
+    fun respond(request: Request): HttpResponse {
+        val route = routes[request.path] ?: return HttpResponse.message(404, "there is nothing at ${shown(request.path)}")
+        return if (request.method == route.method) route.respond(request) else HttpResponse.wrongMethod(route.method)
+    }
+
+    private fun file(name: String, type: String) =
+        HttpResponse(200, type, checkNotNull(Routes::class.java.getResource(name)) { "the resource $name is missing" }.readBytes())
+
+    private inline fun <reified T> Request.read(respond: (T) -> HttpResponse): HttpResponse {
+        if (type?.substringBefore(';')?.trim() != HttpResponse.JSON) {
+            return HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}") // no other page's form can send it
+        }
+        if (body.size > MAX_BYTES) return HttpResponse.message(413, "the request is longer than $MAX_BYTES bytes")
+        val content = try {
+            Json.decodeFromString<T>(body.decodeToString())
+        } catch (wrong: SerializationException) {
+            return HttpResponse.message(400, "the request cannot be read: ${wrong.message.orEmpty().lineSequence().first()}")
+        }
+        return respond(content)
+    }
+
+    private fun filters() = findingFilters("filters") {
+        HttpResponse(200, HttpResponse.JSON, Json.encodeToString(Filters.serializer(), Filters(agent.filterNames())).toByteArray())
+    }
+
+    private fun changeFilter(name: String?) = findingFilters("the filter $name") {
+        val filter = name?.let(agent::filter)
+        val message = filter?.let { "the agent perceives through the filter ${it.name}" } ?: "the agent perceives everything"
+        awaitDone(message) { agent.perceiveThrough(filter, it) }
+    }
+
+    private fun findingFilters(what: String, respond: () -> HttpResponse): HttpResponse = try {
+        respond()
+    } catch (missing: FilterNotFoundException) {
+        HttpResponse.message(404, missing.message.orEmpty())
+    } catch (refused: FilterException) {
+        HttpResponse.message(422, refused.message.orEmpty())
+    } catch (broken: ServiceConfigurationError) {
+        HttpResponse.message(500, "a filter provider on the class path cannot be used: ${broken.message}")
+    } catch (broken: Exception) { // a file that cannot be read, or a provider, which is a project's own code
+        HttpResponse.message(500, "looking for $what ended in $broken")
+    }
+
+    private fun explain(query: String): HttpResponse {
+        val percept = query.split('&').find { it.startsWith(PERCEPT) }?.removePrefix(PERCEPT)
+            ?: return HttpResponse.message(400, "name the percept: /explain?$PERCEPT…")
+        return try {
+            HttpResponse.message(200, agent.explain(URLDecoder.decode(percept, Charsets.UTF_8)))
+        } catch (wrong: IllegalArgumentException) {
+            HttpResponse.message(400, "the percept cannot be read: ${wrong.message}")
+        }
+    }
+
+    private fun perceive(open: Boolean): HttpResponse {
+        val closed = "the agent perceives nothing new; it goes on acting on what it believes"
+        return awaitDone(if (open) "the agent perceives again" else closed) { agent.perceive(open, it) }
+    }
+
+    /** Has the agent do something and waits a while for its thread, which may have no time or not run yet. */
+    private fun awaitDone(message: String, ask: (done: () -> Unit) -> Unit): HttpResponse {
+        val done = CountDownLatch(1)
+        ask(done::countDown)
+        if (done.await(MAX_WAIT_S, TimeUnit.SECONDS)) return HttpResponse.message(200, message)
+        return HttpResponse.message(202, "asked for; the agent's next reasoning cycle does it, which is more than $MAX_WAIT_S s away")
+    }
+
+    private class Route(val method: String, val respond: (Request) -> HttpResponse)
+
+    @Serializable
+    private class Filters(val filters: List<String>)
+
+    @Serializable
+    private class FilterRequest(val name: String?)
+
+    @Serializable
+    private class PerceptsRequest(val open: Boolean)
+
+    companion object {
+        /** The longest body of a request that is read. */
+        const val MAX_BYTES = 10_000
+        private const val PERCEPT = "percept="
+        private const val MAX_WAIT_S = 3L
+    }
+}
+
+/**
+ * A request of a page.
+ *
+ * @property query what stands behind `?`, still encoded
+ * @property type the content type of [body]
+ */
+internal class Request(val method: String, val path: String, val query: String?, val type: String?, val body: ByteArray)

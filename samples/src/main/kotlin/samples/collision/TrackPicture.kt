@@ -1,0 +1,55 @@
+package samples.collision
+
+import argo.view.Picture
+import samples.cm
+
+/**
+ * The robot on its track, to scale.
+ *
+ * @property distance of the robot's front from the wall in cm; null: not known
+ * @property limit where it is to stop, in cm from the wall
+ * @property range how many cm the picture has room for, above 0
+ * @property words what the robot does, or how the run ended
+ */
+internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val words: String) {
+    /** The same for the live view. */
+    fun drawn() = Picture(svg(), (distance?.let { "${cm(it)} cm" } ?: "no distance yet") + " – $words")
+
+    /** Without a `viewBox` it is as wide as the page; percentages are of that width, and lengths and letters keep their size. */
+    private fun svg(stop: Double = place(limit.toDouble())) = """
+        <svg xmlns="http://www.w3.org/2000/svg" font-family="system-ui, sans-serif" font-size="13">
+          <style>
+            .robot { fill: #14655c } .wheel { fill: #1d2320; stroke: #fff; stroke-width: 4 } .eye { fill: #fff }
+            .wall { fill: #56605a } .floor { fill: #dcdfd8 } .range { fill: #56605a } .limit { fill: #a3262a; stroke: #a3262a }
+            @media (prefers-color-scheme: dark) {
+              .robot { fill: #74d0c2 } .wheel { fill: #e8ece9; stroke: #1d2320 } .eye { fill: #1d2320 }
+              .wall { fill: #a5b0aa } .floor { fill: #343c38 } .range { fill: #a5b0aa } .limit { fill: #ff9d98; stroke: #ff9d98 }
+            }
+          </style>
+          <rect class="floor" y="76" width="100%" height="3"/>
+          <rect class="wall" x="$WALL%" width="${100 - WALL}%" height="82"/>
+          <line class="limit" x1="$stop%" x2="$stop%" y2="82" stroke-width="3" stroke-dasharray="8 4"/>
+          ${distance?.let(::robot).orEmpty()}
+          <text class="range" y="100">${cm(range)} cm from the wall</text>
+          <text class="limit" x="100%" y="100" text-anchor="end" stroke="none">to stop at $limit cm</text>
+        </svg>
+    """.trimIndent()
+
+    private fun robot(distance: Double) = """
+        <svg x="${place(distance) - ROBOT}%" y="12" width="$ROBOT%" height="64" viewBox="0 0 88 62" preserveAspectRatio="xMaxYMax">
+          <rect class="robot" x="2" y="2" width="86" height="44" rx="9"/><rect class="eye" x="74" y="14" width="8" height="13" rx="3"/>
+          <circle class="wheel" cx="22" cy="48" r="12"/><circle class="wheel" cx="66" cy="48" r="12"/>
+        </svg>
+    """.trimIndent()
+
+    /** Where the picture has what is [distance] cm from the wall, in percent of its width. */
+    private fun place(distance: Double) = ROBOT + (WALL - ROBOT) * (1 - (distance / range).coerceIn(0.0, 1.0))
+
+    private companion object {
+        /** Where the wall begins, in percent of the width. */
+        const val WALL = 98.0
+
+        /** How much of the width the robot may take, in percent. */
+        const val ROBOT = 20.0
+    }
+}
