@@ -4,6 +4,7 @@ import argo.filters.Condition
 import argo.filters.CriticalRule
 import argo.filters.GroundTerm
 import argo.filters.GroundTermReader
+import argo.filters.HeadScanner
 import argo.filters.Operator
 import argo.filters.Predicate
 import argo.filters.Rate
@@ -22,13 +23,12 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     private val compiled = rule.conditions.map(::CompiledCondition).toTypedArray()
     val rate: Rate? = rule.rate
 
-    /** Whether [percept], whose functor is the rule's, is in its predicate and has its arity. */
-    fun isFor(percept: PerceptText): Boolean = (arity == ANY || percept.arity == arity) && percept.isOf(predicate)
-
-    /** Whether [percept], whose functor is the rule's, meets the rule. Inlined, so that the percept stays in registers, see [perceptIn]. */
-    @Suppress("NOTHING_TO_INLINE")
-    inline fun isMetBy(percept: PerceptText): Boolean =
-        isFor(percept) && areMet(percept.text, percept.functorEnd, percept.end, percept.tail)
+    /** Whether the rule is for a percept of its functor that goes on with [tail], and has [head] if it has a namespace or negation. */
+    fun isFor(tail: Long, head: HeadScanner?): Boolean {
+        if (arity != ANY && TermBounds.arity(tail) != arity) return false
+        if (head == null) return !predicate.negated && predicate.namespace == Predicate.DEFAULT_NAMESPACE
+        return head.negated == predicate.negated && head.namespace == predicate.namespace
+    }
 
     /** Whether the percept in [text] meets all conditions whose functor ends at [functorEnd] and goes on with [tail]. */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
@@ -36,9 +36,9 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
         return true
     }
 
-    /** The first condition that [percept] does not meet. */
-    fun failing(percept: PerceptText): Condition =
-        rule.conditions[compiled.indexOfFirst { !it.isMet(percept.text, percept.functorEnd, percept.end, percept.tail) }]
+    /** The first condition that the percept does not meet; parameters as of [areMet]. */
+    fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Condition =
+        rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail) }]
 
     private companion object {
         const val ANY = -1

@@ -63,7 +63,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             val rules = matcher.rulesOn(percept)
             if (rules.isEmpty()) return "it has no rule on ${percept.predicate()} with ${percept.arity} arguments"
             return rules.joinToString("; ") { rule ->
-                val verdict = if (rule in met) "holds nothing back now" else "does not meet it, since not: ${rule.failing(percept)}"
+                val verdict = if (rule in met) "holds nothing back now" else "does not meet it, since not: ${percept.failing(rule)}"
                 "${numbered(matcher, rule)} $verdict"
             }
         }

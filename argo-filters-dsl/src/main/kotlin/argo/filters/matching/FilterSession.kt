@@ -53,7 +53,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     fun explain(percept: P, nowMs: Long): Explanation {
         val text = textOf(percept)
         val matcher = matcher ?: return Explanation.noFilter(text)
-        val found = matcher.percept(text) ?: return Explanation.noPercept(text, matcher.filter)
+        val found = PerceptText.of(text) ?: return Explanation.noPercept(text, matcher.filter)
         val isCritical = matcher.criticalRules(found).isNotEmpty()
         val hold = if (isCritical) null else rates.holds(matcher.rulesMetBy(found), found, percept, nowMs).firstOrNull()
         return if (hold == null) Explanation.of(matcher, found) else Explanation.heldBack(matcher, found, hold, nowMs)
@@ -77,7 +77,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     /** What stands for [percept] in the perception, or null; what holds it back is added to [holds]. */
     private fun decide(matcher: PerceptMatcher, percept: P, nowMs: Long, holds: MutableList<Hold<P>>): P? {
-        val found = matcher.percept(textOf(percept)) ?: return percept
+        val found = PerceptText.of(textOf(percept)) ?: return percept
         val met = matcher.rulesMetBy(found)
         if (matcher.criticalRules(found).isEmpty()) {
             val holding = rates.holds(met, found, percept, nowMs)
@@ -92,12 +92,14 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     private fun hiddenBy(next: PerceptMatcher): Map<String, P> =
-        last.kept.filter { next.drops(textOf(it)) }.associateBy { perceptIn(textOf(it)).key(RateMemory.ANY_NUMBER) }
+        last.kept.filter { next.drops(textOf(it)) }.mapNotNull { percept -> key(percept)?.let { it to percept } }.toMap()
 
     private fun stillFrozen(passed: List<P>): Collection<P> {
-        frozen = frozen - passed.mapNotNull { perceptIn(textOf(it)).takeIf(PerceptText::isPercept)?.key(RateMemory.ANY_NUMBER) }.toSet()
+        frozen = frozen - passed.mapNotNull(::key).toSet()
         return frozen.values
     }
+
+    private fun key(percept: P): String? = PerceptText.of(textOf(percept))?.key(RateMemory.ANY_NUMBER)
 
     companion object {
         /** A session over percepts as they came off the line, without a filter at first. */

@@ -1,6 +1,7 @@
 package argo.filters.matching
 
 import argo.filters.CriticalRule
+import argo.filters.HeadScanner
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 
@@ -25,44 +26,41 @@ class PerceptMatcher internal constructor(
      * nothing as long as the percept has no namespace and conditions are on arguments that are plain atoms or numbers.
      */
     @JvmOverloads
-    fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean {
-        val found = perceptIn(percept, start, end)
-        if (!found.isPercept) return false
-        var isMet = false
-        for (rule in found.rulesIn(index)) {
-            if (drops && rule.rate != null || !rule.isMetBy(found)) continue
-            isMet = true
-            break
+    fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean =
+        scan(percept, start, end, false) { functor, functorEnd, tail, head ->
+            isMet(index, drops, percept, functor, functorEnd, end, tail, head) == drops &&
+                (criticalIndex == null || !isMet(criticalIndex, false, percept, functor, functorEnd, end, tail, head))
         }
-        return isMet == drops && !isCritical(found)
-    }
 
-    private fun isCritical(percept: PerceptText): Boolean {
-        if (criticalIndex == null) return false
-        for (rule in percept.rulesIn(criticalIndex)) if (rule.isMetBy(percept)) return true
+    /** Whether one of the rules of [index] is met; of those without a rate, if only [timeless] ones count. */
+    private fun isMet(
+        index: RuleIndex, timeless: Boolean, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?,
+    ): Boolean {
+        for (rule in index.find(text, functor, functorEnd)) {
+            if (timeless && rule.rate != null) continue
+            if (rule.isFor(tail, head) && rule.areMet(text, functorEnd, end, tail)) return true
+        }
         return false
     }
 
     /** The critical rules that the percept meets which [percept] is the text of, in the order of the filter. Never throws. */
-    fun criticalRules(percept: String): List<CriticalRule> = percept(percept)?.let(::criticalRules).orEmpty()
+    fun criticalRules(percept: String): List<CriticalRule> = PerceptText.of(percept)?.let(::criticalRules).orEmpty()
 
     /** Why the filter keeps or drops the percept that [percept] is the text of. */
     fun explain(percept: String): Explanation =
-        percept(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept, filter)
-
-    internal fun percept(text: String): PerceptText? = perceptIn(text).takeIf { it.isPercept }
+        PerceptText.of(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept, filter)
 
     internal fun criticalRules(percept: PerceptText): List<CriticalRule> {
         val index = criticalIndex ?: return emptyList()
-        return percept.rulesIn(index).filter { it.isMetBy(percept) }.mapNotNull { it.critical }
+        return percept.rulesIn(index).filter(percept::meets).mapNotNull { it.critical }
     }
 
     /** Whether a percept that [met] just these rules, and no critical one, is dropped for good. */
     internal fun drops(met: List<CompiledRule>): Boolean = if (drops) met.any { it.rate == null } else met.isEmpty()
 
-    internal fun rulesOn(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index).filter { it.isFor(percept) }
+    internal fun rulesOn(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index)
 
-    internal fun rulesMetBy(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index).filter { it.isMetBy(percept) }
+    internal fun rulesMetBy(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index).filter(percept::meets)
 }
 
 /** Compiles the filter. Make the matcher once and use it for every percept. */

@@ -1,43 +1,43 @@
 package argo.filters.matching
 
+import argo.filters.Condition
 import argo.filters.GroundTerm
-import argo.filters.Syntax
 import argo.filters.HeadScanner
 import argo.filters.Predicate
+import argo.filters.Syntax
 
 /**
- * A percept in its text, as rules see it; [isPercept] tells whether it is one, and nothing else is defined where it is not.
+ * A percept in its text, as rules see it.
  *
  * @param functor where the functor starts
- * @property functorEnd the character after the functor
- * @property tail what follows it, see [TermBounds.tail]
+ * @param functorEnd the character after the functor
+ * @param tail what follows it, see [TermBounds.tail]
  * @param head its namespace and negation; null: it has neither
  */
-internal class PerceptText(
-    val text: CharSequence,
-    private val start: Int,
-    val end: Int,
+internal class PerceptText private constructor(
+    private val text: String,
     private val functor: Int,
-    val functorEnd: Int,
-    val tail: Long,
+    private val functorEnd: Int,
+    private val tail: Long,
     private val head: HeadScanner?,
 ) {
-    val isPercept: Boolean
-        get() = tail >= 0
+    private val end = text.length
 
-    val arity: Int
-        get() = TermBounds.arity(tail)
+    val arity: Int = TermBounds.arity(tail)
 
     val length: Int
-        get() = end - start
+        get() = text.length
 
     fun predicate(): Predicate = head?.predicate() ?: Predicate(text.substring(functor, functorEnd))
 
-    fun rulesIn(index: RuleIndex): Array<CompiledRule> = index.find(text, functor, functorEnd)
+    /** The rules of [index] that are for the percept, whatever their conditions. */
+    fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Whether the percept, whose functor is that of [predicate], has its negation and namespace too. */
-    fun isOf(predicate: Predicate): Boolean =
-        (head?.negated ?: false) == predicate.negated && (head?.namespace ?: Predicate.DEFAULT_NAMESPACE) == predicate.namespace
+    /** Whether the percept meets the conditions of [rule], which is for it. */
+    fun meets(rule: CompiledRule): Boolean = rule.areMet(text, functorEnd, end, tail)
+
+    /** The first condition of [rule] that the percept does not meet. */
+    fun failing(rule: CompiledRule): Condition = rule.failing(text, functorEnd, end, tail)
 
     /** The number that the argument at [index] is; null if it is none, or there is none. */
     fun number(index: Int): Double? = if (index < arity) (GroundTerm.ofOrNull(part(index)) as? GroundTerm.Number)?.value else null
@@ -55,16 +55,24 @@ internal class PerceptText(
         TermBounds.argument(text, functorEnd, end, index).let { text.substring(it, TermBounds.partEnd(text, it, end, ')')) }
 
     /** The percept's text. */
-    override fun toString(): String = text.substring(start, end).trim()
+    override fun toString(): String = text.trim()
+
+    companion object {
+        /** The percept that [text] is, or null if it is none. */
+        fun of(text: String): PerceptText? = scan(text, 0, text.length, null) { functor, functorEnd, tail, head ->
+            PerceptText(text, functor, functorEnd, tail, head)
+        }
+    }
 }
 
-/**
- * The percept that [text] may hold from [start] to [end].
- *
- * Inlined, and split from the scanning, so that the compiler can keep an instance that does not outlive a decision in registers.
- */
-@Suppress("NOTHING_TO_INLINE")
-internal inline fun perceptIn(text: CharSequence, start: Int = 0, end: Int = text.length): PerceptText {
+/** Finds the percept that [text] holds from [start] to [end], and returns what [found] makes of it; [none] if there is no percept. */
+internal inline fun <T> scan(
+    text: CharSequence,
+    start: Int,
+    end: Int,
+    none: T,
+    found: (functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?) -> T,
+): T {
     var functor = Syntax.skipBlanks(text, start, end)
     var functorEnd = TermBounds.plainFunctorEnd(text, functor, end)
     var head: HeadScanner? = null
@@ -73,5 +81,6 @@ internal inline fun perceptIn(text: CharSequence, start: Int = 0, end: Int = tex
         functor = head.functorStart
         functorEnd = head.functorEnd
     }
-    return PerceptText(text, start, end, functor, functorEnd, TermBounds.tailOf(text, functor, functorEnd, end), head)
+    val tail = TermBounds.tailOf(text, functor, functorEnd, end)
+    return if (tail < 0) none else found(functor, functorEnd, tail, head)
 }
