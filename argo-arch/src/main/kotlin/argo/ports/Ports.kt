@@ -161,7 +161,8 @@ internal class Ports(
         openings.ifFree(key) {
             val held = lock.withLock { open[key] }?.takeIf { it.link.isOpen }
             val port = held ?: openNew(key, found.name, found.port.options, mapOf(found.term to found.name), found)
-            choosing.withLock { if (found in lost) putBack(found, port) else if (held == null) forget(port) }
+            val isWanted = choosing.withLock { (found in lost).also { if (it) putBack(found, port) } }
+            if (!isWanted && held == null) forget(port)
         }
     }
 
@@ -192,13 +193,14 @@ internal class Ports(
     private fun closeNow() {
         lost.clear()
         openings.interrupt()
-        choosing.withLock {
+        val ports = choosing.withLock {
             current = null
             chosen = null
-            all().forEach(::forget)
             states.clear()
             user.portInUseChanged()
+            lock.withLock { open.values.toList().also { open.clear() } }
         }
+        ports.forEach(OpenPort::close)
     }
 
     /** Closes all ports for good; a port that is being opened now is closed at once. May be called twice. */
