@@ -2,7 +2,7 @@ package argo
 
 import argo.acting.CommandLedger
 import argo.acting.CommandOptions
-import argo.acting.Commands
+import argo.acting.CommandSender
 import argo.acting.Reflexes
 import argo.calls.Failure
 import argo.filters.PerceptionFilter
@@ -209,18 +209,17 @@ internal class AgentIo(
     }
 
     /** What works through one open port. */
-    private inner class Activity(private val port: OpenPort, val commands: Commands, val sensing: Sensing) : AutoCloseable {
+    private inner class Activity(private val port: OpenPort, val commands: CommandSender, val sensing: Sensing) : AutoCloseable {
         override fun close() {
             sensing.close()
-            commands.close()
             activities -= port
         }
     }
 
     private inner class User(private val owner: String) : PortUser, SensingListener {
         override fun use(port: OpenPort): AutoCloseable {
-            val commands = Commands(port.link, owner, platform) { lost(port, it) }
-            return Activity(port, commands, Sensing(port, owner, this, commands, platform)).also { activities[port] = it }
+            val commands = CommandSender(port.link, owner, platform) { lost(port, it) }
+            return Activity(port, commands, Sensing(port, owner, this, platform)).also { activities[port] = it }
         }
 
         override fun opened(port: OpenPort) {

@@ -1,7 +1,7 @@
 package argo
 
 import argo.acting.CommandOptions
-import argo.acting.Commands
+import argo.acting.CommandSender
 import argo.calls.Failure
 import argo.platform.Platform
 import argo.platform.Waker
@@ -21,8 +21,8 @@ internal interface Coupling {
      */
     fun perceiving(sensing: Sensing?, intervalMs: Int)
 
-    /** Has [text] sent; [outcome] as of [Commands.submit]. Any thread. */
-    fun submit(commands: Commands, text: String, options: CommandOptions, outcome: (Failure?) -> Unit)
+    /** Has [text] sent; [outcome] as of [CommandSender.submit]. Any thread. */
+    fun submit(commands: CommandSender, text: String, options: CommandOptions, outcome: (Failure?) -> Unit)
 }
 
 /** No reasoning cycle waits for a line: boards are sensed, and commands written, by other threads. */
@@ -31,7 +31,7 @@ internal object Decoupled : Coupling {
 
     override fun perceiving(sensing: Sensing?, intervalMs: Int) = Unit
 
-    override fun submit(commands: Commands, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
+    override fun submit(commands: CommandSender, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
         commands.submit(text, options, outcome)
 }
 
@@ -50,6 +50,6 @@ internal class InCycle(private val platform: Platform, private val waker: Waker)
         waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
     }
 
-    override fun submit(commands: Commands, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
-        outcome(commands.write(text, options))
+    override fun submit(commands: CommandSender, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
+        outcome(commands.sendNow(text, options))
 }

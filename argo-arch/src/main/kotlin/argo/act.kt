@@ -1,7 +1,6 @@
 package argo
 
 import argo.acting.CommandOptions
-import argo.acting.Commands
 import argo.calls.ArgumentException
 import jason.asSyntax.BinaryStructure
 import jason.asSyntax.Literal

@@ -39,6 +39,9 @@ public final class Frame {
     /** Bytes behind the payload in version 2. */
     static final int CRC_LENGTH = 4;
 
+    /** Bytes that a frame of version 2 is longer than one of version 1. */
+    static final int VERSION_2_OVERHEAD = HEADER_LENGTH_2 - HEADER_LENGTH + CRC_LENGTH;
+
     /** Sequence numbers count modulo this. */
     public static final int SEQUENCES = 16;
 

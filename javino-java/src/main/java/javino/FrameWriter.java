@@ -1,13 +1,13 @@
 package javino;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 
 /**
- * Takes frames to a line, one at a time and in the order in which they are asked for, each when the {@link Pacer} lets it. So a
- * request waits for the actions that were waiting before it, and for no others.
+ * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames. One command
+ * at a time is under way, from its turn until its outcome; requests go out meanwhile, and before the commands that wait.
  *
  * <p>Safe on any thread; no lock is held while bytes are written.
  */
@@ -20,15 +20,19 @@ final class FrameWriter {
         void run() throws PortException;
     }
 
-    private static final long NANOS_PER_MILLI = 1_000_000L;
+    /** Longer than anything is waited for. */
+    static final long FOREVER = Long.MAX_VALUE / 4;
 
     private final Lock lock;
     private final Condition changed;
-    private final Deque<Object> turns = new ArrayDeque<>(); // the first is being written, or is the next
+    private final CommandQueue commands = new CommandQueue();
     private final Transport transport;
     private final LineClock clock;
     private final Pacer pacer;
-    private String end; // why the line is gone; null while it is there
+    private boolean writing;
+    private int turnsAwaited; // of requests and retransmissions
+    private Command underWay;
+    private String endReason; // null while the line is there
 
     FrameWriter(Transport transport, Pacer pacer, LineClock clock) {
         this.transport = transport;
@@ -38,72 +42,198 @@ final class FrameWriter {
         changed = lock.newCondition();
     }
 
-    /**
-     * Waits for the frame's turn and writes it.
-     *
-     * @param timeoutMillis milliseconds to wait at most for the turn, and again for the driver
-     * @return when its last byte leaves the line, by the clock
-     * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
-     */
-    long write(Kind kind, Frame frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
-        byte[] bytes = frame.toBytes();
-        Object turn = new Object();
+    /** Queues a command. */
+    void submit(Command command) throws PortGoneException {
+        locked(() -> {
+            requireLine();
+            commands.add(command);
+        });
+    }
+
+    /** Takes a command that has not begun to go out from the queue, for good; false if it has. */
+    boolean withdraw(Command command) {
+        lock.lock();
         try {
-            awaitTurn(turn, kind, bytes.length, timeoutMillis);
-            beforeWrite.run();
-            return writeNow(kind, bytes, timeoutMillis);
+            changed.signalAll();
+            return command.withdraw();
         } finally {
-            endTurn(turn);
+            lock.unlock();
         }
     }
 
-    private void awaitTurn(Object turn, Kind kind, int bytes, int timeoutMillis) throws PortException {
+    /**
+     * Waits until a command may be written next: until one waits and none is under way.
+     *
+     * @param own the wait ends when this command is over; null: it has no such end
+     * @param deadline until when {@code own} may wait for its turn
+     * @return whether there is one
+     */
+    boolean awaitWork(Command own, long deadline) throws PortException {
         lock();
         try {
-            turns.add(turn);
-            long due = clock.nanos();
-            long deadline = due + timeoutMillis * NANOS_PER_MILLI;
+            while (own == null || !own.isOver()) {
+                requireLine();
+                if (underWay == null && commands.head() != null) {
+                    return true;
+                }
+                long left = own == null || !own.isWaiting() ? FOREVER : deadline - clock.nanos();
+                if (left <= 0) {
+                    return false;
+                }
+                await(left);
+            }
+            return false;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /**
+     * Waits for the turn of the next command, which is under way from then on until {@link #finish}, and must be written with {@link #writeNow}.
+     *
+     * @return null if its turn has not come by {@code deadline}, or there is none, or another thread has it
+     */
+    Command awaitCommand(long deadline) throws PortException {
+        lock();
+        try {
             while (true) {
                 requireLine();
+                Command head = underWay == null ? commands.head() : null;
                 long now = clock.nanos();
-                long wait = turns.peek() != turn ? Long.MAX_VALUE
-                        : kind == Kind.ACTION ? pacer.nanosUntilAction(bytes, now) : pacer.nanosUntilRequest(due, now);
+                if (head == null || deadline - now < 0) {
+                    return null;
+                }
+                long wait = writing || turnsAwaited > 0 ? FOREVER : pacer.nanosUntilAction(pacer.lengthOf(head.frame()), now);
                 if (wait == 0) {
-                    return;
+                    head.begin();
+                    underWay = head;
+                    writing = true;
+                    return head;
                 }
-                if (deadline - now <= 0) {
-                    throw new PortTimeoutException(transport.name(), "port " + transport.name() + " had no time for a message of " + bytes
-                            + " bytes within " + timeoutMillis + " ms; the line is busy with those before it");
-                }
-                await(Math.min(wait, deadline - now));
+                await(Math.min(wait, deadline - now + 1));
             }
         } finally {
             lock.unlock();
         }
     }
 
-    private long writeNow(Kind kind, byte[] bytes, int timeoutMillis) throws PortException {
-        long start = clock.nanos();
-        long sent = start;
-        try {
-            transport.write(bytes, 0, bytes.length, timeoutMillis);
-        } finally {
-            lock.lock(); // also of a write that failed some bytes may have left
-            try {
-                long now = clock.nanos();
-                sent = kind == Kind.ACTION ? pacer.wroteAction(bytes.length, start, now) : pacer.wroteRequest(bytes.length, start, now);
-            } finally {
-                lock.unlock();
-            }
-        }
-        return sent;
-    }
-
-    private void endTurn(Object turn) {
+    /** Withdraws the command whose turn is next; null if there is none. */
+    Command withdrawNext() {
         lock.lock();
         try {
-            turns.remove(turn);
+            Command head = underWay == null ? commands.head() : null;
+            if (head != null) {
+                head.withdraw();
+            }
+            return head;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Withdraws all commands that wait. */
+    List<Command> withdrawAll() {
+        lock.lock();
+        try {
+            return commands.removeAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Records that the command under way has arrived, or failed: the next one may go. */
+    void finish(Command command) {
+        locked(() -> underWay = underWay == command ? null : underWay);
+    }
+
+    /** Records that the outcome of a command has been reported. */
+    void reported() {
+        locked(commands::finished);
+    }
+
+    /** Waits, at most {@code nanos}, until the commands that have been submitted so far are over. */
+    void awaitCommandsSoFar(long nanos) throws PortException {
+        lock();
+        try {
+            long submitted = commands.submitted();
+            long deadline = clock.nanos() + nanos;
+            for (long left = nanos; left > 0 && !commands.areOver(submitted); left = deadline - clock.nanos()) {
+                requireLine();
+                await(left);
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /**
+     * Waits for a turn of its own, before the commands that wait, and writes a frame.
+     *
+     * @param timeoutMillis milliseconds to wait at most for the turn, and again for the driver
+     * @return when its last byte leaves the line, by the clock
+     * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
+     */
+    long write(Kind kind, Frame frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
+        awaitTurn(kind, frame, timeoutMillis);
+        return writeNow(kind, frame, timeoutMillis, beforeWrite);
+    }
+
+    private void awaitTurn(Kind kind, Frame frame, int timeoutMillis) throws PortException {
+        lock();
+        turnsAwaited++;
+        try {
+            long due = clock.nanos();
+            long deadline = due + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+            while (true) {
+                requireLine();
+                long now = clock.nanos();
+                long wait = writing ? FOREVER
+                        : kind == Kind.ACTION ? pacer.nanosUntilAction(frame.length(), now) : pacer.nanosUntilRequest(due, now);
+                if (wait == 0) {
+                    writing = true;
+                    return;
+                }
+                if (deadline - now <= 0) {
+                    throw noTime(frame, timeoutMillis);
+                }
+                await(Math.min(wait, deadline - now));
+            }
+        } finally {
+            turnsAwaited--;
             changed.signalAll();
+            lock.unlock();
+        }
+    }
+
+    /** Why a frame was not written whose turn did not come. */
+    PortTimeoutException noTime(Frame frame, int timeoutMillis) {
+        return new PortTimeoutException(transport.name(), "port " + transport.name() + " had no time for a message of " + frame.length()
+                + " bytes within " + timeoutMillis + " ms; the line is busy with those before it");
+    }
+
+    /** Writes a frame whose turn has come; as {@link #write}. */
+    long writeNow(Kind kind, Frame frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
+        byte[] bytes = frame.toBytes();
+        long end = 0;
+        try {
+            beforeWrite.run();
+            long start = clock.nanos();
+            try {
+                transport.write(bytes, 0, bytes.length, timeoutMillis);
+            } finally {
+                end = wrote(kind, bytes.length, start); // also of a write that failed some bytes may have left
+            }
+        } finally {
+            locked(() -> writing = false);
+        }
+        return end;
+    }
+
+    private long wrote(Kind kind, int bytes, long start) {
+        lock.lock();
+        try {
+            long now = clock.nanos();
+            return kind == Kind.ACTION ? pacer.wroteAction(bytes, start, now) : pacer.wroteRequest(bytes, start, now);
         } finally {
             lock.unlock();
         }
@@ -122,7 +252,7 @@ final class FrameWriter {
         }
     }
 
-    /** Says that {@code bytes} have been read at {@code now}. */
+    /** Records that {@code bytes} have been read at {@code now}. */
     void received(int bytes, long now) {
         lock.lock();
         try {
@@ -132,58 +262,52 @@ final class FrameWriter {
         }
     }
 
-    /** Says that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */
+    /** Records that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */
     void answered(long now) {
-        lock.lock();
-        try {
-            pacer.answered(now);
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
+        locked(() -> pacer.answered(now));
     }
 
-    /** Says that the board speaks version 2. */
+    /** Keeps the manners of version 2 from now on. */
     void speakVersion2() {
-        lock.lock();
-        try {
-            pacer.speakVersion2();
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
+        locked(pacer::speakVersion2);
     }
 
-    /** Says that the line is gone: who waits here, or comes later, gets a {@link PortGoneException} with {@code why}. */
-    void end(String why) {
-        lock.lock();
-        try {
-            if (end == null) {
-                end = why;
-                changed.signalAll();
-            }
-        } finally {
-            lock.unlock();
-        }
+    /** Ends the line: who waits here, or comes later, gets a {@link PortGoneException} with {@code reason}. */
+    void end(String reason) {
+        locked(() -> endReason = endReason == null ? reason : endReason);
     }
 
     /** Whether the line is still there, as far as it is known. */
     boolean hasLine() {
         lock.lock();
         try {
-            return end == null;
+            return endReason == null;
         } finally {
             lock.unlock();
         }
     }
 
-    /** Does nothing on a line that is there; else throws with the reason that {@link #end} was told first. */
+    /** Does nothing on a line that is there; else throws with the first reason that {@link #end} was given. */
     void requireLine() throws PortGoneException {
         lock.lock();
         try {
-            if (end != null) {
-                throw new PortGoneException(transport.name(), end);
+            if (endReason != null) {
+                throw new PortGoneException(transport.name(), endReason);
             }
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private interface Change<E extends Exception> {
+        void run() throws E;
+    }
+
+    private <E extends Exception> void locked(Change<E> change) throws E {
+        lock.lock();
+        try {
+            change.run();
+            changed.signalAll();
         } finally {
             lock.unlock();
         }
@@ -199,7 +323,11 @@ final class FrameWriter {
 
     private void await(long nanos) throws PortInterruptedException {
         try {
-            clock.await(changed, nanos);
+            if (nanos >= FOREVER) {
+                changed.await();
+            } else {
+                clock.await(changed, nanos);
+            }
         } catch (InterruptedException e) {
             throw interrupted();
         }

@@ -2,6 +2,7 @@ package javino;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import java.util.function.Supplier;
@@ -22,7 +23,6 @@ final class Inbox {
     /** What a board says of an action. */
     enum Outcome { DONE, REFUSED }
 
-    private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int BUFFER = 1024;
     /** Messages that wait at most to be taken: nobody may ever take one of a board that speaks unasked. The newest count. */
     private static final int MAX_MESSAGES = 64;
@@ -32,13 +32,13 @@ final class Inbox {
 
     private final Lock lock;
     private final Condition changed;
-    private final Deque<Message> messages = new ArrayDeque<>();
+    private final Deque<Reply> messages = new ArrayDeque<>();
     private final byte[] buffer = new byte[BUFFER]; // belongs to who reads
     private final Transport transport;
     private final LineClock clock;
     private final FrameDecoder decoder;
-    private final Reassembler fragments;
-    private final LocalEchoFilter echoes = new LocalEchoFilter();
+    private final Reassembler reassembler;
+    private final LocalEchoFilter localEchoes = new LocalEchoFilter();
     private final ReadListener received;
     private final long interByteTimeoutNanos;
     private boolean beingRead;
@@ -70,7 +70,7 @@ final class Inbox {
         this.received = received;
         interByteTimeoutNanos = FrameDecoder.interByteTimeoutNanos(transport.line());
         decoder = new FrameDecoder(interByteTimeoutNanos, protocol, this::keep);
-        fragments = new Reassembler(messageLimit);
+        reassembler = new Reassembler(messageLimit);
         version2 = protocol == Protocol.V2;
         lastByteNanos = clock.nanos();
     }
@@ -87,7 +87,7 @@ final class Inbox {
     }
 
     /** The next message, or null if none is complete when the clock shows {@code deadlineNanos}; one that has passed does not wait. */
-    Message next(long deadlineNanos) throws PortException {
+    Reply next(long deadlineNanos) throws PortException {
         return await(messages::poll, deadlineNanos);
     }
 
@@ -120,11 +120,11 @@ final class Inbox {
     }
 
     /** Reads what the line has ready, and returns the newest message among that and what was read before, or null. */
-    Message newest() throws PortException {
+    Reply newest() throws PortException {
+        readAll();
         lock.lock();
         try {
-            for (int reads = 0; reads < READS && !beingRead && readFor(0) > 0; reads++) { }
-            Message newest = messages.peekLast();
+            Reply newest = messages.peekLast();
             messages.clear();
             return newest;
         } finally {
@@ -134,14 +134,25 @@ final class Inbox {
 
     /** Reads what the line has ready, and forgets all messages with that and what was read before, unfinished ones too. */
     void clear() throws PortException {
+        readAll();
         lock.lock();
         try {
-            newest();
+            messages.clear();
             if (!version2) {
                 decoder.reset(); // in version 2 what is unfinished may be the outcome of an action
             }
-            fragments.asked();
+            reassembler.asked();
             wasted = decoder.discarded();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Reads what the line has ready, unless another thread reads. */
+    private void readAll() throws PortException {
+        lock.lock();
+        try {
+            for (int reads = 0; reads < READS && !beingRead && readFor(0) > 0; reads++) { }
         } finally {
             lock.unlock();
         }
@@ -151,7 +162,7 @@ final class Inbox {
     void asked() {
         lock.lock();
         try {
-            fragments.asked();
+            reassembler.asked();
         } finally {
             lock.unlock();
         }
@@ -161,7 +172,7 @@ final class Inbox {
     void sends(Frame frame) {
         lock.lock();
         try {
-            echoes.sends(frame);
+            localEchoes.sends(frame);
         } finally {
             lock.unlock();
         }
@@ -223,12 +234,23 @@ final class Inbox {
         }
     }
 
+    /** Reads for at most {@code nanos}, during which the lock is free: the caller holds it once. */
     private int readFor(long nanos) throws PortException {
-        int count = readUnlocked(nanos / NANOS_PER_MILLI + (nanos % NANOS_PER_MILLI > 0 ? 1 : 0));
+        long millis = TimeUnit.NANOSECONDS.toMillis(nanos + TimeUnit.MILLISECONDS.toNanos(1) - 1);
+        int count = 0;
+        beingRead = true;
+        lock.unlock();
+        try {
+            count = transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE));
+        } finally {
+            lock.lock();
+            beingRead = false;
+            changed.signalAll(); // it takes effect when the lock is free, hence after what was read has been kept
+        }
         long now = clock.nanos();
         if (count > 0) {
             lastByteNanos = now;
-            decoder.acceptUnbroken(buffer, 0, count, now); // a read that finds nothing tells of silence, a late one does not
+            decoder.acceptUnbroken(buffer, 0, count, now); // a read that finds nothing shows a silence, a late one does not
             received.received(count, now);
         } else {
             decoder.idle(now);
@@ -237,44 +259,32 @@ final class Inbox {
         return count;
     }
 
-    private int readUnlocked(long millis) throws PortException {
-        beingRead = true;
-        lock.unlock();
-        try {
-            return transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE));
-        } finally {
-            lock.lock();
-            beingRead = false;
-            changed.signalAll(); // it takes effect when the lock is free, hence after what was read has been kept
-        }
-    }
-
     private void noteSilence(long now) {
         if (decoder.discarded() > wasted && now - lastByteNanos > interByteTimeoutNanos) {
             wasted = decoder.discarded();
-            fragments.excuse();
+            reassembler.excuse();
         }
     }
 
     private void keep(Frame frame) {
-        if (echoes.isEcho(frame)) {
+        if (localEchoes.isEcho(frame)) {
             return;
         }
         if (frame.version() == 1) {
-            keep(new Message(1, frame.text()));
+            keep(new Reply(frame.text(), Protocol.V1, lastByteNanos));
         } else if (frame.has(Frame.ACK | Frame.REFUSAL)) {
             keepOutcome(frame);
         } else {
-            Message message = fragments.accept(frame, decoder.discarded() > wasted);
+            String message = reassembler.accept(frame, decoder.discarded() > wasted);
             wasted = decoder.discarded();
             if (message != null) {
-                keep(message);
+                keep(new Reply(message, Protocol.V2, lastByteNanos));
             }
             tellOfLength();
         }
     }
 
-    private void keep(Message message) {
+    private void keep(Reply message) {
         if (messages.size() == MAX_MESSAGES) {
             messages.poll();
         }
@@ -283,10 +293,10 @@ final class Inbox {
 
     /** Says so when a message was too long; and not again before one has come that was not. */
     private void tellOfLength() {
-        if (fragments.tooLong() != toldOfLength) {
-            toldOfLength = fragments.tooLong();
+        if (reassembler.tooLong() != toldOfLength) {
+            toldOfLength = reassembler.tooLong();
             if (toldOfLength) {
-                LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent a message of more than " + fragments.limit()
+                LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent a message of more than " + reassembler.limit()
                         + " bytes, which is dropped; longer ones are dropped without a word until one comes that is not");
             }
         }

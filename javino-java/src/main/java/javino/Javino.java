@@ -47,17 +47,17 @@ public class Javino implements AutoCloseable {
 
     /** Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. True when its last byte has left, or a version 2 board has acted. */
     public boolean sendCommand(String port, String msg) {
-        return succeeds(() -> link(port).send(msg, timeoutMillis));
+        return succeeds(() -> link(port).sendAndAwait(msg, timeoutMillis));
     }
 
     /** Sends a request, {@code getPercepts} say. True when its answer is in {@link #getData()}. */
     public boolean requestData(String port, String msg) {
-        return succeeds(() -> data = link(port).request(msg, timeoutMillis));
+        return succeeds(() -> data = link(port).request(msg, timeoutMillis).text());
     }
 
     /** Waits for a message that the board sends of its own accord. True when it is in {@link #getData()}. */
     public boolean listenHardware(String port) {
-        return succeeds(() -> data = link(port).listen(timeoutMillis));
+        return succeeds(() -> data = link(port).listen(timeoutMillis).text());
     }
 
     /** The last message that a call received; empty before the first. */

@@ -1,5 +1,7 @@
 package javino;
 
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
@@ -25,6 +27,13 @@ public interface LineClock {
      */
     default Lock newLock(boolean fair) {
         return new ReentrantLock(fair);
+    }
+
+    /**
+     * Runs {@code action}, which does not wait for anything, when {@code nanos} of this clock have passed, on a thread of the clock's choice.
+     */
+    default void schedule(long nanos, Runnable action) {
+        CompletableFuture.delayedExecutor(nanos, TimeUnit.NANOSECONDS, Runnable::run).execute(action);
     }
 
     /** The machine's steady clock. */

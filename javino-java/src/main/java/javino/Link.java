@@ -1,16 +1,17 @@
 package javino;
 
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Lock;
-import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 
 /**
  * An open port that one owner exchanges messages through.
  *
  * <p>Methods are safe on any thread. Typically one thread calls {@link #request} or {@link #listen}, which read the line on that thread and
- * take turns with each other, while another calls {@link #send}; a request waits only for messages whose sending was called before it.
- * Frames go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
+ * take turns with each other. {@link #send} never waits: it queues a command, and a thread that is in {@link #writeCommands} takes
+ * it to the board. Frames go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
  *
  * <p>Opening a port resets most boards, which then take a second or two to start. A link finds out by asking: until the first message has
  * come from the board, or {@link LinkSettings#bootMillis()} since opening have passed, a request is repeated every 250 ms (or its own time
@@ -25,9 +26,9 @@ import java.util.function.BooleanSupplier;
  * free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
  */
 public final class Link implements AutoCloseable {
-    private static final long MAX_WAIT_NANOS = 600_000_000L;
-    /** How long the device may be gone before it is noticed while a long message leaves. */
-    private static final long WATCH_NANOS = 250_000_000L;
+    private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
+    /** For this part of the time that a request takes the line is left free before it, for the commands that the last message caused. */
+    private static final int GRACE_DIVISOR = 8;
 
     private final Lock ending;
     private final Lock reading;
@@ -38,7 +39,8 @@ public final class Link implements AutoCloseable {
     private final FrameWriter writer;
     private final Inbox inbox;
     private final RequestChannel channel; // used by who holds reading
-    private final StopAndWaitSender sender;
+    private final CommandLoop commands;
+    private volatile long exchangeNanos; // that the last one took
 
     Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
         this.transport = transport;
@@ -50,7 +52,7 @@ public final class Link implements AutoCloseable {
         writer = new FrameWriter(transport, new Pacer(settings, clock.nanos()), clock);
         inbox = new Inbox(transport, clock, writer::received, settings.protocol(), settings.messageLimit());
         channel = new RequestChannel(inbox, writer, clock, settings);
-        sender = new StopAndWaitSender(transport.name(), inbox, writer, clock, settings.line());
+        commands = new CommandLoop(transport, claim.canonicalName(), writer, inbox, channel, clock, this::awaitStart);
     }
 
     /**
@@ -133,78 +135,104 @@ public final class Link implements AutoCloseable {
      * @throws PortTimeoutException if no answer came
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
-    public String request(String message, int timeoutMillis) throws PortException {
+    public Reply request(String message, int timeoutMillis) throws PortException {
         Frame request = Frame.of(message);
         requireTime(timeoutMillis);
+        if (channel.protocol() == Protocol.V1 && !channel.mustAsk()) {
+            writer.awaitCommandsSoFar(TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+        }
+        return exchange(request, timeoutMillis);
+    }
+
+    /**
+     * As {@link #request(String, int)}, for who asks again and again. The request gives way to the commands that were submitted before this
+     * call, and then to those that were submitted meanwhile, since one that a request overtakes waits for a whole exchange; each time for the
+     * longer of the last exchange and the interval, so that commands cannot starve requests.
+     *
+     * @param message called when the request's turn has come
+     * @param intervalMillis milliseconds between requests
+     */
+    public Reply request(Supplier<String> message, int timeoutMillis, int intervalMillis) throws PortException {
+        requireTime(timeoutMillis);
+        long limit = Math.max(TimeUnit.MILLISECONDS.toNanos(intervalMillis), exchangeNanos);
+        long grace = settings.line().byteNanos() * Frame.of(PerceptsRequest.ALL).length() / GRACE_DIVISOR;
+        noticing(() -> {
+            writer.awaitCommandsSoFar(limit);
+            writer.awaitTime(clock.nanos() + grace);
+            writer.awaitCommandsSoFar(limit);
+            return null;
+        });
+        long start = clock.nanos();
+        try {
+            return exchange(Frame.of(message.get()), timeoutMillis);
+        } finally {
+            exchangeNanos = clock.nanos() - start;
+        }
+    }
+
+    private Reply exchange(Frame request, int timeoutMillis) throws PortException {
         return reading(() -> {
-            Message answer = channel.request(request, timeoutMillis);
+            Reply answer = channel.request(request, timeoutMillis);
             if (answer == null) {
-                throw new PortTimeoutException(port(), "port " + port() + " gave no answer to \"" + message + "\" within " + timeoutMillis
-                        + " ms; " + transport.doubt());
+                throw new PortTimeoutException(port(), "port " + port() + " gave no answer to \"" + request.text() + "\" within "
+                        + timeoutMillis + " ms; " + transport.doubt());
             }
-            return answer.text();
+            return answer;
         });
     }
 
     /**
-     * Sends an action. To a version 1 board: returns when its last byte has left by the line's rate (if the link is not paced: when the
-     * driver has it). To a version 2 board: returns when the board has said that it has acted; until then the action is sent up to four times,
-     * which the board takes for one, and it is waited for up to some five seconds, less if the board is known to be quick.
+     * Queues a command, urgent ones before the others, and returns at once. It goes out while a thread is in {@link #writeCommands}.
      *
-     * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
-     * @throws ActionRefusedException if a version 2 board does not know the action, or not with these arguments
-     * @throws ActionUnconfirmedException if a version 2 board has not said that it acted; it may have
-     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some of it
-     *     may have been
+     * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's rate
+     * (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is sent up to four times, which
+     * the board takes for one, and is waited for up to some five seconds, less if the board is known to be quick. Else it is completed with
+     * {@link ActionRefusedException} if the board does not know the command, or not with these arguments; {@link ActionUnconfirmedException} if it
+     * may or may not have been carried out; {@link CommandWithdrawnException} if its time was over before it began to go out;
+     * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is gone; or
+     * with what a transport threw. A command whose future is completed by others, cancelled for example, does not go out unless it has begun to.
+     *
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
-    public void send(String message, int timeoutMillis) throws PortException {
-        send(message, timeoutMillis, () -> true);
+    public CompletableFuture<Void> send(String command, SendOptions options) {
+        return commands.submit(Frame.of(command), options).outcome();
     }
 
     /**
-     * As {@link #send(String, int)}, of an action that may be given up until its turn has come.
-     *
-     * @param goes asked once, by the calling thread, right before the first byte is written: whether the action is still to be sent
-     * @return false if it was not, and then nothing was sent
+     * Takes the commands that are queued to the board, in their turn, on the calling thread, until the link is closed, its device has gone or the
+     * thread is interrupted; then throws.
      */
-    public boolean send(String message, int timeoutMillis, BooleanSupplier goes) throws PortException {
-        Frame action = Frame.of(message);
+    public void writeCommands() throws PortException {
+        noticing(() -> {
+            commands.run();
+            return null;
+        });
+    }
+
+    /**
+     * As {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has arrived.
+     *
+     * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
+     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some of it
+     *     may have been
+     * @throws PortException as {@link #send} completes its future
+     */
+    public void sendAndAwait(String command, int timeoutMillis) throws PortException {
+        Frame frame = Frame.of(command);
         requireTime(timeoutMillis);
-        try {
-            return noticing(() -> {
-                if (channel.mustAsk()) {
-                    awaitStart();
-                }
-                if (channel.protocol() == Protocol.V2) {
-                    sender.deliver(action, timeoutMillis, () -> requireWanted(goes));
-                } else {
-                    awaitSent(writer.write(FrameWriter.Kind.ACTION, action, timeoutMillis, () -> {
-                        channel.awaitGap();
-                        requireWanted(goes);
-                        inbox.sends(action);
-                    }));
-                }
-                return true;
-            });
-        } catch (GivenUpException e) {
-            return false;
-        }
+        sendAndAwait(frame, SendOptions.defaults(), timeoutMillis);
     }
 
-    /** Waits until the last byte has left, which takes seconds on a slow line, and watches it: who would read it may be waiting for its turn. */
-    private void awaitSent(long nanos) throws PortException {
-        while (nanos - clock.nanos() > WATCH_NANOS) {
-            writer.awaitTime(clock.nanos() + WATCH_NANOS);
-            inbox.look();
-        }
-        writer.awaitTime(nanos);
+    /** As {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
+    public void sendAndAwait(String command, SendOptions options) throws PortException {
+        sendAndAwait(Frame.of(command), options, CommandSender.MAX_WRITE_MILLIS);
     }
 
-    private void requireWanted(BooleanSupplier goes) throws GivenUpException {
-        if (!goes.getAsBoolean()) {
-            throw new GivenUpException(port());
-        }
+    private void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
+        noticing(() -> {
+            commands.sendAndAwait(frame, options, timeoutMillis);
+            return null;
+        });
     }
 
     /**
@@ -213,14 +241,14 @@ public final class Link implements AutoCloseable {
      * @param timeoutMillis milliseconds to wait at most, at least 1
      * @throws PortTimeoutException if none came
      */
-    public String listen(int timeoutMillis) throws PortException {
+    public Reply listen(int timeoutMillis) throws PortException {
         requireTime(timeoutMillis);
         return reading(() -> {
-            Message message = channel.listen(timeoutMillis);
+            Reply message = channel.listen(timeoutMillis);
             if (message == null) {
                 throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
-            return message.text();
+            return message;
         });
     }
 
@@ -245,6 +273,7 @@ public final class Link implements AutoCloseable {
 
     private void end(String why) {
         writer.end(why); // wakes who waits for the line
+        commands.failAll();
         ending.lock(); // a second caller returns when the port is really free
         try {
             transport.close();

@@ -49,9 +49,9 @@ final class Negotiation {
     }
 
     /** As {@link RequestChannel#request}; {@code answered} says whether the answer must be fresh. */
-    Message run(Frame request, int timeoutMillis, boolean answered) throws PortException {
+    Reply run(Frame request, int timeoutMillis, boolean answered) throws PortException {
         boolean runs = channel.hasHeard();
-        Message answer = null;
+        Reply answer = null;
         if (!probed || runs) {
             probed = true;
             answer = probe(request, timeoutMillis);
@@ -96,13 +96,13 @@ final class Negotiation {
         return sent;
     }
 
-    private Message probe(Frame request, int timeoutMillis) throws PortException {
+    private Reply probe(Frame request, int timeoutMillis) throws PortException {
         int most = PROBES;
         for (int probes = 1; probes <= most; probes++) {
             long sent = askVersion2(request, timeoutMillis);
             long deadline = sent + (probes < most ? PROBE_NANOS : GAP_NANOS);
             long messages = overheard;
-            Message answer = version2By(sent, deadline);
+            Reply answer = version2By(sent, deadline);
             if (answer != null) {
                 return channel.completed(answer, timeoutMillis);
             }
@@ -115,9 +115,9 @@ final class Negotiation {
     }
 
     /** The next message of version 2, if it begins by {@code deadline}; what comes in version 1 meanwhile is no answer to a probe. */
-    private Message version2By(long sent, long deadline) throws PortException {
-        Message message = answers.by(sent, deadline, sent + ANSWER_NANOS);
-        while (message != null && message.version() == 1) {
+    private Reply version2By(long sent, long deadline) throws PortException {
+        Reply message = answers.by(sent, deadline, sent + ANSWER_NANOS);
+        while (message != null && message.version() == Protocol.V1) {
             overheard++;
             channel.overhear(message);
             message = answers.by(sent, deadline, sent + ANSWER_NANOS);

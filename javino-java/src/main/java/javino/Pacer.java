@@ -62,6 +62,11 @@ final class Pacer {
         version2 = true;
     }
 
+    /** Bytes that a command, which is given as a frame of version 1, takes on the line. */
+    int lengthOf(Frame command) {
+        return command.length() + (version2 ? Frame.VERSION_2_OVERHEAD : 0);
+    }
+
     /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
     long nanosUntilAction(int bytes, long now) {
         return nanosUntil(overfills(bytes) ? later(earliest(), busyUntil) : earliest(), now);

@@ -24,6 +24,11 @@ final class PortOwners {
             this.owner = owner;
         }
 
+        /** The port's name, the same under whatever name it was opened. */
+        String canonicalName() {
+            return canonicalName;
+        }
+
         /** Gives the port back. Idempotent. */
         void release() {
             TABLE.lock();

@@ -31,9 +31,9 @@ final class Reassembler {
      * Takes the next frame.
      *
      * @param damaged whether bytes that made no frame came right before it
-     * @return the message that it completes, or null
+     * @return the text of the message that it completes, or null
      */
-    Message accept(Frame frame, boolean damaged) {
+    String accept(Frame frame, boolean damaged) {
         Frame before = last;
         if (gathering && frame.equals(before)) {
             return null; // the line has doubled it
@@ -65,8 +65,8 @@ final class Reassembler {
         return counts || known && !sendsParts;
     }
 
-    private Message complete() {
-        Message message = new Message(2, parts.toString(StandardCharsets.ISO_8859_1));
+    private String complete() {
+        String message = parts.toString(StandardCharsets.ISO_8859_1);
         gathering = false;
         parts.reset();
         requests = 0;

@@ -29,7 +29,7 @@ final class RequestChannel {
     private int backoff;
     private boolean listens; // somebody wants what the board says unasked
     private boolean forAction; // the board is asked since an action is to be sent, and nobody wants the answer
-    private Message overheard; // the newest that came meanwhile and is for who listens; null: none
+    private Reply overheard; // the newest that came meanwhile and is for who listens; null: none
 
     /** @param settings of which {@link LinkSettings#bootMillis()} counts from now */
     RequestChannel(Inbox inbox, FrameWriter writer, LineClock clock, LinkSettings settings) {
@@ -82,13 +82,13 @@ final class RequestChannel {
     }
 
     /** Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting. */
-    Message request(Frame request, int timeoutMillis) throws PortException {
+    Reply request(Frame request, int timeoutMillis) throws PortException {
         overheard = null;
         return protocol == Protocol.AUTO ? negotiation.run(request, timeoutMillis, true) : requestAsAgreed(request, timeoutMillis);
     }
 
     /** As {@link #request}, in the version that is spoken, or, if that is not known yet, in turns. */
-    Message requestAsAgreed(Frame request, int timeoutMillis) throws PortException {
+    Reply requestAsAgreed(Frame request, int timeoutMillis) throws PortException {
         long timeoutNanos = timeoutMillis * NANOS_PER_MILLI;
         long starting = nanosUntilStarted();
         if (starting > 0) {
@@ -97,7 +97,7 @@ final class RequestChannel {
         if (protocol == Protocol.V2) {
             return askAgain(request, timeoutMillis);
         }
-        Message answer = inbox.next(askAsAgreed(request, timeoutMillis) + timeoutNanos);
+        Reply answer = inbox.next(askAsAgreed(request, timeoutMillis) + timeoutNanos);
         return answer == null ? null : completed(answer, timeoutMillis);
     }
 
@@ -107,9 +107,9 @@ final class RequestChannel {
     }
 
     /** The newest message that the board sends of its own accord, or null if none comes in time. */
-    Message listen(int timeoutMillis) throws PortException {
+    Reply listen(int timeoutMillis) throws PortException {
         listens = true;
-        Message message = overheard != null ? overheard : inbox.next(clock.nanos() + timeoutMillis * NANOS_PER_MILLI);
+        Reply message = overheard != null ? overheard : inbox.next(clock.nanos() + timeoutMillis * NANOS_PER_MILLI);
         overheard = null;
         if (message == null) {
             return null;
@@ -117,15 +117,15 @@ final class RequestChannel {
         heard = true;
         ready = true;
         writer.answered(clock.nanos()); // who speaks is not busy with a request that nobody waits for any more
-        Message newest = answers.newest(message);
-        if (protocol == Protocol.AUTO && newest.version() == 2) {
+        Reply newest = answers.newest(message);
+        if (protocol == Protocol.AUTO && newest.version() == Protocol.V2) {
             agreeOn(Protocol.V2);
         }
         return newest;
     }
 
     /** Keeps what came unasked while the board was asked for the sake of an action. */
-    void overhear(Message message) {
+    void overhear(Reply message) {
         if (forAction && listens) {
             overheard = message;
         }
@@ -141,9 +141,9 @@ final class RequestChannel {
     }
 
     /** Repeats the request until it is answered or the clock shows {@code giveUp}; null: no answer. */
-    private Message askUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
+    private Reply askUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
         long repeatNanos = Math.min(timeoutMillis, REPEAT_MILLIS) * NANOS_PER_MILLI;
-        Message answer = null;
+        Reply answer = null;
         for (long left = giveUp - clock.nanos(); answer == null && left > 0; left = giveUp - clock.nanos()) {
             long sent = askAsAgreed(request, timeoutMillis);
             answer = answers.by(sent, sent + Math.min(left, repeatNanos), giveUp);
@@ -155,13 +155,13 @@ final class RequestChannel {
      * Asks a version 2 board, and again if the answer was damaged, or is later than others were. An answer to one of several requests says
      * nothing about how long the board takes, so the time that is given it is doubled until a request is answered at once.
      */
-    private Message askAgain(Frame request, int timeoutMillis) throws PortException {
+    private Reply askAgain(Frame request, int timeoutMillis) throws PortException {
         long sent = askAsAgreed(request, timeoutMillis);
         long giveUp = sent + timeoutMillis * NANOS_PER_MILLI;
         for (int tries = 1; true; tries++) {
             long noise = inbox.discardedBytes();
             long patience = tries < TRIES ? answers.timeoutNanos() << backoff : Long.MAX_VALUE / 2;
-            Message answer = answers.orDamage(sent, noise, sent + Math.min(patience, giveUp - sent), giveUp);
+            Reply answer = answers.orDamage(sent, noise, sent + Math.min(patience, giveUp - sent), giveUp);
             if (answer != null) {
                 backoff = tries == 1 ? 0 : backoff;
                 return completed(answer, timeoutMillis);
@@ -202,14 +202,14 @@ final class RequestChannel {
     }
 
     /** Brings the exchange whose first message has come to its end, and returns the answer. */
-    Message completed(Message first, int timeoutMillis) throws PortException {
+    Reply completed(Reply first, int timeoutMillis) throws PortException {
         heard = true;
         ready = true;
-        if (protocol == Protocol.AUTO && first.version() == 2) {
+        if (protocol == Protocol.AUTO && first.version() == Protocol.V2) {
             agreeOn(Protocol.V2);
             answers.oweAllInVersion2();
         }
-        Message answer = answers.last(first, timeoutMillis, protocol == Protocol.V2);
+        Reply answer = answers.last(first, timeoutMillis, protocol == Protocol.V2);
         overhear(answer);
         writer.answered(clock.nanos());
         return answer;

@@ -26,8 +26,8 @@ final class ResponseCorrelator {
     }
 
     /** The next message, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
-    Message by(long sent, long deadline, long giveUp) throws PortException {
-        Message answer = inbox.next(deadline);
+    Reply by(long sent, long deadline, long giveUp) throws PortException {
+        Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
             answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // asking again would drop what has come of it
         }
@@ -39,8 +39,8 @@ final class ResponseCorrelator {
     }
 
     /** As {@link #by}, but null as soon as the line is silent behind more than {@code noise}. */
-    Message orDamage(long sent, long noise, long deadline, long giveUp) throws PortException {
-        Message answer = null;
+    Reply orDamage(long sent, long noise, long deadline, long giveUp) throws PortException {
+        Reply answer = null;
         for (long now = clock.nanos(); answer == null && deadline - now > 0; now = clock.nanos()) {
             if (inbox.discardedBytes() > noise && now - inbox.lastByteNanos() >= QUIET_NANOS) {
                 return null;
@@ -80,7 +80,7 @@ final class ResponseCorrelator {
      *
      * @param first that message
      */
-    Message last(Message first, int timeoutMillis, boolean version2) throws PortException {
+    Reply last(Reply first, int timeoutMillis, boolean version2) throws PortException {
         if (history.mayBeLate()) {
             return lastBeforeSilence(first, timeoutMillis * NANOS_PER_MILLI, version2);
         }
@@ -89,8 +89,8 @@ final class ResponseCorrelator {
     }
 
     /** The newest message that is there already: {@code message}, unless others have come behind it. */
-    Message newest(Message message) throws PortException {
-        Message newer = inbox.newest();
+    Reply newest(Reply message) throws PortException {
+        Reply newer = inbox.newest();
         return newer == null ? message : newer;
     }
 
@@ -98,15 +98,15 @@ final class ResponseCorrelator {
      * The last message before the board falls silent. A board of version 2 may acknowledge actions all the time, so there it is the time
      * since a message that counts, and if there is one for each request no further is due.
      */
-    private Message lastBeforeSilence(Message first, long timeoutNanos, boolean version2) throws PortException {
+    private Reply lastBeforeSilence(Reply first, long timeoutNanos, boolean version2) throws PortException {
         long now = clock.nanos();
         long giveUp = now + timeoutNanos;
         long settlingNanos = history.settlingNanos(now, timeoutNanos);
-        Message last = first;
+        Reply last = first;
         long lastAt = now;
         for (int messages = 1; giveUp - clock.nanos() > 0; ) {
             long left = Math.min((version2 ? lastAt : inbox.lastByteNanos()) + settlingNanos, giveUp) - clock.nanos();
-            Message later = inbox.next(clock.nanos() + left);
+            Reply later = inbox.next(clock.nanos() + left);
             if (later != null) {
                 last = later;
                 lastAt = clock.nanos();

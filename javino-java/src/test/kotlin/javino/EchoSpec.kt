@@ -25,10 +25,10 @@ class EchoSpec : FunSpec({
     test("a version 1 board behind a line that echoes is understood") {
         val board = VirtualBoard()
         echoing(board).use { bench ->
-            bench.link.request(REQUEST, 500) shouldBe "1;"
+            bench.link.request(REQUEST, 500).text() shouldBe "1;"
             bench.link.protocol() shouldBe Protocol.V1
-            bench.link.send("ledOn", 500)
-            bench.link.request(REQUEST, 500) shouldBe "2;"
+            bench.link.sendAndAwait("ledOn", 500)
+            bench.link.request(REQUEST, 500).text() shouldBe "2;"
             board.texts.filter { it != REQUEST } shouldBe listOf("ledOn")
         }
     }
@@ -37,8 +37,8 @@ class EchoSpec : FunSpec({
         val board = VirtualBoard2()
         echoing(board).use { bench ->
             for (n in 1..40) {
-                bench.link.request(REQUEST, 500) shouldBe "$n;"
-                bench.link.send("speed($n)", 500)
+                bench.link.request(REQUEST, 500).text() shouldBe "$n;"
+                bench.link.sendAndAwait("speed($n)", 500)
             }
             bench.link.protocol() shouldBe Protocol.V2
             board.handled.count { it.startsWith("2:speed") } shouldBe 40
@@ -46,24 +46,24 @@ class EchoSpec : FunSpec({
     }
 
     test("a line that only echoes gives no answer") {
-        echoing(nothing).use { bench -> repeat(5) { shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) } } }
+        echoing(nothing).use { bench -> repeat(5) { shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500).text() } } }
     }
 
     test("a command that comes back is no message of the board") {
         echoing(VirtualBoard()).use { bench ->
-            bench.link.request(REQUEST, 500)
-            bench.link.send("ledOn", 500)
-            shouldThrow<PortTimeoutException> { bench.link.listen(500) }
+            bench.link.request(REQUEST, 500).text()
+            bench.link.sendAndAwait("ledOn", 500)
+            shouldThrow<PortTimeoutException> { bench.link.listen(500).text() }
         }
     }
 
     test("a board that says what it was told is heard") {
         val board = VirtualBoard()
         VirtualBench(LinkSettings.defaults(), board, Protocol.AUTO).use { bench ->
-            bench.link.request(REQUEST, 500)
-            bench.link.send("ledOn", 500)
+            bench.link.request(REQUEST, 500).text()
+            bench.link.sendAndAwait("ledOn", 500)
             board.say(bench.millis, "ledOn")
-            bench.link.listen(500) shouldBe "ledOn"
+            bench.link.listen(500).text() shouldBe "ledOn"
         }
     }
 })

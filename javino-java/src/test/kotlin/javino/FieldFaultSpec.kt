@@ -83,7 +83,7 @@ class FieldFaultSpec : FunSpec({
             EventLine(FAST, CountingBoard { last = it; if (back.intact) intactAnswer = it }, there, back).use { line ->
                 repeat(exchanges) {
                     val before = intactAnswer
-                    val answer = try { line.link.request(REQUEST, 100) } catch (_: PortTimeoutException) { null }
+                    val answer = try { line.link.request(REQUEST, 100).text() } catch (_: PortTimeoutException) { null }
                     if (intactAnswer > before && answer != percepts(intactAnswer)) failed += "answer $intactAnswer: $answer"
                     if (answer == percepts(last)) succeeded++
                 }
@@ -99,11 +99,11 @@ class FieldFaultSpec : FunSpec({
         for (at in 0 until length) {
             val cut = OneFault(2) { listOf(Piece(it.copyOf(at))) }
             EventLine(FAST, CountingBoard(), toComputer = cut).use { line ->
-                line.link.request(REQUEST, 200) shouldBe percepts(1)
-                val second = try { line.link.request(REQUEST, 200) } catch (_: PortTimeoutException) { null }
+                line.link.request(REQUEST, 200).text() shouldBe percepts(1)
+                val second = try { line.link.request(REQUEST, 200).text() } catch (_: PortTimeoutException) { null }
                 second shouldBe null
-                line.link.request(REQUEST, 200) shouldBe percepts(3)
-                line.link.request(REQUEST, 200) shouldBe percepts(4)
+                line.link.request(REQUEST, 200).text() shouldBe percepts(3)
+                line.link.request(REQUEST, 200).text() shouldBe percepts(4)
             }
         }
         println("measured: an answer of version 1 cut at $length places: the next was read each time")
@@ -114,10 +114,10 @@ class FieldFaultSpec : FunSpec({
             val cut = OneFault(2) { listOf(Piece(it.copyOf(at))) }
             val board = CountingBoard()
             EventLine(FAST, board, toBoard = cut).use { line ->
-                line.link.request(REQUEST, 200) shouldBe percepts(1)
-                try { line.link.request(REQUEST, 200) } catch (_: PortTimeoutException) { null } shouldBe null
-                line.link.send("stop", 200)
-                line.link.request(REQUEST, 200) shouldBe percepts(2)
+                line.link.request(REQUEST, 200).text() shouldBe percepts(1)
+                try { line.link.request(REQUEST, 200).text() } catch (_: PortTimeoutException) { null } shouldBe null
+                line.link.sendAndAwait("stop", 200)
+                line.link.request(REQUEST, 200).text() shouldBe percepts(2)
             }
             board.actions shouldContainExactly listOf("stop")
         }

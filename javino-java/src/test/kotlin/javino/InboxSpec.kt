@@ -6,6 +6,8 @@ import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
 import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
@@ -99,6 +101,24 @@ class InboxSpec : FunSpec({
         val probe = InboxProbe()
         probe.unplug()
         shouldThrow<PortGoneException> { probe.next() }
+    }
+
+    test("who waits for an outcome is not held up by another thread that reads for long") {
+        val reading = CountDownLatch(1)
+        val free = CountDownLatch(1)
+        val line = object : Transport by MemoryLine.unlimited("slow", LineSettings.defaults()).computer() {
+            override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
+                reading.countDown()
+                free.await() // as while a driver closes the port
+                return 0
+            }
+        }
+        val inbox = Inbox(line, LineClock.system()) { _, _ -> }
+        val clearing = async { inbox.clear() }
+        reading.await()
+        async { inbox.outcome(LineClock.system().nanos() + 1_000_000) }.get(20, TimeUnit.SECONDS).shouldBeNull()
+        free.countDown()
+        clearing.get(20, TimeUnit.SECONDS)
     }
 
     test("of messages that nobody takes the newest are kept") {

@@ -39,79 +39,79 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
 
     contract("a request brings its answer") {
         board.whenAsked("getPercepts").answer("dist(f,10);", "dist(f,9);")
-        link.request("getPercepts", LONG_MILLIS) shouldBe "dist(f,10);"
-        link.request("getPercepts", LONG_MILLIS) shouldBe "dist(f,9);"
+        link.request("getPercepts", LONG_MILLIS).text() shouldBe "dist(f,10);"
+        link.request("getPercepts", LONG_MILLIS).text() shouldBe "dist(f,9);"
         board.verify()
     }
 
     contract("the longest message comes through in both directions") {
         val longest = String(CharArray(255) { (it + 1).toChar() })
         board.whenAsked(longest).answer(longest)
-        link.request(longest, LONG_MILLIS) shouldBe longest
+        link.request(longest, LONG_MILLIS).text() shouldBe longest
     }
 
     contract("an empty answer is an answer") {
         board.whenAsked("getPercepts").answer("")
-        link.request("getPercepts", LONG_MILLIS) shouldBe ""
+        link.request("getPercepts", LONG_MILLIS).text() shouldBe ""
     }
 
     contract("actions reach the board in their order") {
         val actions = (1..20).map { "speed($it)" }
-        actions.forEach { link.send(it, LONG_MILLIS) }
+        actions.forEach { link.sendAndAwait(it, LONG_MILLIS) }
         actions.map { board.awaitMessage(LONG_MILLIS) } shouldContainExactly actions
         board.verify()
     }
 
     contract("listening brings what the board sends of its own accord") {
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         board.send("bump(front);")
-        link.listen(LONG_MILLIS) shouldBe "bump(front);"
+        link.listen(LONG_MILLIS).text() shouldBe "bump(front);"
     }
 
     contract("listening waits no longer than its time limit") {
-        shouldThrow<PortTimeoutException> { link.listen(20) }.message shouldContain "20 ms"
+        shouldThrow<PortTimeoutException> { link.listen(20).text() }.message shouldContain "20 ms"
     }
 
     contract("a silent board is a timeout, and the link stays usable") {
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         board.whenAsked("getPercepts").staySilent()
-        val timeout = shouldThrow<PortTimeoutException> { link.request("getPercepts", 50) }
+        val timeout = shouldThrow<PortTimeoutException> { link.request("getPercepts", 50).text() }
         timeout.port() shouldBe port
         timeout.message shouldContain "50 ms"
         board.whenAsked("getPercepts").answer("dist(f,10);")
-        link.request("getPercepts", LONG_MILLIS) shouldBe "dist(f,10);"
+        link.request("getPercepts", LONG_MILLIS).text() shouldBe "dist(f,10);"
     }
 
     contract("noise in front of an answer costs nothing") {
         board.whenAsked("getPercepts").answerRaw("fffeZZ\u0000\u00ffffffe05hello")
-        link.request("getPercepts", LONG_MILLIS) shouldBe "hello"
+        link.request("getPercepts", LONG_MILLIS).text() shouldBe "hello"
     }
 
     contract("an answer that noise swallowed is found when the line falls silent") {
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         board.whenAsked("getPercepts").answerRaw("fffeFFfffe05hello")
-        link.request("getPercepts", LONG_MILLIS) shouldBe "hello"
+        link.request("getPercepts", LONG_MILLIS).text() shouldBe "hello"
     }
 
     contract("after a missed answer, the next request does not get it") {
         var count = 0
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         board.stall()
         board.whenAsked("getPercepts").answer { "count(${++count});" }
-        repeat(5) { shouldThrow<PortTimeoutException> { link.request("getPercepts", 30) } }
-        val last = async { link.request("getPercepts", LONG_MILLIS) }
+        repeat(5) { shouldThrow<PortTimeoutException> { link.request("getPercepts", 30).text() } }
+        val last = async { link.request("getPercepts", LONG_MILLIS).text() }
         board.resume()
         last.get(30, TimeUnit.SECONDS) shouldBe "count($count);"
-        repeat(3) { link.request("getPercepts", LONG_MILLIS) shouldBe "count($count);" }
+        repeat(3) { link.request("getPercepts", LONG_MILLIS).text() shouldBe "count($count);" }
     }
 
     contract("requests and actions take turns, and the actions keep their order") {
         val actions = (1..40).map { "speed($it)" }
-        link.request("getPercepts", LONG_MILLIS)
-        val sender = async { actions.forEach { link.send(it, LONG_MILLIS) } }
+        link.request("getPercepts", LONG_MILLIS).text()
+        val sender = async { actions.forEach { link.sendAndAwait(it, LONG_MILLIS) } }
         var answers = 0
         while (!sender.isDone) {
-            link.request("getPercepts", LONG_MILLIS)
+            link.request("getPercepts", LONG_MILLIS).text()
             answers++
         }
         sender.get()
@@ -130,31 +130,31 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
     }
 
     contract("a request that waits ends when the plug is pulled") {
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         board.whenAsked("getPercepts").staySilent()
-        val request = async { link.request("getPercepts", LONG_MILLIS) }
-        val listener = async { link.listen(LONG_MILLIS) }
+        val request = async { link.request("getPercepts", LONG_MILLIS).text() }
+        val listener = async { link.listen(LONG_MILLIS).text() }
         unplug()
         request.failure().shouldBeInstanceOf<PortGoneException>()
         listener.failure().shouldBeInstanceOf<PortGoneException>()
     }
 
     contract("once the plug is pulled every call throws the same, and the port has no owner") {
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         unplug()
-        val first = shouldThrow<PortGoneException> { link.request("getPercepts", LONG_MILLIS) }
+        val first = shouldThrow<PortGoneException> { link.request("getPercepts", LONG_MILLIS).text() }
         link.isOpen shouldBe false
-        for (call in listOf({ link.send("stop", LONG_MILLIS) }, { link.listen(LONG_MILLIS) }, { link.request("getPercepts", LONG_MILLIS) })) {
+        for (call in listOf({ link.sendAndAwait("stop", LONG_MILLIS) }, { link.listen(LONG_MILLIS).text() }, { link.request("getPercepts", LONG_MILLIS).text() })) {
             shouldThrow<PortGoneException> { call() }.message shouldBe first.message
         }
         Link.ownerOf(port).isPresent shouldBe false
     }
 
     contract("calls that wait end when the link is closed") {
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         board.whenAsked("getPercepts").staySilent()
-        val request = async { link.request("getPercepts", LONG_MILLIS) }
-        val sends = (1..10).map { async { link.send("x".repeat(200), LONG_MILLIS) } }
+        val request = async { link.request("getPercepts", LONG_MILLIS).text() }
+        val sends = (1..10).map { async { link.sendAndAwait("x".repeat(200), LONG_MILLIS) } }
         board.awaitMessage(LONG_MILLIS)
         link.close()
         request.failure().shouldBeInstanceOf<PortGoneException>().message shouldContain "closed"
@@ -163,11 +163,11 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
     }
 
     contract("an interrupted call throws, and the link stays usable") {
-        link.request("getPercepts", LONG_MILLIS)
-        val caller = thread(isDaemon = true) { runCatching { link.listen(LONG_MILLIS) } }
+        link.request("getPercepts", LONG_MILLIS).text()
+        val caller = thread(isDaemon = true) { runCatching { link.listen(LONG_MILLIS).text() } }
         caller.interrupt()
         caller.join(TimeUnit.SECONDS.toMillis(20))
         caller.isAlive shouldBe false
-        link.request("getPercepts", LONG_MILLIS) shouldBe ""
+        link.request("getPercepts", LONG_MILLIS).text() shouldBe ""
     }
 })

@@ -58,7 +58,7 @@ private class Outcomes(private val exchanges: Int, toBoard: LineFaults, toComput
 
     private fun act(link: Link, i: Int) {
         try {
-            link.send("speed($i)", 500)
+            link.sendAndAwait("speed($i)", 500)
             confirmed[i] = true
         } catch (_: ActionUnconfirmedException) {
             confirmed[i] = false
@@ -69,7 +69,7 @@ private class Outcomes(private val exchanges: Int, toBoard: LineFaults, toComput
 
     private fun ask(link: Link) {
         try {
-            val text = link.request(REQUEST, 500)
+            val text = link.request(REQUEST, 500).text()
             answers++
             if (text != percepts(text.substringAfter('(').substringBefore(',').toIntOrNull() ?: 0)) corruptBelieved += text
         } catch (_: PortTimeoutException) {
@@ -160,7 +160,7 @@ class LinkFaultSpec : FunSpec({
         test("with one bit in ${(1 / rate).roundToInt()} wrong a version 2 board is found to be one") {
             val found = (1L..LINKS).count { seed ->
                 EventLine(FAST, VirtualBoard2(), RandomFaults(rate, seed = seed), RandomFaults(rate, seed = -seed)).use { line ->
-                    runCatching { line.link.request(REQUEST, 500) }
+                    runCatching { line.link.request(REQUEST, 500).text() }
                     line.link.protocol() == Protocol.V2
                 }
             }
@@ -187,8 +187,8 @@ class LinkFaultSpec : FunSpec({
                 withClue("$name at byte $at of write $turn, to the board: $toBoard") {
                     EventLine(FAST.withProtocol(Protocol.V2), board, if (toBoard) one else FAULTLESS, if (toBoard) FAULTLESS else one).use { line ->
                         for (i in 1..3) {
-                            line.link.request(REQUEST, 1_000).let { it shouldBe percepts(it.substringAfter('(').substringBefore(',').toInt()) }
-                            line.link.send("speed($i)", 1_000)
+                            line.link.request(REQUEST, 1_000).text().let { it shouldBe percepts(it.substringAfter('(').substringBefore(',').toInt()) }
+                            line.link.sendAndAwait("speed($i)", 1_000)
                         }
                     }
                     board.handled.filter { REQUEST !in it } shouldContainExactly (1..3).map { "2:speed($it)" }
@@ -211,9 +211,9 @@ class LinkFaultSpec : FunSpec({
                 try {
                     while (true) {
                         val action = "speed(${++number})"
-                        line.link.send(action, 500)
+                        line.link.sendAndAwait(action, 500)
                         confirmed += action
-                        line.link.request(REQUEST, 500)
+                        line.link.request(REQUEST, 500).text()
                     }
                 } catch (_: PortGoneException) {
                     line.link.isOpen shouldBe false

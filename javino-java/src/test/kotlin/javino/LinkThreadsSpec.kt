@@ -1,9 +1,12 @@
 package javino
 
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.types.shouldBeInstanceOf
+import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import javino.sim.FakeBoard
@@ -15,7 +18,7 @@ private val boards = AtomicInteger()
 
 /** Several threads on one link to a version 2 board: who waits for an acknowledgement and who for an answer read for each other. */
 class LinkThreadsSpec : FunSpec({
-    fun robot(name: String, work: (FakeBoard, Link) -> Unit) = test(name).config(timeout = 60.seconds, blockingTest = true) {
+    fun robot(name: String, work: suspend (FakeBoard, Link) -> Unit) = test(name).config(timeout = 60.seconds, blockingTest = true) {
         FakeBoard.plugIn("threads${boards.incrementAndGet()}").version2().lenient().use { board ->
             Link.open(board.port(), Bench.FAST.withProtocol(Protocol.V2), "the test").use { work(board, it) }
         }
@@ -23,10 +26,10 @@ class LinkThreadsSpec : FunSpec({
 
     robot("requests and actions do not wait for each other, and each action is carried out once, in its order") { board, link ->
         val actions = (1..100).map { "speed($it)" }
-        val sender = async { actions.forEach { link.send(it, LONG_MILLIS) } }
+        val sender = async { actions.forEach { link.sendAndAwait(it, LONG_MILLIS) } }
         var answers = 0
         while (!sender.isDone) {
-            link.request("getPercepts", LONG_MILLIS) shouldBe ""
+            link.request("getPercepts", LONG_MILLIS).text() shouldBe ""
             answers++
         }
         sender.get()
@@ -35,9 +38,9 @@ class LinkThreadsSpec : FunSpec({
     }
 
     robot("several senders and a listener share the line") { board, link ->
-        link.request("getPercepts", LONG_MILLIS)
-        val listener = async { link.listen(LONG_MILLIS) }
-        val senders = (1..4).map { n -> async { repeat(25) { link.send("at($n,$it)", LONG_MILLIS) } } }
+        link.request("getPercepts", LONG_MILLIS).text()
+        val listener = async { link.listen(LONG_MILLIS).text() }
+        val senders = (1..4).map { n -> async { repeat(25) { link.sendAndAwait("at($n,$it)", LONG_MILLIS) } } }
         senders.forEach { it.get(30, TimeUnit.SECONDS) }
         board.received().count { it.startsWith("at(") } shouldBe 100
         board.send("bump;")
@@ -45,11 +48,11 @@ class LinkThreadsSpec : FunSpec({
     }
 
     robot("who waits for an acknowledgement is told when the plug is pulled, or the link closed") { board, link ->
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         board.whenAsked("walk").after(LONG_MILLIS)
-        val sender = async { link.send("walk", LONG_MILLIS) }
-        val next = async { link.send("walk", LONG_MILLIS) }
-        while ("walk" !in board.received()) Thread.onSpinWait()
+        val sender = async { link.sendAndAwait("walk", LONG_MILLIS) }
+        val next = async { link.sendAndAwait("walk", LONG_MILLIS) }
+        eventually(20.seconds) { board.received() shouldContain "walk" }
         link.close()
         sender.failure().shouldBeInstanceOf<PortGoneException>()
         next.failure().shouldBeInstanceOf<PortGoneException>()
@@ -57,13 +60,12 @@ class LinkThreadsSpec : FunSpec({
 
     robot("an interrupted sender throws, and the link stays usable") { board, link ->
         link.request("getPercepts", LONG_MILLIS)
-        board.stall()
-        val sender = thread(isDaemon = true) { runCatching { link.send("walk", LONG_MILLIS) } }
+        board.whenAsked("walk").after(1_500)
+        val failure = CompletableFuture<Throwable?>()
+        val sender = thread(isDaemon = true) { failure.complete(runCatching { link.sendAndAwait("walk", LONG_MILLIS) }.exceptionOrNull()) }
+        eventually(20.seconds) { board.received() shouldContain "walk" }
         sender.interrupt()
-        sender.join(TimeUnit.SECONDS.toMillis(20))
-        sender.isAlive shouldBe false
-        board.resume()
-        link.send("stop", LONG_MILLIS)
-        board.awaitMessage("stop", LONG_MILLIS)
+        failure.get(20, TimeUnit.SECONDS).shouldBeInstanceOf<PortInterruptedException>()
+        link.request("getPercepts", LONG_MILLIS)
     }
 })

@@ -68,10 +68,10 @@ class LinkVersionSpec : FunSpec({
         val board = VirtualBoard2()
         bench(board).use { bench ->
             bench.link.protocol() shouldBe Protocol.AUTO
-            bench.link.request(REQUEST, 500) shouldBe "1;"
+            bench.link.request(REQUEST, 500).text() shouldBe "1;"
             bench.millis shouldBeLessThan 60.0
             bench.link.protocol() shouldBe Protocol.V2
-            bench.link.request(REQUEST, 500) shouldBe "2;"
+            bench.link.request(REQUEST, 500).text() shouldBe "2;"
             board.handled shouldContainExactly listOf("2:$REQUEST", "2:$REQUEST")
         }
     }
@@ -79,13 +79,13 @@ class LinkVersionSpec : FunSpec({
     for (blockwise in listOf(false, true)) test("a version 1 board that runs answers within half a second, blockwise: $blockwise") {
         val board = FieldBoard(blockwise = blockwise)
         bench(board).use { bench ->
-            bench.link.request(REQUEST, 500) shouldBe "1;"
+            bench.link.request(REQUEST, 500).text() shouldBe "1;"
             bench.millis shouldBeLessThan 500.0
             bench.link.protocol() shouldBe Protocol.V1
             val before = bench.millis
-            bench.link.request(REQUEST, 500) shouldBe "2;"
+            bench.link.request(REQUEST, 500).text() shouldBe "2;"
             bench.millis - before shouldBeLessThan 50.0
-            bench.link.send("ledOn", 500)
+            bench.link.sendAndAwait("ledOn", 500)
             bench.awayFor(5)
             board.received shouldContainExactly listOf(REQUEST, REQUEST, "ledOn")
         }
@@ -95,12 +95,12 @@ class LinkVersionSpec : FunSpec({
         test("a version 1 board that starts for $starts ms loses no more than one request's time to the other version") {
             val board = FieldBoard(starts)
             bench(board).use { bench ->
-                bench.link.request(REQUEST, 500)
+                bench.link.request(REQUEST, 500).text()
                 bench.link.protocol() shouldBe Protocol.V1
                 bench.millis - starts shouldBeLessThan 1_300.0
                 val before = bench.millis
-                bench.link.send("ledOn", 500)
-                bench.link.request(REQUEST, 500)
+                bench.link.sendAndAwait("ledOn", 500)
+                bench.link.request(REQUEST, 500).text()
                 bench.millis - before shouldBeLessThan 100.0
                 board.received.filter { it != REQUEST } shouldContainExactly listOf("ledOn")
             }
@@ -110,9 +110,9 @@ class LinkVersionSpec : FunSpec({
             val board = VirtualBoard2(starts, both)
             val unnoticed = both && starts in 55.0..385.0 // it misses the probes and answers the first request of version 1
             bench(board).use { bench ->
-                bench.link.request(REQUEST, 500)
+                bench.link.request(REQUEST, 500).text()
                 bench.link.protocol() shouldBe if (unnoticed) Protocol.V1 else Protocol.V2
-                bench.link.send("ledOn", 500)
+                bench.link.sendAndAwait("ledOn", 500)
                 bench.awayFor(5)
                 board.handled shouldContain if (unnoticed) "1:ledOn" else "2:ledOn"
             }
@@ -130,7 +130,7 @@ class LinkVersionSpec : FunSpec({
             }
         }
         bench(talker).use { bench ->
-            bench.link.request(REQUEST, 500)
+            bench.link.request(REQUEST, 500).text()
             bench.link.protocol() shouldBe Protocol.V2
         }
     }
@@ -138,7 +138,7 @@ class LinkVersionSpec : FunSpec({
     test("an agent that only acts finds a version 2 board too, and probes with no action") {
         val board = VirtualBoard2(1_800.0)
         bench(board).use { bench ->
-            bench.link.send("ledOn", 500)
+            bench.link.sendAndAwait("ledOn", 500)
             bench.link.protocol() shouldBe Protocol.V2
             board.handled.filter { REQUEST !in it } shouldContainExactly listOf("2:ledOn")
         }
@@ -147,8 +147,8 @@ class LinkVersionSpec : FunSpec({
     test("an agent that only acts reaches a version 1 board, once for each action") {
         val board = FieldBoard(1_800.0)
         bench(board).use { bench ->
-            bench.link.send("ledOn", 500)
-            bench.link.send("ledOff", 500)
+            bench.link.sendAndAwait("ledOn", 500)
+            bench.link.sendAndAwait("ledOff", 500)
             bench.awayFor(20)
             board.received.filter { it != REQUEST } shouldContainExactly listOf("ledOn", "ledOff")
         }
@@ -157,12 +157,12 @@ class LinkVersionSpec : FunSpec({
     test("a board that never answers is sent its action when it must have started, in version 1") {
         val board = VirtualBoard().apply { silent = true }
         bench(board).use { bench ->
-            bench.link.send("ledOn", 500)
+            bench.link.sendAndAwait("ledOn", 500)
             bench.millis shouldBeLessThan 4_000.0
             bench.awayFor(5)
             board.texts.last() shouldBe "ledOn"
             val before = bench.millis
-            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }
+            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500).text() }
             bench.millis - before shouldBeLessThan 900.0
         }
     }
@@ -171,10 +171,10 @@ class LinkVersionSpec : FunSpec({
         for (takes in listOf(50.0, 150.0, 350.0, 450.0)) {
             val board = VirtualBoard2().apply { this.takes = takes }
             bench(board).use { bench ->
-                bench.link.request(REQUEST, 1_000)
+                bench.link.request(REQUEST, 1_000).text()
                 bench.link.protocol() shouldBe Protocol.V2
                 val handled = board.handled.size
-                bench.link.request(REQUEST, 1_000).trimEnd(';').toInt() shouldBeInRange handled..board.handled.size
+                bench.link.request(REQUEST, 1_000).text().trimEnd(';').toInt() shouldBeInRange handled..board.handled.size
             }
         }
     }
@@ -183,13 +183,13 @@ class LinkVersionSpec : FunSpec({
         val board = VirtualBoard2()
         bench(board).use { bench ->
             board.say("bump;")
-            bench.link.listen(1_000) shouldBe "bump;"
+            bench.link.listen(1_000).text() shouldBe "bump;"
             bench.link.protocol() shouldBe Protocol.V2
         }
         val old = VirtualBoard().apply { say(1.0, "bump;") }
         bench(old).use { bench ->
-            bench.link.listen(1_000) shouldBe "bump;"
-            bench.link.send("ledOn", 500)
+            bench.link.listen(1_000).text() shouldBe "bump;"
+            bench.link.sendAndAwait("ledOn", 500)
             bench.link.protocol() shouldBe Protocol.V1
             bench.awayFor(5)
             old.texts shouldContainExactly listOf("ledOn")
@@ -199,10 +199,10 @@ class LinkVersionSpec : FunSpec({
     for (at in listOf(5.0, 40.0, 90.0, 200.0, 340.0)) test("what a version 1 board says unasked $at ms after it is probed for an action reaches who listens") {
         val board = VirtualBoard().apply { say(1.0, "ready;") }
         bench(board).use { bench ->
-            bench.link.listen(1_000) shouldBe "ready;"
+            bench.link.listen(1_000).text() shouldBe "ready;"
             board.say(bench.millis + at, "bump;")
-            bench.link.send("ledOn", 500)
-            bench.link.listen(500) shouldBe "bump;"
+            bench.link.sendAndAwait("ledOn", 500)
+            bench.link.listen(500).text() shouldBe "bump;"
             board.texts shouldContainExactly listOf("ledOn")
         }
     }
@@ -210,16 +210,16 @@ class LinkVersionSpec : FunSpec({
     test("what came before an action probes the board reaches who listens, unless something newer does") {
         val board = VirtualBoard().apply { say(1.0, "ready;") }
         bench(board).use { bench ->
-            bench.link.listen(1_000)
+            bench.link.listen(1_000).text()
             board.say(bench.millis, "bump;")
             bench.awayFor(20)
-            bench.link.send("ledOn", 500)
-            bench.link.listen(500) shouldBe "bump;"
+            bench.link.sendAndAwait("ledOn", 500)
+            bench.link.listen(500).text() shouldBe "bump;"
             board.say(bench.millis, "old;")
             board.say(bench.millis + 20, "new;")
             bench.awayFor(60)
-            bench.link.send("ledOff", 500)
-            bench.link.listen(500) shouldBe "new;"
+            bench.link.sendAndAwait("ledOff", 500)
+            bench.link.listen(500).text() shouldBe "new;"
         }
     }
 
@@ -228,10 +228,10 @@ class LinkVersionSpec : FunSpec({
             val settings = LinkSettings.defaults().withBaud(baud).withSpacingMillis(loop)
             val board = BusyBoard(FieldBoardModel(settings.line().byteNanos(), loop * 1_000_000L, Frame.of("dist(f,1);")))
             bench(board, settings).use { bench ->
-                bench.link.listen(20_000) shouldBe "ready;"
-                bench.link.send("x".repeat(40), 5_000)
-                repeat(3) { bench.link.request(REQUEST, 5_000) shouldBe "dist(f,1);" }
-                bench.link.send("ledOn", 5_000)
+                bench.link.listen(20_000).text() shouldBe "ready;"
+                bench.link.sendAndAwait("x".repeat(40), 5_000)
+                repeat(3) { bench.link.request(REQUEST, 5_000).text() shouldBe "dist(f,1);" }
+                bench.link.sendAndAwait("ledOn", 5_000)
                 bench.awayFor(2 * loop)
                 board.model.overflowed shouldBe 0
                 board.model.restarts shouldBe 0
@@ -244,11 +244,11 @@ class LinkVersionSpec : FunSpec({
     test("a version 2 board that starts late and speaks unasked in version 1 is found to be one") {
         val board = VirtualBoard2(5_000.0)
         bench(board).use { bench ->
-            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }
+            shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500).text() }
             bench.awayFor(3_000)
             board.say("bump;", version = 1)
-            bench.link.listen(500) shouldBe "bump;"
-            bench.link.send("ledOn", 500)
+            bench.link.listen(500).text() shouldBe "bump;"
+            bench.link.sendAndAwait("ledOn", 500)
             board.handled.last() shouldBe "2:ledOn"
         }
     }
@@ -268,8 +268,8 @@ class LinkVersionSpec : FunSpec({
             }
         }
         bench(watcher, LinkSettings.defaults().withBaud(115_200)).use { bench ->
-            bench.link.request(REQUEST, 500)
-            bench.link.send("ledOn", 500)
+            bench.link.request(REQUEST, 500).text()
+            bench.link.sendAndAwait("ledOn", 500)
             bench.awayFor(5)
         }
         val lastOf2 = times.last { it.first }.second
@@ -280,10 +280,10 @@ class LinkVersionSpec : FunSpec({
 
     test("a version that is forced is spoken alone") {
         val second = VirtualBoard2()
-        VirtualBench(LinkSettings.defaults(), second, Protocol.V2).use { it.link.request(REQUEST, 500) }
+        VirtualBench(LinkSettings.defaults(), second, Protocol.V2).use { it.link.request(REQUEST, 500).text() }
         second.handled shouldNotContain "1:$REQUEST"
         val first = VirtualBoard2()
-        VirtualBench(LinkSettings.defaults(), first, Protocol.V1).use { it.link.request(REQUEST, 500) }
+        VirtualBench(LinkSettings.defaults(), first, Protocol.V1).use { it.link.request(REQUEST, 500).text() }
         first.received.map { it.version() } shouldContainExactly listOf(1)
     }
 })

@@ -11,7 +11,7 @@ class LinkWatchSpec : FunSpec({
 
     test("a device that goes while a long message leaves a slow line is noticed within a second") {
         VirtualBench(settings.withBaud(300), LineEnd { end, now -> if (now > 500) end.close() }).use { bench ->
-            shouldThrow<PortGoneException> { bench.link.send("x".repeat(200), 500) }
+            shouldThrow<PortGoneException> { bench.link.sendAndAwait("x".repeat(200), 500) }
             bench.millis shouldBeLessThan 1500.0
             bench.link.isOpen shouldBe false
         }
@@ -19,9 +19,9 @@ class LinkWatchSpec : FunSpec({
 
     test("a device that goes while a request waits for its turn on the line is noticed when the wait is over") {
         VirtualBench(settings.withSpacingMillis(5000), LineEnd { end, now -> if (now > 500) end.close() }).use { bench ->
-            bench.link.send("ledOn", 6000)
+            bench.link.sendAndAwait("ledOn", 6000)
             bench.awayFor(600)
-            shouldThrow<PortGoneException> { bench.link.request("getPercepts", 300) }
+            shouldThrow<PortGoneException> { bench.link.request("getPercepts", 300).text() }
         }
     }
 
@@ -40,7 +40,7 @@ class LinkWatchSpec : FunSpec({
             board.say(0.0, "hello")
             bench.awayFor(100)
             bench.link.check()
-            bench.link.listen(1) shouldBe "hello"
+            bench.link.listen(1).text() shouldBe "hello"
         }
     }
 })

@@ -5,6 +5,7 @@ import jason.JasonException
 import jason.asSyntax.ASSyntax
 import javino.ActionRefusedException
 import javino.ActionUnconfirmedException
+import javino.CommandWithdrawnException
 import javino.NoSuchPortException
 import javino.PortBusyException
 import javino.PortException
@@ -39,6 +40,7 @@ private fun failureOf(trouble: PortException): Failure = Failure(
         is PortTimeoutException -> "port_timeout"
         is ActionRefusedException -> "act_refused"
         is ActionUnconfirmedException -> "act_unconfirmed"
+        is CommandWithdrawnException -> "act_timeout"
         else -> "port_failed"
     },
     trouble.message ?: trouble.javaClass.simpleName,

@@ -1,16 +1,13 @@
 package argo.sensing
 
-import argo.acting.Commands
 import argo.platform.Platform
 import argo.ports.OpenPort
-import argo.ports.PortOptions
-import javino.Frame
 import javino.Link
-import javino.PerceptsRequest
 import javino.PortException
 import javino.PortFaultException
 import javino.PortGoneException
 import javino.PortTimeoutException
+import javino.Reply
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
@@ -48,7 +45,6 @@ internal class Sensing(
     private val port: OpenPort,
     owner: String,
     private val listener: SensingListener,
-    private val commands: Commands,
     platform: Platform,
 ) : AutoCloseable {
     private val clock = platform.clock
@@ -58,13 +54,6 @@ internal class Sensing(
     private var lastStart: Long? = null
     private val unanswered = UnansweredRequests()
     private var isTimedOut = false
-    private var exchangeNanos = 0L
-
-    /**
-     * How long the line is left free before a request, so that the command which the last message caused need not wait for it:
-     * an eighth of what a request takes, which is about a hundredth of an exchange.
-     */
-    private val graceNanos = port.options.link.line().byteNanos() * Frame.of(PerceptsRequest.ALL).toBytes().size / 8
     private val isPaced = port.link.settings().paced()
     private val thread = lazy { platform.start("argo-$owner-${if (isPaced) "sensing" else "watching"}-${port.link.port()}", ::run) }
 
@@ -86,7 +75,7 @@ internal class Sensing(
 
     private fun run() {
         try {
-            while (!isClosed()) if (!(if (awaitTurn()) exchangeInTurn() else watch())) return
+            while (!isClosed()) if (!(if (awaitTurn()) exchange() else watch())) return
         } catch (_: InterruptedException) {
             // close() ends this thread
         }
@@ -120,32 +109,21 @@ internal class Sensing(
         if (isPaced) port.link.heard(LOOK_MS)?.let { port.hasSpoken = true } else port.link.check()
     }
 
-    /**
-     * Lets out the commands that were issued before the request came due, and once more those that their going out has caused: one
-     * that a request overtakes costs the agent a whole exchange. It gives way for two exchanges or intervals at most, so that
-     * commands cannot starve sensing.
-     */
-    private fun exchangeInTurn(): Boolean {
-        if (!port.options.listens) {
-            val limit = maxOf(TimeUnit.MILLISECONDS.toNanos(listener.intervalMs.toLong()), exchangeNanos)
-            commands.awaitEarlier(limit)
-            lock.withLock { clock.await(changed, graceNanos) }
-            commands.awaitEarlier(limit)
-        }
-        val start = clock.nanos()
-        return exchange().also { exchangeNanos = clock.nanos() - start }
-    }
-
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
     fun exchange(): Boolean = using {
-        port.link.next(port.options) { listener.request(port) }?.let {
+        val reply = if (port.options.listens) port.link.heard(port.options.timeoutMs) else ask()
+        if (reply != null) {
             port.hasSpoken = true
             lock.withLock { unanswered.clear() }
             if (isTimedOut) listener.answeredAgain(port)
             isTimedOut = false
-            listener.received(port, it, clock.nanos())
+            listener.received(port, reply.text(), reply.receivedNanos())
         }
     }
+
+    private fun ask(): Reply =
+        if (isPaced) port.link.request({ listener.request(port) }, port.options.timeoutMs, listener.intervalMs)
+        else port.link.request(listener.request(port), port.options.timeoutMs)
 
     /** Does [work] with the line; false when the port is lost. */
     private fun using(work: () -> Unit): Boolean = try {
@@ -193,12 +171,8 @@ internal class Sensing(
     }
 }
 
-/** The board's next message: the answer to a request, or what it says unasked; null when a board that speaks unasked is silent. */
-internal fun Link.next(options: PortOptions, request: () -> String): String? =
-    if (options.listens) heard(options.timeoutMs) else request(request(), options.timeoutMs)
-
 /** What the board says unasked within [timeoutMs] ms, or null. */
-private fun Link.heard(timeoutMs: Int): String? = try {
+private fun Link.heard(timeoutMs: Int): Reply? = try {
     listen(timeoutMs)
 } catch (_: PortTimeoutException) {
     null // it speaks when it has something to say

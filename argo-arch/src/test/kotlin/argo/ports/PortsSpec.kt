@@ -1,7 +1,6 @@
 package argo.ports
 
 import argo.FussyProvider
-import argo.acting.Commands
 import argo.calls.Failure
 import argo.jason.LIMIT
 import argo.platform.TestTime
@@ -53,7 +52,7 @@ private class PortsBench : AutoCloseable {
     }
     private val watches = ConcurrentHashMap<OpenPort, Sensing>()
     private val user = object : PortUser {
-        override fun use(port: OpenPort) = Sensing(port, "bob", listener, Commands(port.link, "bob", time) { }, time).also { watches[port] = it }
+        override fun use(port: OpenPort) = Sensing(port, "bob", listener, time).also { watches[port] = it }
         override fun opened(port: OpenPort) = watches.getValue(port).start()
         override fun portInUseChanged() = Unit
     }

@@ -1,6 +1,5 @@
 package argo.sensing
 
-import argo.acting.Commands
 import argo.jason.NetworkBoard
 import argo.platform.TestTime
 import argo.ports.OpenPort
@@ -37,7 +36,7 @@ class UnansweredRequestsSpec : FunSpec({
     fun onPort(name: String, work: (Sensing) -> Unit) = Link.open(name, options.link, "bob").use { link ->
         events.clear()
         OpenPort(emptyMap(), link, options, 0, 0) { port ->
-            Sensing(port, "bob", listener, Commands(link, "bob", time) { }, time).also { sensing = it }
+            Sensing(port, "bob", listener, time).also { sensing = it }
         }
         work(sensing)
     }

@@ -35,6 +35,10 @@ internal class VirtualTime : LineClock {
 
     override fun newLock(fair: Boolean): Lock = VirtualLock(this)
 
+    override fun schedule(nanos: Long, action: Runnable) {
+        later(nanos, action::run)
+    }
+
     /** Starts a thread in this time; it runs when the driver resumes it. */
     fun start(name: String, run: () -> Unit): Thread = VirtualThread(name, run).also {
         threads += it

@@ -78,7 +78,7 @@ class SerialLineSpec : FunSpec({
     onTerminals("a port that is plugged in again under its old name can be opened again") { terminals ->
         val link = Link.open(terminals.computer, settings.withBootMillis(0), "the test")
         terminals.unplug()
-        shouldThrow<PortGoneException> { link.listen(LONG_MILLIS) }
+        shouldThrow<PortGoneException> { link.listen(LONG_MILLIS).text() }
         Terminals.open().use { again ->
             Files.createDirectories(Path.of(terminals.computer).parent)
             Files.createSymbolicLink(Path.of(terminals.computer), Path.of(again.computer).toRealPath())
@@ -102,8 +102,8 @@ class SerialLineSpec : FunSpec({
         fun cycle() {
             SerialTransport.open(terminals.board, settings.line()).use { end ->
                 Link.open(terminals.computer, settings.withBootMillis(0), "the test").use { link ->
-                    val listener = async { link.listen(LONG_MILLIS) }
-                    link.send("ledOn", LONG_MILLIS)
+                    val listener = async { link.listen(LONG_MILLIS).text() }
+                    link.sendAndAwait("ledOn", LONG_MILLIS)
                     end.readFully("fffe05ledOn".length)
                     link.close()
                     listener.failure()

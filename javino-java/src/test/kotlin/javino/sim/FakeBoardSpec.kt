@@ -44,15 +44,15 @@ class FakeBoardSpec : FunSpec({
     test("answers come in turn, the last again and again") {
         withBoard { board, link ->
             board.whenAsked("getPercepts").answer("a;", "b;")
-            List(3) { link.request("getPercepts", LONG_MILLIS) } shouldContainExactly listOf("a;", "b;", "b;")
+            List(3) { link.request("getPercepts", LONG_MILLIS).text() } shouldContainExactly listOf("a;", "b;", "b;")
         }
     }
 
     test("an answer may be computed from the message, and rules may be for a kind of message") {
         withBoard { board, link ->
             board.whenAsked { it.startsWith("get") }.answer { "asked($it);" }
-            link.request("getLight", LONG_MILLIS) shouldBe "asked(getLight);"
-            link.request("getPercepts", LONG_MILLIS) shouldBe ""
+            link.request("getLight", LONG_MILLIS).text() shouldBe "asked(getLight);"
+            link.request("getPercepts", LONG_MILLIS).text() shouldBe ""
         }
     }
 
@@ -62,10 +62,10 @@ class FakeBoardSpec : FunSpec({
             board.whenAsked("fly").refuse()
             board.expect("ledOn").expect("ledOn")
             Link.open(board.port(), SETTINGS.withProtocol(Protocol.AUTO), "the test").use { link ->
-                link.request("getPercepts", LONG_MILLIS) shouldBe "x".repeat(1_000)
+                link.request("getPercepts", LONG_MILLIS).text() shouldBe "x".repeat(1_000)
                 link.protocol() shouldBe Protocol.V2
-                repeat(2) { link.send("ledOn", LONG_MILLIS) }
-                shouldThrow<ActionRefusedException> { link.send("fly", LONG_MILLIS) }
+                repeat(2) { link.sendAndAwait("ledOn", LONG_MILLIS) }
+                shouldThrow<ActionRefusedException> { link.sendAndAwait("fly", LONG_MILLIS) }
             }
         }
     }
@@ -73,8 +73,8 @@ class FakeBoardSpec : FunSpec({
     test("a message that nobody expected fails the test with a list of all that came") {
         val failure = shouldThrow<AssertionError> {
             withBoard { board, link ->
-                link.send("ledOn", LONG_MILLIS)
-                link.send("stop", LONG_MILLIS)
+                link.sendAndAwait("ledOn", LONG_MILLIS)
+                link.sendAndAwait("stop", LONG_MILLIS)
                 board.awaitMessage("stop", LONG_MILLIS)
             }
         }
@@ -86,16 +86,16 @@ class FakeBoardSpec : FunSpec({
         withBoard { board, link ->
             board.expect("ledOn")
             shouldThrow<AssertionError> { board.verify() }.message shouldContain "did not receive: \"ledOn\""
-            link.send("ledOn", LONG_MILLIS)
-            link.request("getPercepts", LONG_MILLIS)
+            link.sendAndAwait("ledOn", LONG_MILLIS)
+            link.request("getPercepts", LONG_MILLIS).text()
             board.verify()
         }
     }
 
     test("a message counts as expected when it came before it was said to") {
         withBoard { board, link ->
-            link.send("ledOn", LONG_MILLIS)
-            link.request("getPercepts", LONG_MILLIS)
+            link.sendAndAwait("ledOn", LONG_MILLIS)
+            link.request("getPercepts", LONG_MILLIS).text()
             board.expect("ledOn").verify()
         }
     }
@@ -103,14 +103,14 @@ class FakeBoardSpec : FunSpec({
     test("a lenient board lets anything come") {
         withBoard { board, link ->
             board.lenient().expect("never")
-            link.send("ledOn", LONG_MILLIS)
-            link.request("getPercepts", LONG_MILLIS)
+            link.sendAndAwait("ledOn", LONG_MILLIS)
+            link.request("getPercepts", LONG_MILLIS).text()
         }
     }
 
     test("waiting for a message that does not come fails with what came") {
         withBoard { board, link ->
-            link.request("getPercepts", LONG_MILLIS)
+            link.request("getPercepts", LONG_MILLIS).text()
             val failure = shouldThrow<AssertionError> { board.awaitMessage("stop", 10) }
             failure.message shouldContain "\"stop\""
             failure.message shouldContain "what came in all: \"getPercepts\""
@@ -120,8 +120,8 @@ class FakeBoardSpec : FunSpec({
     test("messages that rules cover are not handed out, but are recorded") {
         withBoard { board, link ->
             board.whenAsked("ledOn").staySilent()
-            link.send("ledOn", LONG_MILLIS)
-            link.send("stop", LONG_MILLIS)
+            link.sendAndAwait("ledOn", LONG_MILLIS)
+            link.sendAndAwait("stop", LONG_MILLIS)
             board.awaitMessage(LONG_MILLIS) shouldBe "stop"
             board.received() shouldContainExactly listOf("getPercepts", "ledOn", "stop")
         }
@@ -149,7 +149,7 @@ class FakeBoardSpec : FunSpec({
         FakeBoard.plugIn("fake${names.incrementAndGet()}").use { board ->
             board.bootTakes(100)
             Link.open(board.port(), SETTINGS, "the test").use { link ->
-                link.send("ledOn", LONG_MILLIS)
+                link.sendAndAwait("ledOn", LONG_MILLIS)
                 board.awaitMessage("ledOn", LONG_MILLIS)
             }
         }
@@ -160,16 +160,16 @@ class FakeBoardSpec : FunSpec({
             board.whenAsked("getPercepts").after(80).answer("late;")
             shouldThrow<PortTimeoutException> { link.also { it.request("getPercepts", LONG_MILLIS) }.request("getPercepts", 10) }
             board.whenAsked("getPercepts").staySilent()
-            shouldThrow<PortTimeoutException> { link.request("getPercepts", 10) }
+            shouldThrow<PortTimeoutException> { link.request("getPercepts", 10).text() }
         }
     }
 
     test("an unplugged board is gone, and is back when it is plugged in again") {
         val board = FakeBoard.plugIn("fake${names.incrementAndGet()}")
         val link = Link.open(board.port(), SETTINGS, "the test")
-        link.request("getPercepts", LONG_MILLIS)
+        link.request("getPercepts", LONG_MILLIS).text()
         board.unplug()
-        shouldThrow<PortGoneException> { link.request("getPercepts", LONG_MILLIS) }
+        shouldThrow<PortGoneException> { link.request("getPercepts", LONG_MILLIS).text() }
         shouldThrow<NoSuchPortException> { Link.open(board.port(), SETTINGS, "the test") }
         board.replug()
         Link.open(board.port(), SETTINGS, "the test").use { it.request("getPercepts", LONG_MILLIS) shouldBe "" }

@@ -38,10 +38,10 @@ class FakeBoardVerdictSpec : FunSpec({
     test("the port may still be open, and the board be asked again and again meanwhile").config(timeout = 120.seconds) {
         FakeBoard.plugIn("open").use { board ->
             val link = Link.open(board.port(), LinkSettings.defaults().withBaud(FAST.baud()), "the test")
-            val asking = async { while (true) link.request("getPercepts", LIMIT_MILLIS) }
+            val asking = async { while (true) link.request("getPercepts", LIMIT_MILLIS).text() }
             repeat(TIMES / 10) {
                 board.expect("ledOn")
-                link.send("ledOn", LIMIT_MILLIS)
+                link.sendAndAwait("ledOn", LIMIT_MILLIS)
                 board.verify()
             }
             link.close()

@@ -43,16 +43,16 @@ class ReplayBoardSpec : FunSpec({
 
     test("in turn, the time does not matter") {
         plugged(ReplayBoard.of(asked).inTurn()) { link ->
-            List(4) { link.request("getPercepts", LIMIT_MS) } shouldContainExactly listOf("dist(9);", "dist(8);", "dist(7);", "dist(7);")
+            List(4) { link.request("getPercepts", LIMIT_MS).text() } shouldContainExactly listOf("dist(9);", "dist(8);", "dist(7);", "dist(7);")
         }
         plugged(ReplayBoard.of(asked).inTurn().repeated()) { link ->
-            List(4) { link.request("getPercepts", LIMIT_MS) } shouldContainExactly listOf("dist(9);", "dist(8);", "dist(7);", "dist(9);")
+            List(4) { link.request("getPercepts", LIMIT_MS).text() } shouldContainExactly listOf("dist(9);", "dist(8);", "dist(7);", "dist(9);")
         }
     }
 
     test("what a board said unasked it says unasked") {
         val spoken = Recording(listOf(entry(0, IN, "dist(9);"), entry(0, IN, "dist(8);")))
-        plugged(ReplayBoard.of(spoken).repeated()) { link -> link.listen(LIMIT_MS) shouldStartWith "dist(" }
+        plugged(ReplayBoard.of(spoken).repeated()) { link -> link.listen(LIMIT_MS).text() shouldStartWith "dist(" }
     }
 
     test("it speaks version 2, takes commands in it, and sends more than one frame holds") {
@@ -60,8 +60,8 @@ class ReplayBoardSpec : FunSpec({
         val long = (1..60).joinToString("") { "dist($it);" }
         val board = ReplayBoard.of(Recording(listOf(entry(0, OUT, "getPercepts"), entry(1, IN, long)))).tellingCommandsTo(commands::put)
         plugged(board, LinkSettings.defaults().withProtocol(Protocol.V2).withBaud(115_200)) { link ->
-            link.request("getPercepts", LIMIT_MS) shouldBe long
-            link.send("speed(3)", LIMIT_MS)
+            link.request("getPercepts", LIMIT_MS).text() shouldBe long
+            link.sendAndAwait("speed(3)", LIMIT_MS)
             commands.poll(LIMIT_MS.toLong(), TimeUnit.MILLISECONDS) shouldBe "speed(3)"
         }
     }
@@ -69,7 +69,7 @@ class ReplayBoardSpec : FunSpec({
     test("in version 1 a long answer comes in several messages, each of whole percepts") {
         val long = (1..60).joinToString("") { "dist($it);" }
         plugged(ReplayBoard.of(Recording(listOf(entry(0, IN, long)))).inTurn(), LinkSettings.defaults().withBaud(115_200)) { link ->
-            val first = link.request("getPercepts", LIMIT_MS)
+            val first = link.request("getPercepts", LIMIT_MS).text()
             first shouldStartWith "dist("
             first.last() shouldBe ';'
         }

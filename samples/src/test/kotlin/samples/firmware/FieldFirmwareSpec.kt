@@ -29,14 +29,14 @@ class FieldFirmwareSpec : FunSpec({
             SimulatedUno("Field").use { uno ->
                 val settings = LinkSettings.defaults().withProtocol(Protocol.V1)
                 Link.over(Transports.open(uno.port, settings.line()), settings, uno.clock).use { link ->
-                    link.request("getPercepts", LIMIT_MS)
-                    link.send("build$buildMs", LIMIT_MS)
-                    link.send("loop$loopMs", LIMIT_MS)
+                    link.request("getPercepts", LIMIT_MS).text()
+                    link.sendAndAwait("build$buildMs", LIMIT_MS)
+                    link.sendAndAwait("loop$loopMs", LIMIT_MS)
                     repeat(BURSTS) {
-                        repeat(LAMPS) { lamp -> link.send("lamp($lamp,on)", LIMIT_MS) }
-                        link.request("getPercepts", LIMIT_MS)
+                        repeat(LAMPS) { lamp -> link.sendAndAwait("lamp($lamp,on)", LIMIT_MS) }
+                        link.request("getPercepts", LIMIT_MS).text()
                     }
-                    link.request("getPercepts", LIMIT_MS) shouldBe "done(${BURSTS * LAMPS});starts(1);"
+                    link.request("getPercepts", LIMIT_MS).text() shouldBe "done(${BURSTS * LAMPS});starts(1);"
                 }
             }
         }

@@ -49,12 +49,12 @@ class FirmwareSpec : FunSpec({
         SimulatedUno("Blink").use { uno ->
             uno.watch(LED)
             Link.open(uno.port, LinkSettings.defaults().withProtocol(Protocol.AUTO), "the test").use { link ->
-                link.request("getPercepts", ANSWER_LIMIT_MS) shouldContain "ledStatus(off)"
+                link.request("getPercepts", ANSWER_LIMIT_MS).text() shouldContain "ledStatus(off)"
                 link.protocol() shouldBe Protocol.V2
-                link.send("ledOn", ANSWER_LIMIT_MS)
+                link.sendAndAwait("ledOn", ANSWER_LIMIT_MS)
                 uno.awaitPin(LED, "high")
-                shouldThrow<ActionRefusedException> { link.send("fly", ANSWER_LIMIT_MS) }
-                link.request("getPercepts(ledStatus)", ANSWER_LIMIT_MS) shouldContain "ledStatus(on)"
+                shouldThrow<ActionRefusedException> { link.sendAndAwait("fly", ANSWER_LIMIT_MS) }
+                link.request("getPercepts(ledStatus)", ANSWER_LIMIT_MS).text() shouldContain "ledStatus(on)"
             }
         }
     }

@@ -42,7 +42,7 @@ internal abstract class MessageCommand : ToolCommand() {
 @Command(name = "request", description = ["Sends a request, such as getPercepts, and prints the answer. Opening a port resets most boards."])
 internal class RequestCommand : MessageCommand() {
     override fun exchange(link: Link) {
-        val answer = link.request(message, line.timeoutMs)
+        val answer = link.request(message, line.timeoutMs).text()
         if (!json) return out.println(printable(answer))
         out.println(
             buildJsonObject {
@@ -65,7 +65,7 @@ internal class RequestCommand : MessageCommand() {
 )
 internal class SendCommand : MessageCommand() {
     override fun exchange(link: Link) {
-        link.send(message, line.timeoutMs)
+        link.sendAndAwait(message, line.timeoutMs)
         val acted = link.protocol() == Protocol.V2
         if (!json) return out.println(if (acted) "the board has acted" else "sent; a board of version 1 does not tell whether it acted")
         out.println(

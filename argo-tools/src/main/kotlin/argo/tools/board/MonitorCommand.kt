@@ -113,7 +113,7 @@ internal class MonitorCommand : ToolCommand() {
         private fun message() {
             val begun = System.nanoTime()
             try {
-                val text = if (mode == "listen") link.listen(line.timeoutMs) else ask()
+                val text = if (mode == "listen") link.listen(line.timeoutMs).text() else ask()
                 recording?.add(System.nanoTime(), Direction.IN, text)
                 show(text)
             } catch (late: PortTimeoutException) {
@@ -124,7 +124,7 @@ internal class MonitorCommand : ToolCommand() {
 
         private fun ask(): String {
             recording?.add(System.nanoTime(), Direction.OUT, PerceptsRequest.ALL)
-            return link.request(PerceptsRequest.ALL, line.timeoutMs)
+            return link.request(PerceptsRequest.ALL, line.timeoutMs).text()
         }
 
         private fun waitUntil(nanos: Long) {

@@ -65,7 +65,7 @@ internal class PortsCommand : ToolCommand() {
         val settings = LinkSettings.defaults().withBaud(baud).withProtocol(Protocol.AUTO)
         return try {
             Link.open(row.info.name(), settings, "argo ports").use { link ->
-                link.request(PerceptsRequest.ALL, PROBE_MS)
+                link.request(PerceptsRequest.ALL, PROBE_MS).text()
                 Board("a Javino board of ${versionSpoken(link.protocol())}", answers = true)
             }
         } catch (_: PortTimeoutException) {

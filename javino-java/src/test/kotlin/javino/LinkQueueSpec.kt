@@ -1,0 +1,100 @@
+package javino
+
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain as shouldContainText
+import io.kotest.matchers.types.shouldBeInstanceOf
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import javino.sim.FakeBoard
+import kotlin.time.Duration.Companion.seconds
+
+private const val LIMIT_S = 30L
+private const val LIMIT_MS = 20_000
+private val boards = AtomicInteger()
+private val URGENT = SendOptions(true, 0)
+
+/** The one queue of a line: commands that are submitted and written by a thread of their own. */
+class LinkQueueSpec : FunSpec({
+    fun robot(name: String, protocol: Protocol, work: suspend (FakeBoard, Link) -> Unit) =
+        test("$name: $protocol").config(timeout = 60.seconds, blockingTest = true) {
+            FakeBoard.plugIn("queue${boards.incrementAndGet()}").lenient().apply { if (protocol == Protocol.V2) version2() }.use { board ->
+                Link.open(board.port(), Bench.FAST.withBootMillis(0).withProtocol(protocol), "the test").use { work(board, it) }
+            }
+        }
+
+    fun link(name: String, work: suspend (FakeBoard, Link) -> Unit) = listOf(Protocol.V1, Protocol.V2).forEach { robot(name, it, work) }
+
+    fun Link.writing() = async { writeCommands() }
+
+    link("commands go out in their order, urgent ones before the others, once a thread writes") { board, link ->
+        val sent = listOf("a", "b", "c").map { link.send(it, SendOptions.defaults()) } + link.send("now", URGENT) + link.send("next", URGENT)
+        sent.none { it.isDone } shouldBe true
+        link.writing()
+        sent.forEach { it.get(LIMIT_S, TimeUnit.SECONDS) }
+        eventually(20.seconds) { board.received() shouldContainExactly listOf("now", "next", "a", "b", "c") }
+    }
+
+    link("a command whose time is over before it begins to go out never does") { board, link ->
+        val late = link.send("late", SendOptions(false, 1))
+        val failure = late.failure().shouldBeInstanceOf<CommandWithdrawnException>()
+        failure.message shouldContainText "\"late\" had not begun to go out through port ${link.port()}"
+        link.writing()
+        link.send("after", SendOptions.defaults()).get(LIMIT_S, TimeUnit.SECONDS)
+        eventually(20.seconds) { board.received() shouldContainExactly listOf("after") }
+    }
+
+    link("a command that is cancelled while it waits does not go out") { board, link ->
+        link.send("no", SendOptions.defaults()).cancel(false)
+        link.writing()
+        link.send("after", SendOptions.defaults()).get(LIMIT_S, TimeUnit.SECONDS)
+        eventually(20.seconds) { board.received() shouldContainExactly listOf("after") }
+    }
+
+    link("what a command's dependents throw ends no thread, and no other command") { board, link ->
+        link.writing()
+        repeat(3) { n -> link.send("say($n)", SendOptions.defaults()).whenComplete { _, _ -> error("unforeseen") } }
+        link.send("after", SendOptions.defaults()).get(LIMIT_S, TimeUnit.SECONDS)
+        eventually(20.seconds) { board.received() shouldContainExactly listOf("say(0)", "say(1)", "say(2)", "after") }
+    }
+
+    link("commands that wait fail when the link is closed, and later ones at once") { _, link ->
+        val waiting = link.send("a", SendOptions.defaults())
+        link.close()
+        waiting.failure().shouldBeInstanceOf<PortGoneException>()
+        link.send("b", SendOptions.defaults()).failure().shouldBeInstanceOf<PortGoneException>()
+    }
+
+    link("a thread that sends and waits takes the commands before its own along") { board, link ->
+        val before = link.send("a", SendOptions.defaults())
+        link.sendAndAwait("b", LIMIT_MS)
+        before.isDone shouldBe true
+        eventually(20.seconds) { board.received() shouldContainExactly listOf("a", "b") }
+    }
+
+    robot("a command that is under way when its time is over may have been carried out, and the next one goes", Protocol.V2) { board, link ->
+        board.whenAsked("walk").after(LIMIT_MS)
+        link.writing()
+        link.send("walk", SendOptions(false, 300)).failure().shouldBeInstanceOf<ActionUnconfirmedException>()
+        val next = link.send("stop", SendOptions(false, LIMIT_MS))
+        eventually(20.seconds) { board.received() shouldContain "walk" }
+        next.isCompletedExceptionally shouldBe false
+    }
+
+    robot("a request gives way to the commands before it, but not for ever", Protocol.V1) { board, link ->
+        board.whenAsked("getPercepts").answer("dist(f,1);")
+        val stuck = link.send("a", SendOptions.defaults()) // nobody writes it
+        val start = System.nanoTime()
+        link.request({ "getPercepts" }, LIMIT_MS, 40).text() shouldBe "dist(f,1);"
+        System.nanoTime() - start shouldBeGreaterThan TimeUnit.MILLISECONDS.toNanos(80)
+        stuck.isDone shouldBe false
+        link.writing()
+        stuck.get(LIMIT_S, TimeUnit.SECONDS)
+        link.request({ "getPercepts" }, LIMIT_MS, 40)
+        eventually(20.seconds) { board.received() shouldContainExactly listOf("getPercepts", "a", "getPercepts") }
+    }
+})
