@@ -19,9 +19,9 @@ import java.util.concurrent.TimeUnit;
 final class LoopTime {
     static final int SAMPLES = 256;
     /** Fewer delays say nothing. */
-    static final int MIN_SAMPLES = 8;
+    static final int MIN_SAMPLES = 16;
     private static final int OUTLIER_AMONG = 64;
-    private static final int FEW = 24;
+    private static final int FEW = 32;
     private static final int LEARNING_REQUESTS = 32;
     private static final int PROBE_AMONG = 8;
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);

@@ -114,24 +114,24 @@ class PacerSpec : FunSpec({
         pacer.nanosUntilAction(11, MILLI) shouldBe sent + GAP - MILLI
     }
 
-    test("until eight answers have been timed the gap is ten milliseconds, then at least two") {
-        gapAfter(List(7) { 12 * MILLI }) shouldBe GAP
-        gapAfter(List(8) { 12 * MILLI }) shouldBe 2 * BYTE_9600
-        gapAfter(List(8) { 12 * MILLI }, LinkSettings.defaults().withBaud(115_200)) shouldBe 2 * MILLI
+    test("until sixteen answers have been timed the gap is ten milliseconds, then at least two") {
+        gapAfter(List(15) { 12 * MILLI }) shouldBe GAP
+        gapAfter(List(16) { 12 * MILLI }) shouldBe 2 * BYTE_9600
+        gapAfter(List(16) { 12 * MILLI }, LinkSettings.defaults().withBaud(115_200)) shouldBe 2 * MILLI
     }
 
     test("the gap is twice the differences of the answers' delays, whatever they have in common") {
-        val spread = List(30) { (it % 6) * MILLI } // a loop of 5 ms
+        val spread = List(40) { (it % 6) * MILLI } // a loop of 5 ms
         gapAfter(spread) shouldBe 10 * MILLI + 2 * BYTE_9600
         gapAfter(spread.map { it + 12 * MILLI }) shouldBe 10 * MILLI + 2 * BYTE_9600 // a library that takes 12 ms to build its answer
     }
 
     test("few answers may not have met the whole of a loop, so their differences count fourfold") {
-        gapAfter(ms(0, 0, 1, 1, 2, 2, 3, 3)) shouldBe 12 * MILLI + 2 * BYTE_9600
+        gapAfter(List(16) { (it % 4) * MILLI }) shouldBe 12 * MILLI + 2 * BYTE_9600
     }
 
     test("one answer that is late does not slow commands down, two do") {
-        for (others in listOf(10, 40, 200)) {
+        for (others in listOf(15, 40, 200)) {
             val delays = List(others) { 12 * MILLI }
             gapAfter(delays + 42 * MILLI) shouldBe 2 * BYTE_9600
         }
@@ -139,7 +139,7 @@ class PacerSpec : FunSpec({
     }
 
     test("only the last answers count") {
-        val slow = List(30) { (it % 6) * MILLI }
+        val slow = List(40) { (it % 6) * MILLI }
         gapAfter(slow + List(LoopTime.SAMPLES) { 3 * MILLI }) shouldBe 2 * BYTE_9600
     }
 
@@ -148,9 +148,9 @@ class PacerSpec : FunSpec({
     }
 
     test("the gap that was asked for is kept at least, and none if none was asked for") {
-        gapAfter(List(9) { 12 * MILLI }, LinkSettings.defaults().withSpacingMillis(50)) shouldBe 50 * MILLI
-        gapAfter(List(30) { (it % 6) * MILLI }, LinkSettings.defaults().withSpacingMillis(5)) shouldBe 10 * MILLI + 2 * BYTE_9600
-        gapAfter(List(30) { (it % 6) * MILLI }, LinkSettings.defaults().withSpacingMillis(0)) shouldBe 0
+        gapAfter(List(16) { 12 * MILLI }, LinkSettings.defaults().withSpacingMillis(50)) shouldBe 50 * MILLI
+        gapAfter(List(40) { (it % 6) * MILLI }, LinkSettings.defaults().withSpacingMillis(5)) shouldBe 10 * MILLI + 2 * BYTE_9600
+        gapAfter(List(40) { (it % 6) * MILLI }, LinkSettings.defaults().withSpacingMillis(0)) shouldBe 0
     }
 
     test("bytes that are read late, all at once, do not make the board late") {

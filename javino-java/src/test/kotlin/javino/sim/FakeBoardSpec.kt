@@ -35,7 +35,7 @@ class FakeBoardSpec : FunSpec({
         board.whenAsked("getPercepts").answer("dist(f,10);")
         val line = MemoryLine.unlimited("bench", LineSettings.defaults())
         val program = Thread { runCatching { board.program().run(line.board()) } }.apply { isDaemon = true }.also { it.start() }
-        Link.over(line.computer(), LinkSettings.defaults(), LineClock.system()).use { it.request("getPercepts", 20_000) shouldBe "dist(f,10);" }
+        Link.over(line.computer(), LinkSettings.defaults(), LineClock.system()).use { it.request("getPercepts", 20_000).text() shouldBe "dist(f,10);" }
         program.join(20_000)
         program.isAlive shouldBe false
         Link.ownerOf("bench").isPresent shouldBe false
@@ -172,7 +172,7 @@ class FakeBoardSpec : FunSpec({
         shouldThrow<PortGoneException> { link.request("getPercepts", LONG_MILLIS).text() }
         shouldThrow<NoSuchPortException> { Link.open(board.port(), SETTINGS, "the test") }
         board.replug()
-        Link.open(board.port(), SETTINGS, "the test").use { it.request("getPercepts", LONG_MILLIS) shouldBe "" }
+        Link.open(board.port(), SETTINGS, "the test").use { it.request("getPercepts", LONG_MILLIS).text() shouldBe "" }
         board.close()
     }
 

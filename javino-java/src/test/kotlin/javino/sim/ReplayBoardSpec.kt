@@ -26,7 +26,7 @@ class ReplayBoardSpec : FunSpec({
     test("a request is answered with what had been said by then, counted from the first request, and with the last at the end") {
         val clock = HandClock()
         plugged(ReplayBoard.of(asked, clock)) { link ->
-            fun percepts(atMillis: Long) = link.also { clock.millis.set(1_000 + atMillis) }.request("getPercepts", LIMIT_MS)
+            fun percepts(atMillis: Long) = link.also { clock.millis.set(1_000 + atMillis) }.request("getPercepts", LIMIT_MS).text()
             listOf(0L, 99, 100, 199, 200, 100_000).map(::percepts) shouldContainExactly
                 listOf("dist(9);", "dist(9);", "dist(8);", "dist(8);", "dist(7);", "dist(7);")
         }
@@ -35,7 +35,7 @@ class ReplayBoardSpec : FunSpec({
     test("it begins anew when it is to") {
         val clock = HandClock()
         plugged(ReplayBoard.of(asked, clock).repeated()) { link ->
-            fun percepts(atMillis: Long) = link.also { clock.millis.set(1_000 + atMillis) }.request("getPercepts", LIMIT_MS)
+            fun percepts(atMillis: Long) = link.also { clock.millis.set(1_000 + atMillis) }.request("getPercepts", LIMIT_MS).text()
             listOf(0L, 200, 299, 300, 400, 100_000_300).map(::percepts) shouldContainExactly
                 listOf("dist(9);", "dist(7);", "dist(7);", "dist(9);", "dist(8);", "dist(8);")
         }
@@ -78,7 +78,7 @@ class ReplayBoardSpec : FunSpec({
     test("a file is a port") {
         val file = tempfile(suffix = ".rec")
         file.writeText("javino-recording 1\n0\tout\tgetPercepts\n5\tin\tdist(1);\n")
-        Link.open("replay:$file", LinkSettings.defaults(), "the test").use { it.request("getPercepts", LIMIT_MS) shouldBe "dist(1);" }
+        Link.open("replay:$file", LinkSettings.defaults(), "the test").use { it.request("getPercepts", LIMIT_MS).text() shouldBe "dist(1);" }
         file.writeText("javino-recording 1\n0\tout\tgetPercepts\n")
         shouldThrow<PortFaultException> { Link.open("replay:$file", LinkSettings.defaults(), "the test") }.message shouldContain
             "the recording holds nothing that a board said"
