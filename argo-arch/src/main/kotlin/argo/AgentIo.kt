@@ -47,8 +47,9 @@ import java.util.logging.Logger
 /**
  * The boards of one agent: its ports, what it perceives through the one in use, and the commands it sends. [Arch] connects it with Jason.
  *
- * Whether the agent perceives, how often, and the port in use are each written by one thread at a time and read where they are needed; nobody keeps a
- * copy. After each change those who wait are woken to read again. Functions belong to the agent's thread unless they say otherwise.
+ * Whether the agent perceives, how often, and the port in use are each written by one thread at a time and read where they are needed;
+ * nobody keeps a copy. After each change those who wait are woken to read again. Functions belong to the agent's thread unless they say
+ * otherwise.
  *
  * @param owner the agent's name
  * @param events the percept events in Jason's queue
@@ -84,8 +85,9 @@ internal class AgentIo(
     private val lastSeen = LastSeen { sensed }
     private val stale = StaleBeliefs(platform.nowMs, { portInUse()?.takeIf { isPerceiving } }, ::intervalMs)
     private val percepts = BoardPercepts(
-        platform.clock.newLock(false), ::isPerceived, handOver, Reflexes(::sendReflex, rateLimitedWarning()), { observers().messageFiltered(it) },
-        BeliefReader { log.warning(it) }, log, PerceptLimit(options.maxPercepts, rateLimitedWarning()), lastSeen, platform.nowMs,
+        platform.clock.newLock(false), ::isPerceived, handOver, Reflexes(::sendReflex, rateLimitedWarning()),
+        { observers().messageFiltered(it) }, BeliefReader { log.warning(it) }, log,
+        PerceptLimit(options.maxPercepts, rateLimitedWarning()), lastSeen, platform.nowMs,
     )
 
     /** The states of the ports. Any thread. */
@@ -100,7 +102,8 @@ internal class AgentIo(
     fun portInUse(): OpenPort? = ports.current
 
     /** Makes [name] the port in use: see [Ports.choose]. */
-    fun choosePort(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) = ports.choose(term, name, options, outcome)
+    fun choosePort(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
+        ports.choose(term, name, options, outcome)
 
     /** Closes all ports; [closed] is called by another thread. */
     fun closePorts(closed: () -> Unit) = ports.closeAll(closed)
@@ -135,8 +138,8 @@ internal class AgentIo(
     /**
      * Sends [text] to the board on [port].
      *
-     * @param outcome is called once, by any thread, with null when the last byte has left the line or a version 2 board has acted, else with the
-     *     reason why not
+     * @param outcome is called once, by any thread, with null when the last byte has left the line or a version 2 board has acted, else
+     *     with the reason why not
      */
     fun send(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
         val number = ledger.issue(port)
@@ -152,7 +155,8 @@ internal class AgentIo(
 
     private fun transmit(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
         val report = observers().commandIssued(port.link.port(), text, outcome)
-        val commands = activities[port]?.commands ?: return report(Failure("port_gone", "port ${port.link.port()} was closed, or its device has gone"))
+        val commands = activities[port]?.commands
+            ?: return report(Failure("port_gone", "port ${port.link.port()} was closed, or its device has gone"))
         coupling.submit(commands, text, options, report)
     }
 
@@ -234,7 +238,8 @@ internal class AgentIo(
         }
 
         /** Whether the agent has one name for both, so that they are one port, which may have been opened again. */
-        private fun isSame(before: OpenPort?, current: OpenPort?) = before != null && current != null && before.terms.any { it in current.terms }
+        private fun isSame(before: OpenPort?, current: OpenPort?) =
+            before != null && current != null && before.terms.any { it in current.terms }
 
         override val intervalMs get() = this@AgentIo.intervalMs
 

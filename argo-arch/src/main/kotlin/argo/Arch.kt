@@ -68,7 +68,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         observing.filterChanged(filter)
     }
 
-    /** The youngest percept belief that unifies with [percept] under [un], and its age in ms; null if there is none. Called by the agent's thread. */
+    /**
+     * The youngest percept belief that unifies with [percept] under [un], and its age in ms; null if there is none. Called by the agent's
+     * thread.
+     */
     internal fun youngest(percept: Literal, un: Unifier): Pair<Literal, Long>? = io.youngest(ts.ag.bb, percept, un)
 
     /** Wakes the agent until [seen]: see [Waker]. */
@@ -103,6 +106,9 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         if (!eachIsStopped) super.stop()
     }
 
-    /** Whether Jason stops each architecture of this agent: its Local infrastructure does, others only the first, and not each can be stopped twice. */
+    /**
+     * Whether Jason stops each architecture of this agent: its Local infrastructure does, others only the first, and not each can be
+     * stopped twice.
+     */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }
 }

@@ -7,9 +7,9 @@ import jason.runtime.Settings
 import java.util.logging.Logger
 
 /**
- * What a `.mas2j` says about an agent's architecture: `agents: robot [argo_sensing=every, argo_view=8080] agentArchClass argo.Arch;`.
+ * The options of an agent's architecture in the `.mas2j`: `agents: robot [argo_sensing=every, argo_view=8080] agentArchClass argo.Arch;`.
  *
- * A word that means nothing is told to [log], and the agent runs as if it were not there.
+ * An unknown option or value is reported to [log] and ignored.
  */
 internal class ArchOptions(private val settings: Settings, private val log: Logger) {
     /** When snapshots are handed over. */
@@ -24,7 +24,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
     init {
         val known = listOf("$SENSING=${SensingPolicy.words}", "${PerceptLimit.OPTION}=N") + observers.usages
         observers.unread.forEach {
-            val missing = MODULES[it]?.let { module -> "; what reads it is in the module $module (argo.jar has it), which is not on the class path" }
+            val missing = MODULES[it]?.let { module -> "; the module $module, which argo.jar holds, is not on the class path" }
             log.warning("$it is not an option of argo.Arch, which has ${known.joinToString()}" + missing.orEmpty())
         }
     }
@@ -37,14 +37,16 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         return (SensingPolicy.of(word) ?: SensingPolicy.FRESH.also {
             log.severe("$SENSING=$word: a policy is one of ${SensingPolicy.words}; ${it.word} is used")
         }).also {
-            if (it == SensingPolicy.IN_CYCLE) log.warning("$SENSING=$word: every reasoning cycle waits for the board, so this agent falls behind the world; for comparison only")
+            if (it == SensingPolicy.IN_CYCLE) {
+                log.warning("$SENSING=$word: each reasoning cycle waits for the board, so the agent falls behind the world; for comparison only")
+            }
         }
     }
 
     private fun maxPercepts(): Int {
         val written = settings.getUserParameter(PerceptLimit.OPTION)?.trim() ?: return PerceptLimit.DEFAULT
         return written.toIntOrNull()?.takeIf { it > 0 } ?: PerceptLimit.DEFAULT.also {
-            log.severe("${PerceptLimit.OPTION}=$written: the most percepts that are believed at once are a whole number from 1; $it is used")
+            log.severe("${PerceptLimit.OPTION}=$written: the limit of percepts believed at once is a whole number from 1; $it is used")
         }
     }
 

@@ -4,6 +4,7 @@ import argo.calls.Failure
 import argo.calls.wrongArgument
 import argo.calls.ArgumentException
 import jason.JasonException
+import jason.architecture.AgArch
 import jason.asSemantics.ConcurrentInternalAction
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
@@ -45,10 +46,7 @@ abstract class BoardAction internal constructor(private val name: String, privat
     internal inner class Call(val ts: TransitionSystem, val args: Array<Term>, val text: String) {
         /** The agent's [Arch]. */
         val arch: Arch
-            get() = architectures(ts).filterIsInstance<Arch>().firstOrNull() ?: throw failure(
-                "not_argo",
-                "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j",
-            )
+            get() = archOf(ts) ?: throw notArgo(ts).of(text)
 
         /** The exception that fails the plan now. */
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
@@ -71,3 +69,13 @@ private fun counted(arguments: IntRange) = when {
     arguments.first == arguments.last -> if (arguments.first == 1) "one argument" else "${arguments.first} arguments"
     else -> "${arguments.first} to ${arguments.last} arguments"
 }
+
+/** All architectures of the agent of [ts], the first one first. */
+internal fun architectures(ts: TransitionSystem): Sequence<AgArch> = generateSequence(ts.agArch) { it.nextAgArch }
+
+/** The [Arch] of the agent of [ts]; null: it has none. */
+internal fun archOf(ts: TransitionSystem): Arch? = architectures(ts).filterIsInstance<Arch>().firstOrNull()
+
+/** The agent of [ts] has no [Arch]. */
+internal fun notArgo(ts: TransitionSystem) =
+    Failure("not_argo", "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j")

@@ -17,12 +17,13 @@ import javino.Frame
  *
  * `argo.act(W, Options)` takes a list of
  * - `timeout(Ms)`, 1 to 600,000: the outcome is known Ms ms after the call in any case. A command that has not begun to go out by then is
- *   withdrawn, never sent, and fails with `error(act_timeout)`. One that has fails with `error(act_unconfirmed)`, since it may be carried out
- * - `urgent`: it goes before commands that wait, behind urgent ones that do. A command on the line is never interrupted, and with a board of
- *   version 2 its outcome is awaited first
+ *   withdrawn, never sent, and fails with `error(act_timeout)`. One that has fails with `error(act_unconfirmed)`, since it may be carried
+ *   out
+ * - `urgent`: it goes before commands that wait, behind urgent ones that do. A command on the line is never interrupted, and with a board
+ *   of version 2 its outcome is awaited first
  *
- * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`,
- * `error(port_timeout)`, `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` if it does not know the action or not
+ * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`, `error(port_timeout)`,
+ * `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` if it does not know the action or not
  * with these arguments, and with `error(act_unconfirmed)` if it has not said that it acted, though it may have.
  */
 @Suppress("ClassName")

@@ -14,13 +14,14 @@ import jason.asSyntax.PlanBody
 import jason.asSyntax.Term
 
 /**
- * The internal action `argo.age(Literal, Ms)`: unifies Ms with the age in ms of the percept belief that unifies with Literal: the time since
- * the newest message of the board in which it stood, whether or not that message has been perceived yet. So a percept that a board repeats
- * is young though it causes no event, and one that a filter freezes or holds back grows old. Of several percepts it is the youngest, whose
- * values the variables in Literal get. It may be used in the context of a plan: `+!go : argo.age(dist(f,_), Ms) & Ms < 200`.
+ * The internal action `argo.age(Literal, Ms)`: unifies Ms with the age in ms of the percept belief that unifies with Literal: the time
+ * since the newest message of the board in which it stood, whether or not that message has been perceived yet. So a percept that a board
+ * repeats is young though it causes no event, and one that a filter freezes or holds back grows old. Of several percepts it is the
+ * youngest, whose values the variables in Literal get. It may be used in the context of a plan: `+!go : argo.age(dist(f,_), Ms) & Ms <
+ * 200`.
  *
- * In a context it is false if no percept of a board that the agent believes unifies with Literal; as a step of a plan it then fails the plan
- * with `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
+ * In a context it is false if no percept of a board that the agent believes unifies with Literal; as a step of a plan it then fails the
+ * plan with `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
 open class age : DefaultInternalAction() {
@@ -32,10 +33,11 @@ open class age : DefaultInternalAction() {
         checkArguments(args)
         val call = "argo.age(${args.joinToString(",")})"
         val percept = args[0] as? Literal
-        if (percept == null || percept.isVar || percept is ListTerm) throw wrongArgument("a percept is a literal such as dist(f,X), not ${args[0]}").of(call)
+        if (percept == null || percept.isVar || percept is ListTerm) {
+            throw wrongArgument("a percept is a literal such as dist(f,X), not ${args[0]}").of(call)
+        }
         if (!args[1].isVar && args[1] !is NumberTerm) throw wrongArgument("an age is a number of milliseconds, not ${args[1]}").of(call)
-        val arch = architectures(ts).filterIsInstance<Arch>().firstOrNull()
-            ?: throw Failure("not_argo", "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j").of(call)
+        val arch = archOf(ts) ?: throw notArgo(ts).of(call)
         val (youngest, ageMs) = arch.youngest(percept, un) ?: return if (isPlanStep(ts, un)) throw notPerceived(percept).of(call) else false
         return un.unifies(percept, youngest) && un.unifies(args[1], ASSyntax.createNumber(ageMs.toDouble()))
     }
@@ -47,6 +49,7 @@ open class age : DefaultInternalAction() {
     private fun isPlanStep(ts: TransitionSystem, un: Unifier): Boolean {
         val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
         val step = means.currentStep ?: return false
-        return means.unif === un && step.bodyType == PlanBody.BodyType.internalAction && (step.bodyTerm as? InternalActionLiteral)?.getIA(ts.ag) is age
+        return means.unif === un && step.bodyType == PlanBody.BodyType.internalAction &&
+            (step.bodyTerm as? InternalActionLiteral)?.getIA(ts.ag) is age
     }
 }

@@ -28,8 +28,7 @@ open class change_filter : BoardAction("argo.change_filter", 1..1) {
             else -> find(call, name)
         }
         val archs = architectures(call.ts)
-        val arch = archs.filterIsInstance<Arch>().firstOrNull()
-        if (arch != null) return arch.perceiveThrough(filter)
+        archOf(call.ts)?.let { return it.perceiveThrough(filter) }
         val environmentFilter = archs.filterIsInstance<EnvironmentFilter>().firstOrNull() ?: EnvironmentFilter.insertInto(call.ts)
         environmentFilter.perceiveThrough(filter)
     }

@@ -11,7 +11,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The internal action `argo.explain(Percept, Why)`: unifies Why with a text that says what the active filter does with Percept, and
+ * The internal action `argo.explain(Percept, Why)`: unifies Why with a text: what the active filter does with Percept, and
  * which of its rules decides. It may be used in the context of a plan, and by agents without [Arch] too.
  *
  * Fails the plan with `error(wrong_arguments)`.
@@ -29,7 +29,7 @@ open class explain : DefaultInternalAction() {
             throw wrongArgument("a percept is a literal such as dist(f,38), not ${args[0]}").of("argo.explain(${args.joinToString(",")})")
         }
         val archs = architectures(ts)
-        val why = archs.filterIsInstance<Arch>().firstOrNull()?.io?.explain(perceptText(percept))
+        val why = archOf(ts)?.io?.explain(perceptText(percept))
             ?: archs.filterIsInstance<EnvironmentFilter>().firstOrNull()?.explain(percept)
             ?: "$percept is kept: there is no filter"
         return un.unifies(args[1], ASSyntax.createString(why))

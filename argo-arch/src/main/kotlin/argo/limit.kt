@@ -14,7 +14,7 @@ import argo.calls.wholeNumber
 open class limit : BoardAction("argo.limit", 1..1) {
     override fun run(call: Call) {
         val interval = wholeNumber(call.args[0])?.takeIf { it >= 0 }
-            ?: throw ArgumentException("the sensing interval is a whole number of milliseconds from 0 to ${Int.MAX_VALUE}, not ${call.args[0]}")
+            ?: throw ArgumentException("the sensing interval is a whole number of ms from 0 to ${Int.MAX_VALUE}, not ${call.args[0]}")
         call.arch.io.senseEvery(interval)
     }
 }

@@ -13,10 +13,10 @@ import jason.asSyntax.VarTerm
 /**
  * The internal action `argo.port(P)` or `argo.port(P, Options)`: the port for sensing and acting from now on.
  *
- * P is an atom, a string, or a variable without a value, whose name is the port's: `ttyACM0`, `"/dev/serial/by-id/…"`,
- * `COM8`, `"usb:2341:0043"`, `"tcp://robot:4000"`. `none` closes all ports of the agent. Options is a list of
- * `baud(Rate)`, `timeout(Ms)`, `mode(request)` or `mode(listen)`, `protocol(auto)`, `protocol(1)` or `protocol(2)`, `boot(Ms)`, `spacing(Ms)`,
- * `queue(Messages)`, `stale(Ms)`; without it the agent's last options for P hold.
+ * P is an atom, a string, or a variable without a value, whose name is the port's: `ttyACM0`, `"/dev/serial/by-id/…"`, `COM8`,
+ * `"usb:2341:0043"`, `"tcp://robot:4000"`. `none` closes all ports of the agent. Options is a list of `baud(Rate)`, `timeout(Ms)`,
+ * `mode(request)` or `mode(listen)`, `protocol(auto)`, `protocol(1)` or `protocol(2)`, `boot(Ms)`, `spacing(Ms)`, `queue(Messages)`,
+ * `stale(Ms)`; without it the agent's last options for P hold.
  *
  * The intention is suspended until the port is open. Ports opened before stay open; one whose device has gone is opened
  * again as it was when the device is back. The state of P is the belief `port(P,on)`, `port(P,off)` or `port(P,timeout)`;
@@ -42,7 +42,8 @@ open class port : BoardAction("argo.port", 1..2) {
 
 /** Who wrote a variable may have meant its value. */
 private fun Failure.hinting(written: Term): Failure =
-    if (written is VarTerm && error == "no_such_port") copy(cause = "$cause ($written has no value, so its name was taken for the port's)") else this
+    if (written !is VarTerm || error != "no_such_port") this
+    else copy(cause = "$cause ($written has no value, so its name was taken for the port's)")
 
 private fun portName(term: Term): String {
     val name = when {

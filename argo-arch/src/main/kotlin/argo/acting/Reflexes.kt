@@ -12,8 +12,8 @@ import kotlin.concurrent.withLock
  * Sends the reflexes of critical rules: once when a rule begins to be met, and again with each message that meets it until the command has
  * gone out or, in version 2, the board has acted or refuses it. Not again while the rule stays met. Safe for use by several threads.
  *
- * @param send sends a command to the board on a port before all that waits; the outcome is told once, by any thread
- * @param warning is told when a reflex fails
+ * @param send sends a command to the board on a port before all that waits; calls its last argument once with the outcome, on any thread
+ * @param warning takes the failures of reflexes
  */
 internal class Reflexes(private val send: (OpenPort, String, (Failure?) -> Unit) -> Unit, private val warning: RateLimitedWarning) {
     private enum class Phase { UNDER_WAY, FAILED, DONE }
@@ -56,6 +56,8 @@ internal class Reflexes(private val send: (OpenPort, String, (Failure?) -> Unit)
     private fun end(rule: CriticalRule, run: Run, failure: Failure?) {
         val isFinal = failure == null || failure.error == "act_refused" // asking again would be refused again
         lock.withLock { run.phase = if (isFinal) Phase.DONE else Phase.FAILED }
-        if (failure != null) warning.happens("$rule ${failure.error}") { "the reflex ${rule.reflex} of the critical rule on ${rule.rule} has failed: ${failure.cause}" }
+        if (failure != null) warning.report("$rule ${failure.error}") {
+            "the reflex ${rule.reflex} of the critical rule on ${rule.rule} has failed: ${failure.cause}"
+        }
     }
 }

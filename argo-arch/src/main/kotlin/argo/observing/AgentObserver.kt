@@ -5,14 +5,14 @@ import argo.filters.PerceptionFilter
 /**
  * Follows what happens to one agent, as its live view or a recorder does. An [AgentObserverProvider] opens it; an agent may have several.
  *
- * Each function is called on the thread of the event: the agent's own, the sensing thread of a port or the thread that sends its commands. So
- * it must return at once and be safe for use by several threads. An exception is caught, and the first one of an observer is logged: neither the
- * agent nor its sensing ends by it. All functions but [close] do nothing unless they are overridden.
+ * Each function is called on the thread of the event: the agent's own, the sensing thread of a port or the thread that sends its commands.
+ * So it must return at once and be safe for use by several threads. An exception is caught, and the first one of an observer is logged:
+ * neither the agent nor its sensing ends by it. All functions but [close] do nothing unless they are overridden.
  */
 interface AgentObserver : AutoCloseable {
     /**
-     * [message] has passed through the filter. Called again with the same [PerceivedMessage.receivedNanos] when percepts that the filter had held
-     * back are due.
+     * [message] has passed through the filter. Called again with the same [PerceivedMessage.receivedNanos] when percepts that the filter
+     * had held back are due.
      */
     fun messageFiltered(message: PerceivedMessage) = Unit
 

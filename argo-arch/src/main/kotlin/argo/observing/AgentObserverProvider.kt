@@ -5,7 +5,8 @@ import java.util.logging.Logger
 /**
  * Opens observers of agents that ask for one by an option of their own, such as `agents: robot [argo_view=8080] agentArchClass argo.Arch;`.
  *
- * [java.util.ServiceLoader] finds it: a class with a public constructor without arguments, named in `META-INF/services/argo.observing.AgentObserverProvider`.
+ * [java.util.ServiceLoader] finds it: a class with a public constructor without arguments, named in
+ * `META-INF/services/argo.observing.AgentObserverProvider`.
  */
 interface AgentObserverProvider {
     /** The option of the `.mas2j` that asks for an observer. It begins with `argo_`. */

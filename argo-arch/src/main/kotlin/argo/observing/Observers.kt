@@ -46,7 +46,9 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
                 event(observer.observer)
             } catch (broken: Throwable) { // not the agent's own code, and the agent must go on
                 if (broken is InterruptedException) Thread.currentThread().interrupt()
-                if (!observer.hasFailed.getAndSet(true)) log.log(Level.WARNING, broken) { "${observer.observer} failed, and is not reported again" }
+                if (!observer.hasFailed.getAndSet(true)) {
+                    log.log(Level.WARNING, broken) { "${observer.observer} failed, and is not reported again" }
+                }
             }
         }
     }

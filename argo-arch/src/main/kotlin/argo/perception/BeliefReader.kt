@@ -17,7 +17,7 @@ import jason.asSyntax.Term
  * A text that Jason cannot read, or that no sensor can mean, costs itself alone, and one warning per distinct text.
  * Literals of a text seen before are reused: Jason copies what it adds to a belief base. Not safe for use by several threads at once.
  *
- * @param warn takes the one line that is said about a text that is not read
+ * @param warn takes one line for each text that cannot be read
  */
 internal class BeliefReader(private val warn: (String) -> Unit) {
     private val known = object : LinkedHashMap<String, Reading>(16, 0.75f, true) {
@@ -26,13 +26,13 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
     private var room = MIN_CACHED
     private val reported = HashSet<String>()
 
-    /** Says that the board's messages have so many [percepts]: readings that stay are known again, not all that sensors ever said. */
+    /** Sizes the cache for messages of so many [percepts]: for readings that stay, not for all that sensors ever sent. */
     fun expect(percepts: Int) {
         room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }
 
-    /** What [percept] says; empty if it cannot be read, several literals only where a stray quote or bracket had joined them. */
-    fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parse(percept).also { if (percept.length <= MAX_CACHED_LENGTH) known[percept] = it }) {
+    /** The literal of [percept]; none if it cannot be read, several only where a stray quote or bracket had joined them. */
+    fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parsed(percept)) {
         is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
             val pieces = piecesOf(percept)
@@ -40,14 +40,20 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
         }
     }
 
+    private fun parsed(percept: String) = parse(percept).also { if (percept.length <= MAX_CACHED_LENGTH) known[percept] = it }
+
     private fun parse(percept: String): Reading = try {
         val literal = PerceptReader.read(percept)
         when {
             literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
-            !literal.isGround || literal.ns.isVar -> Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
-            isComputed(literal) -> Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
-            literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 -> Reading.Unreadable("stale/1 tells that nothing comes from a port, which no board can claim")
-            claimsToBeAPort(literal) -> Reading.Unreadable("port/2 with on, off or timeout tells the state of a port, which no board can claim")
+            !literal.isGround || literal.ns.isVar ->
+                Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
+            isComputed(literal) ->
+                Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
+            literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 ->
+                Reading.Unreadable("stale/1 is the belief that a port is silent, which no board can claim")
+            claimsToBeAPort(literal) ->
+                Reading.Unreadable("port/2 with on, off or timeout is the belief about a port's state, which no board can claim")
             else -> Reading.Belief(ownSource(literal))
         }
     } catch (refused: PerceptSyntaxException) {

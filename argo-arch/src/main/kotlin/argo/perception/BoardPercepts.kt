@@ -16,8 +16,8 @@ import kotlin.concurrent.withLock
 /**
  * Turns each message of the board into a [Snapshot] of what its agent perceives, and leaves it for the hand-over.
  *
- * Two threads make snapshots: the sensing thread of each message, and the agent's of what a filter held back. Both make and leave them under one
- * lock, so that no snapshot is left behind a newer one. Safe for use by several threads.
+ * Two threads make snapshots: the sensing thread of each message, and the agent's of what a filter held back. Both make and leave them
+ * under one lock, so that no snapshot is left behind a newer one. Safe for use by several threads.
  *
  * @param lock held while a snapshot is made and left
  * @param isWanted whether the agent perceives the board on this port now
@@ -71,8 +71,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait for the sensing thread:
-     * while that makes a snapshot, what is due goes into it.
+     * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait for the sensing
+     * thread: while that makes a snapshot, what is due goes into it.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return

@@ -15,7 +15,7 @@ internal class CriticalSnapshots {
     private var known: Set<Literal> = emptySet()
     private val earlyRules = HashSet<CriticalRule>()
 
-    /** Takes [snapshot] if it has a critical percept that the agent was not given with the last one, and says whether it did. */
+    /** Takes [snapshot] if it has a critical percept that the agent was not given with the last one; returns whether it did. */
     fun put(snapshot: Snapshot): Boolean = lock.withLock {
         val isNews = snapshot.critical.any { it.percept !in known }
         if (isNews) {

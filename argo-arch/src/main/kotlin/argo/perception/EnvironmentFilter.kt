@@ -36,7 +36,7 @@ internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<
     companion object {
         /** Puts a filter in front of the agent of [ts], which must not have one. Called by the agent's thread. */
         fun insertInto(ts: TransitionSystem): EnvironmentFilter {
-            // unfiltered so far, so its percept beliefs are what its environment said last
+            // unfiltered so far, so its percept beliefs are what its environment returned last
             val perceived = ts.ag.bb.percepts.asSequence().filter { it.subjectToBUF() }.toList()
             return EnvironmentFilter(perceived).also { ts.agArch.insertAgArch(it) }
         }

@@ -5,10 +5,10 @@ import argo.filters.jason.literalSession
 import jason.asSyntax.Literal
 
 /**
- * What an agent perceives of its Jason environment, through its active filter. An environment says nothing when nothing has
+ * What an agent perceives of its Jason environment, through its active filter. An environment returns nothing when nothing has
  * changed, so its last word is kept. Belongs to the agent's thread.
  *
- * @param known what the environment said last, as far as it is known
+ * @param known what the environment returned last, as far as it is known
  * @param nowMs a clock in ms that never goes back
  */
 internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), private val nowMs: () -> Long) {
@@ -28,7 +28,7 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
         filterIsNew = true
     }
 
-    /** Takes what the next architecture's `perceive()` returned, null being no news, and says whether [percepts] may have changed. */
+    /** Takes what the next architecture's `perceive()` returned, null being no news; returns whether [percepts] may have changed. */
     fun update(news: Collection<Literal>?): Boolean {
         if (news != null) last = news.toList()
         val now = if (news != null || filterIsNew) session.perceive(last, nowMs()) else session.due(nowMs())

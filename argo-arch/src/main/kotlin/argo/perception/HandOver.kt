@@ -36,8 +36,8 @@ internal interface HandOver {
  * agent. Waiting for all commands would starve the sensing of a plan that loops on `argo.act`.
  *
  * A snapshot with a critical percept that the one before did not have is handed over at once, and no newer one takes its place that does
- * not meet its critical rules. So that a board which is critical all the time cannot make events pile up, this ends when [MANY_EVENTS] wait;
- * then each critical rule may do it once until both conditions hold again.
+ * not meet its critical rules. So that a board which is critical all the time cannot make events pile up, this ends when [MANY_EVENTS]
+ * wait; then each critical rule may do it once until both conditions hold again.
  */
 internal class FreshHandOver(private val commands: CommandLedger, private val events: PerceptEvents) : HandOver {
     private val newest = AtomicReference<Snapshot?>()

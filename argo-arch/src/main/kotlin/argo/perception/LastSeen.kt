@@ -22,10 +22,12 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
      * A message came at [atNanos] by the platform's clock.
      *
      * @param seen the percepts that stand in it and that the filter lets through
-     * @param delivered all that the agent is to believe after it: also what is frozen, and what stands for percepts that are held back
+     * @param delivered all that the agent is to believe after it: also frozen percepts, and stand-ins for percepts that are held back
      */
     fun seen(seen: Collection<Literal>, delivered: Collection<Literal>, atNanos: Long) = lock.withLock {
-        for (percept in seen) lastSeen.merge(StructureWrapperForLiteral(percept), atNanos) { before, now -> if (now - before > 0) now else before }
+        for (percept in seen) {
+            lastSeen.merge(StructureWrapperForLiteral(percept), atNanos) { before, now -> if (now - before > 0) now else before }
+        }
         if (lastSeen.size > 2 * delivered.size + SPARE) {
             lastSeen.keys.retainAll((delivered + believed()).mapTo(HashSet(), ::StructureWrapperForLiteral))
         }

@@ -4,23 +4,23 @@ import argo.platform.RateLimitedWarning
 import jason.asSyntax.Literal
 
 /**
- * Limits how many percepts of a board an agent believes at once. Critical ones come first, then the others in the order of the message; what
- * exceeds the limit is left out. Not safe for use by several threads at once.
+ * Limits how many percepts of a board an agent believes at once. Critical ones come first, then the others in the order of the message;
+ * what exceeds the limit is left out. Not safe for use by several threads at once.
  *
- * @property most the most percepts
- * @param warning is told when the limit is exceeded
+ * @param max the most percepts
+ * @param warning takes the message when the limit is exceeded
  */
-internal class PerceptLimit(private val most: Int, private val warning: RateLimitedWarning) {
-    /** The first [most] different ones of [percepts], those of [critical] before others. */
+internal class PerceptLimit(private val max: Int, private val warning: RateLimitedWarning) {
+    /** The first [max] different ones of [percepts], those of [critical] before others. */
     fun limited(percepts: List<Literal>, critical: Collection<Literal>): List<Literal> {
-        if (percepts.size <= most) return percepts
+        if (percepts.size <= max) return percepts
         val different = percepts.distinct()
-        if (different.size <= most) return different
-        warning.happens("limit") {
-            "the board says ${different.size} percepts at once, of which $most are believed and the others left out; [$OPTION=N] in the .mas2j sets another limit"
+        if (different.size <= max) return different
+        warning.report("limit") {
+            "the board sends ${different.size} percepts at once, of which $max are believed; [$OPTION=N] in the .mas2j sets another limit"
         }
-        val first = critical.take(most).toHashSet()
-        var room = most - first.size
+        val first = critical.take(max).toHashSet()
+        var room = max - first.size
         return different.filter { it in first || room-- > 0 }
     }
 

@@ -10,11 +10,13 @@ import javino.PerceptsRequest
  * filter lets through, so that the others take no time on the line; otherwise everything.
  */
 internal fun perceptsRequest(filter: PerceptionFilter?): String =
-    filter?.let(::functorsKept)?.joinToString(",", "${PerceptsRequest.ALL}(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD } ?: PerceptsRequest.ALL
+    filter?.let(::functorsKept)?.joinToString(",", "${PerceptsRequest.ALL}(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD }
+        ?: PerceptsRequest.ALL
 
 /** The functors without whose percepts the filter decides as it would with them; null: it may need any. */
 private fun functorsKept(filter: PerceptionFilter): List<String>? = (filter.rules + filter.critical.map { it.rule })
-    .takeIf { rules -> filter.mode == PerceptionFilter.Mode.KEEP && rules.isNotEmpty() && rules.all { it.rate == null && isName(it.predicate) } }
+    .takeIf { filter.mode == PerceptionFilter.Mode.KEEP && it.isNotEmpty() }
+    ?.takeIf { rules -> rules.all { it.rate == null && isName(it.predicate) } }
     ?.map { it.predicate.functor }?.distinct()
 
 /** A board knows names, no quotes and no namespaces; `~open` is sent under the name `open`. */

@@ -4,19 +4,19 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Says a thing once when it begins, and not again while it goes on or comes and goes: a board that makes it happen all the time must not
- * fill the log. It has ended when it has not happened for [QUIET_MS]. Safe for use by several threads.
+ * Logs a condition once when it begins, and not again while it lasts or comes and goes: a board that causes it all the time must not
+ * fill the log. It has ended when it has not occurred for [QUIET_MS]. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
- * @param warn takes the one line that is said
+ * @param warn takes the message
  */
 internal class RateLimitedWarning(private val nowMs: () -> Long, private val warn: (String) -> Unit) {
     private val lock = ReentrantLock()
     private var lastKind: String? = null
     private var lastMs = 0L
 
-    /** It happens now. What is of another [kind] than before is something new. */
-    fun happens(kind: String, message: () -> String) {
+    /** The condition occurs now; another [kind] than before is a new condition. */
+    fun report(kind: String, message: () -> String) {
         val isNew = lock.withLock {
             val now = nowMs()
             (kind != lastKind || now - lastMs > QUIET_MS).also {

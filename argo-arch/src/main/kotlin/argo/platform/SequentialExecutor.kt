@@ -8,7 +8,9 @@ internal class SequentialExecutor(private val platform: Platform, private val na
     private val waiting = ArrayDeque<() -> Unit>()
     private var working = false
 
-    /** Does [work] after what was given before; what it throws goes to the thread's uncaught exception handler, and the rest is done still. */
+    /**
+     * Does [work] after what was given before; what it throws goes to the thread's uncaught exception handler, and the rest is done still.
+     */
     fun execute(work: () -> Unit) = lock.withLock {
         waiting.addLast(work)
         startUnlessWorking()

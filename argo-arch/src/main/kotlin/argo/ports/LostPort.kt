@@ -6,8 +6,8 @@ import java.util.concurrent.TimeUnit
 /**
  * A port whose device has gone, by one of the names that its agent has for it, and when to look for it again.
  *
- * The first look finds out whether the device is there at all, and opens nothing: a port that is lost although its device is there, as with a
- * serial server that accepts whoever comes and then hangs up, is opened ever more seldom. One thread at a time.
+ * The first look finds out whether the device is there at all, and opens nothing: a port that is lost although its device is there, as with
+ * a serial server that accepts whoever comes and then hangs up, is opened ever more seldom. One thread at a time.
  *
  * @property port what was lost with it
  * @property term the port as the agent calls it
@@ -43,9 +43,9 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
 
     /**
      * Takes in that the port could not be opened.
-     * @return whether a person should be told: the cause has stood for several looks, and is told for the first time
+     * @return whether to report it: the cause has stood for several looks, and has not been reported
      */
-    fun failed(trouble: Throwable): Boolean = failures.merge(trouble.javaClass, 1, Int::plus) == TOLD_FAILURE
+    fun failed(trouble: Throwable): Boolean = failures.merge(trouble.javaClass, 1, Int::plus) == REPORTED_FAILURE
 
     private companion object {
         const val FIRST_DELAY_MS = 100L
@@ -57,6 +57,6 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
         val SOUND_NANOS = TimeUnit.SECONDS.toNanos(2)
 
         /** A device that was plugged in a moment ago is not this user's yet. */
-        const val TOLD_FAILURE = 4
+        const val REPORTED_FAILURE = 4
     }
 }

@@ -8,8 +8,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The ports of one agent whose devices have gone. Each is searched for on a thread of its own, so that a host which does not answer does not delay
- * a cable that is back. Safe for use by several threads.
+ * The ports of one agent whose devices have gone. Each is searched for on a thread of its own, so that a host which does not answer does
+ * not delay a cable that is back. Safe for use by several threads.
  *
  * @param owner the agent's name, part of the threads' names
  * @param platform finds devices and schedules the looks

@@ -5,8 +5,9 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Which devices one agent is opening now, by [canonical name][javino.Transports.canonicalName]: each is opened by one thread at a time. A network may take
- * seconds for it, so what the agent asks for ends an opening of the same device that it has not asked for. Safe for use by several threads.
+ * Which devices one agent is opening now, by [canonical name][javino.Transports.canonicalName]: each is opened by one thread at a time. A
+ * network may take seconds for it, so what the agent asks for ends an opening of the same device that it has not asked for. Safe for use by
+ * several threads.
  */
 internal class PortOpenings(private val platform: Platform) {
     private val lock = platform.clock.newLock(false)

@@ -15,14 +15,14 @@ import javino.Transports
  * @property link baud rate and manners on the line
  * @property timeoutMs how long an answer may take, in ms
  * @property listens whether the board speaks unasked, so that it is listened to and never asked
- * @property saysBaud whether the rate is settled; else it is what ports of the port's kind usually have, see [on]
- * @property staleMs after how many ms without a message `stale(Port)` is believed, 0: never; null: as [staleAfterMs] says
+ * @property hasBaud whether the rate is settled; else it is what ports of the port's kind usually have, see [on]
+ * @property staleMs after how many ms without a message `stale(Port)` is believed, 0: never; null: the default of [staleAfterMs]
  */
 internal data class PortOptions(
     val link: LinkSettings = LinkSettings.defaults(),
     val timeoutMs: Int = DEFAULT_TIMEOUT_MS,
     val listens: Boolean = false,
-    val saysBaud: Boolean = false,
+    val hasBaud: Boolean = false,
     val staleMs: Int? = null,
 ) {
     /**
@@ -36,7 +36,7 @@ internal data class PortOptions(
 
 
     companion object {
-        /** How long an answer may take unless `timeout(Ms)` says otherwise: three times what twelve percepts take at 9600 baud. */
+        /** How long an answer may take without `timeout(Ms)`: three times what twelve percepts take at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500
 
         /**
@@ -56,12 +56,13 @@ internal data class PortOptions(
     }
 
     /** These options for [port]: with the rate that ports of its kind usually have, if none was asked for. */
-    fun on(port: String): PortOptions = if (saysBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), saysBaud = true)
+    fun on(port: String): PortOptions =
+        if (hasBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), hasBaud = true)
 
     private fun with(option: Term): PortOptions {
         val name = (option as? Literal)?.takeIf { it.arity == 1 && !it.isVar }?.functor
         return when (name) {
-            "baud" -> copy(link = link.withBaud(whole(option, 1..MAX_BAUD)), saysBaud = true)
+            "baud" -> copy(link = link.withBaud(whole(option, 1..MAX_BAUD)), hasBaud = true)
             "timeout" -> copy(timeoutMs = whole(option, 1..MAX_MS))
             "stale" -> copy(staleMs = whole(option, 0..MAX_MS))
             "boot" -> copy(link = link.withBootMillis(whole(option, 0..MAX_MS)))
@@ -74,7 +75,8 @@ internal data class PortOptions(
     }
 }
 
-private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), protocol(2) or protocol(auto), boot(Ms), spacing(Ms), queue(Messages) and stale(Ms)"
+private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), protocol(2) or protocol(auto), boot(Ms), " +
+    "spacing(Ms), queue(Messages) and stale(Ms)"
 private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
 private const val MAX_BAUD = 20_000_000
 private const val MAX_MS = 600_000

@@ -14,9 +14,9 @@ import kotlin.concurrent.withLock
 /**
  * The ports that one agent holds open, and the one it uses now.
  *
- * Links stay open until [closeAll], since opening a port resets most boards. A port whose device has gone is opened again, with its options, when
- * the device returns; until then every call on it fails. Opening and closing may block, so they run on a sequential executor (the agent's
- * requests) or on one thread per lost port. Safe for use by several threads.
+ * Links stay open until [closeAll], since opening a port resets most boards. A port whose device has gone is opened again, with its
+ * options, when the device returns; until then every call on it fails. Opening and closing may block, so they run on a sequential executor
+ * (the agent's requests) or on one thread per lost port. Safe for use by several threads.
  *
  * @param owner the agent's name, which the message to a second agent on the same port contains
  * @param user works through the ports
@@ -57,7 +57,7 @@ internal class Ports(
      * Makes the port [name] the one in use, and opens it if it is not open yet, on another thread.
      *
      * @param term the port as the agent calls it
-     * @param options how to use it, or null for what the agent said of it last
+     * @param options how to use it, or null for the options that the agent gave last
      * @param outcome is called once by another thread, with null or with why the port in use is still the one before; never once
      * the agent is being stopped
      */
@@ -71,7 +71,8 @@ internal class Ports(
         }
         if (trouble is TooManyPortsException) return Failure("too_many_ports", trouble.message.orEmpty())
         return trouble?.let(::failureOf)?.also { failure ->
-            if (all().none { it.link.isOpen && term in it.names }) states.set(term, PortStatus.OFF, failure.cause) { lock.withLock { !stopped } }
+            val isOpen = all().any { it.link.isOpen && term in it.names }
+            if (!isOpen) states.set(term, PortStatus.OFF, failure.cause) { lock.withLock { !stopped } }
         }
     }
 

@@ -98,11 +98,11 @@ class ReflexesSpec : FunSpec({
 
     test("a thing that goes on is told once, and again when it had ended for a minute or is another") {
         val warning = RateLimitedWarning({ nowMs }) { warnings += it }
-        repeat(1_000) { nowMs += 50_000; warning.happens("a") { "a at $nowMs" } }
+        repeat(1_000) { nowMs += 50_000; warning.report("a") { "a at $nowMs" } }
         warnings shouldBe listOf("a at 50000")
         nowMs += RateLimitedWarning.QUIET_MS + 1
-        warning.happens("a") { "a again" }
-        warning.happens("b") { "b" }
+        warning.report("a") { "a again" }
+        warning.report("b") { "b" }
         warnings shouldBe listOf("a at 50000", "a again", "b")
     }
 })
