@@ -12,19 +12,19 @@ import javino.Frame
  * The internal action `argo.act(W)`: sends the text of W, any literal, to the board in use: `ledOn`, `speed(120)`. A string
  * is sent without its quotes.
  *
- * The intention is suspended until the last byte has left the line, or, with a board of version 2 of the protocol, until the board has
- * said that it acted; the agent is not. Commands go out in their order.
+ * The intention, not the agent, is suspended until the last byte has left the line, or, with a board of version 2 of the protocol, until
+ * the board has acknowledged the action. Commands are sent in order.
  *
  * `argo.act(W, Options)` takes a list of
- * - `timeout(Ms)`, 1 to 600,000: the outcome is known Ms ms after the call in any case. A command that has not begun to go out by then is
- *   withdrawn, never sent, and fails with `error(act_timeout)`. One that has fails with `error(act_unconfirmed)`, since it may be carried
- *   out
- * - `urgent`: it goes before commands that wait, behind urgent ones that do. A command on the line is never interrupted, and with a board
- *   of version 2 its outcome is awaited first
+ * - `timeout(Ms)`, 1 to 600,000: the intention resumes at most Ms ms after the call. A command that has not begun to go out by then is
+ *   withdrawn, never sent, and fails with `error(act_timeout)`. One that has begun fails with `error(act_unconfirmed)`: the board may carry
+ *   it out
+ * - `urgent`: the command overtakes waiting ones that are not urgent. It never interrupts a command on the line, and with a board of
+ *   version 2 it waits for the outcome of that command
  *
- * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`, `error(port_timeout)`,
- * `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` if it does not know the action or not
- * with these arguments, and with `error(act_unconfirmed)` if it has not said that it acted, though it may have.
+ * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`,
+ * `error(port_timeout)`, `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` for an action
+ * or arguments that it does not know, and with `error(act_unconfirmed)` without its acknowledgement, though it may have acted.
  */
 @Suppress("ClassName")
 open class act : BoardAction("argo.act", 1..2) {

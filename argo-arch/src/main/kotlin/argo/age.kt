@@ -14,14 +14,14 @@ import jason.asSyntax.PlanBody
 import jason.asSyntax.Term
 
 /**
- * The internal action `argo.age(Literal, Ms)`: unifies Ms with the age in ms of the percept belief that unifies with Literal: the time
- * since the newest message of the board in which it stood, whether or not that message has been perceived yet. So a percept that a board
- * repeats is young though it causes no event, and one that a filter freezes or holds back grows old. Of several percepts it is the
- * youngest, whose values the variables in Literal get. It may be used in the context of a plan: `+!go : argo.age(dist(f,_), Ms) & Ms <
- * 200`.
+ * The internal action `argo.age(Literal, Ms)`: unifies Ms with the age in ms of the percept belief that unifies with Literal. The age is
+ * the time since the board's newest message that contained the percept, perceived already or not. So a percept that the board repeats is
+ * young though it causes no event, and one that a filter freezes or holds back grows old. Of several matching percepts the youngest is
+ * used, and the variables in Literal are bound to its values. It may be used in the context of a plan:
+ * `+!go : argo.age(dist(f,_), Ms) & Ms < 200`.
  *
- * In a context it is false if no percept of a board that the agent believes unifies with Literal; as a step of a plan it then fails the
- * plan with `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
+ * If no believed percept of a board unifies with Literal, the action is false in a context; as a step of a plan it fails the plan with
+ * `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
 open class age : DefaultInternalAction() {

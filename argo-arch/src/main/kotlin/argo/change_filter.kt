@@ -13,12 +13,12 @@ import java.io.IOException
 import java.util.ServiceConfigurationError
 
 /**
- * The internal action `argo.change_filter(F)`: the active filter from the next perception on. F is an atom or a string, the
+ * The internal action `argo.change_filter(F)`: activates filter F from the next perception on. F is an atom or a string, the
  * name of a filter or of its file; `none` lets everything through. Works for agents without [Arch] too, whose percepts come
  * from a Jason environment.
  *
- * Fails the plan, the filter staying what it was, with `error(wrong_arguments)`, `error(no_such_filter)` or
- * `error(bad_filter)` for a file that is refused, whose problems are all in the message.
+ * Fails the plan, without a change of the filter, with `error(wrong_arguments)`, `error(no_such_filter)` or
+ * `error(bad_filter)` for a refused file, with all its problems in the message.
  */
 @Suppress("ClassName")
 open class change_filter : BoardAction("argo.change_filter", 1..1) {

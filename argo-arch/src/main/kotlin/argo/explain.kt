@@ -11,8 +11,8 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The internal action `argo.explain(Percept, Why)`: unifies Why with a text: what the active filter does with Percept, and
- * which of its rules decides. It may be used in the context of a plan, and by agents without [Arch] too.
+ * The internal action `argo.explain(Percept, Why)`: unifies Why with a text that explains whether the active filter drops Percept,
+ * and by which rule. It may be used in the context of a plan, and by agents without [Arch] too.
  *
  * Fails the plan with `error(wrong_arguments)`.
  */

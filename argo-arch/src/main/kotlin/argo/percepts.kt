@@ -4,7 +4,7 @@ import argo.calls.ArgumentException
 
 /**
  * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`,
- * stops it. Blocked at the start. What was perceived stays believed while it is blocked.
+ * stops it. Perceiving is blocked at the start. Beliefs stay while it is blocked.
  *
  * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.
  */

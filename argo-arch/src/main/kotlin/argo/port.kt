@@ -11,18 +11,18 @@ import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
 /**
- * The internal action `argo.port(P)` or `argo.port(P, Options)`: the port for sensing and acting from now on.
+ * The internal action `argo.port(P)` or `argo.port(P, Options)`: selects the port for sensing and acting.
  *
- * P is an atom, a string, or a variable without a value, whose name is the port's: `ttyACM0`, `"/dev/serial/by-id/…"`, `COM8`,
- * `"usb:2341:0043"`, `"tcp://robot:4000"`. `none` closes all ports of the agent. Options is a list of `baud(Rate)`, `timeout(Ms)`,
- * `mode(request)` or `mode(listen)`, `protocol(auto)`, `protocol(1)` or `protocol(2)`, `boot(Ms)`, `spacing(Ms)`, `queue(Messages)`,
- * `stale(Ms)`; without it the agent's last options for P hold.
+ * P is an atom or a string: `ttyACM0`, `"/dev/serial/by-id/…"`, `COM8`, `"usb:2341:0043"`, `"tcp://robot:4000"`; an unbound variable, as
+ * in programs for other versions, stands for its own name. `none` closes all ports of the agent. Options is a list of `baud(Rate)`,
+ * `timeout(Ms)`, `mode(request)` or `mode(listen)`, `protocol(auto)`, `protocol(1)` or `protocol(2)`, `boot(Ms)`, `spacing(Ms)`,
+ * `queue(Messages)`, `stale(Ms)`; without it the agent's last options for P apply.
  *
- * The intention is suspended until the port is open. Ports opened before stay open; one whose device has gone is opened
- * again as it was when the device is back. The state of P is the belief `port(P,on)`, `port(P,off)` or `port(P,timeout)`;
- * `stale(P)` is believed while the agent perceives and nothing comes from P for too long.
+ * The intention is suspended until the port is open. Ports opened before stay open. A port whose device was lost is reopened with the same
+ * options when the device is back. The state of P is the belief `port(P,on)`, `port(P,off)` or `port(P,timeout)`; `stale(P)` is believed
+ * while the agent perceives and no message arrives from P for too long.
  *
- * Fails the plan, the port in use staying what it was, with `error(wrong_arguments)`, `error(no_such_port)`,
+ * Fails the plan, without a change of the port in use, with `error(wrong_arguments)`, `error(no_such_port)`,
  * `error(port_busy)`, `error(port_permission)`, `error(port_gone)`, `error(port_failed)`, `error(too_many_ports)` or, for an
  * agent without [Arch], `error(not_argo)`.
  */

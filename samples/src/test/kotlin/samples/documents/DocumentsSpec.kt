@@ -30,17 +30,22 @@ class DocumentsSpec : FunSpec({
 
     test("the pages are found") {
         documents.map { it.name } shouldContainAll
-            listOf("README.md", "docs/filters.md", "samples/blink/README.md", "javino-arduino/README.md", "argo-tools/src/main/resources/argo/tools/project/README.md")
+            listOf("README.md", "docs/filters.md", "samples/blink/README.md", "javino-arduino/README.md", "$NEW_PROJECT/README.md")
     }
 
-    test("the page on internal actions says what the sources say") {
+    test("the page on internal actions is the KDoc of the actions") {
         val page = root.resolve("docs/internal-actions.md")
         val expected = InternalActionsPage(root).text
         if (System.getProperty("argo.write.documents") == "true") page.writeText(expected)
-        withClue("-Dargo.write.documents=true makes it anew") { page.readText() shouldBe expected }
+        withClue("-Dargo.write.documents=true generates it") { page.readText() shouldBe expected }
     }
 
-    context("its language is told, for it decides how the block is tried:") {
+    test("the page on adding ARGO to a project has the logging.properties of the samples") {
+        val sample = root.resolve("samples/blink/logging.properties").readText().trim()
+        written("properties").single { it.document == "README.md" }.text shouldBe sample
+    }
+
+    context("its language is given, for it decides how the block is tried:") {
         snippets.forEach { test("$it") { it.language shouldBeIn LANGUAGES } }
     }
 
@@ -88,8 +93,14 @@ class DocumentsSpec : FunSpec({
     }
 })
 
-/** `text` is what somebody reads or a program prints, `console` what is typed and what then is printed. What is typed is tried by CommandsSpec, `cpp` and `c` by FirmwareSnippetsSpec, `jcm` by JaCaMoSpec. */
-private val LANGUAGES = setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "text")
+/**
+ * `text` is text to read or a program's output, `console` commands with their output. CommandsSpec tries the commands, FirmwareSnippetsSpec
+ * `cpp` and `c`, JaCaMoSpec `jcm`.
+ */
+private val LANGUAGES =
+    setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "text")
+
+private const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
 
 private fun readAgent(text: String) {
     Config.get()[Config.START_WEB_MI] = "false" // else a server would show each of these agents
