@@ -53,11 +53,14 @@ final class Command {
         state = State.BEGUN;
     }
 
-    /** Marks it as one that never goes out; false if it has begun. */
-    boolean withdraw() {
+    /** Marks it as one that never goes out, unless it has begun. */
+    void withdraw() {
         if (state == State.WAITING) {
             state = State.WITHDRAWN;
         }
+    }
+
+    boolean isWithdrawn() {
         return state == State.WITHDRAWN;
     }
 }

@@ -108,7 +108,7 @@ final class CommandLoop {
             return;
         }
         Throwable failure = transmit(command);
-        writer.finish(command);
+        writer.finish();
         if (failure == null) {
             command.outcome().complete(null);
         } else {

@@ -2,8 +2,7 @@ package javino;
 
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.Lock;
+import java.util.function.LongSupplier;
 
 /**
  * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames. One command
@@ -20,11 +19,7 @@ final class FrameWriter {
         void run() throws PortException;
     }
 
-    /** Longer than anything is waited for. */
-    static final long FOREVER = Long.MAX_VALUE / 4;
-
-    private final Lock lock;
-    private final Condition changed;
+    private final Monitor monitor;
     private final CommandQueue commands = new CommandQueue();
     private final Transport transport;
     private final LineClock clock;
@@ -38,13 +33,12 @@ final class FrameWriter {
         this.transport = transport;
         this.pacer = pacer;
         this.clock = clock;
-        lock = clock.newLock(false);
-        changed = lock.newCondition();
+        monitor = new Monitor(clock, transport.name());
     }
 
     /** Queues a command. */
     void submit(Command command) throws PortGoneException {
-        locked(() -> {
+        monitor.change(() -> {
             requireLine();
             commands.add(command);
         });
@@ -52,13 +46,28 @@ final class FrameWriter {
 
     /** Takes a command that has not begun to go out from the queue, for good; false if it has. */
     boolean withdraw(Command command) {
-        lock.lock();
-        try {
-            changed.signalAll();
-            return command.withdraw();
-        } finally {
-            lock.unlock();
-        }
+        monitor.change(command::withdraw);
+        return command.isWithdrawn();
+    }
+
+    /** Withdraws the command whose turn is next; null if there is none. */
+    Command withdrawNext() {
+        return monitor.get(() -> {
+            Command next = next();
+            if (next != null) {
+                next.withdraw();
+            }
+            return next;
+        });
+    }
+
+    /** Withdraws all commands that wait. */
+    List<Command> withdrawAll() {
+        return monitor.get(commands::removeAll);
+    }
+
+    private Command next() {
+        return underWay == null ? commands.head() : null;
     }
 
     /**
@@ -69,23 +78,11 @@ final class FrameWriter {
      * @return whether there is one
      */
     boolean awaitWork(Command own, long deadline) throws PortException {
-        lock();
-        try {
-            while (own == null || !own.isOver()) {
-                requireLine();
-                if (underWay == null && commands.head() != null) {
-                    return true;
-                }
-                long left = own == null || !own.isWaiting() ? FOREVER : deadline - clock.nanos();
-                if (left <= 0) {
-                    return false;
-                }
-                await(left);
-            }
-            return false;
-        } finally {
-            lock.unlock();
-        }
+        return monitor.getInterruptibly(() -> {
+            awaitZero(() -> own != null && own.isOver() || next() != null ? 0
+                    : own != null && own.isWaiting() ? deadline - clock.nanos() : Monitor.FOREVER);
+            return (own == null || !own.isOver()) && next() != null;
+        });
     }
 
     /**
@@ -94,76 +91,41 @@ final class FrameWriter {
      * @return null if its turn has not come by {@code deadline}, or there is none, or another thread has it
      */
     Command awaitCommand(long deadline) throws PortException {
-        lock();
-        try {
-            while (true) {
-                requireLine();
-                Command head = underWay == null ? commands.head() : null;
-                long now = clock.nanos();
-                if (head == null || deadline - now < 0) {
-                    return null;
-                }
-                long wait = writing || turnsAwaited > 0 ? FOREVER : pacer.nanosUntilAction(pacer.lengthOf(head.frame()), now);
-                if (wait == 0) {
-                    head.begin();
-                    underWay = head;
-                    writing = true;
-                    return head;
-                }
-                await(Math.min(wait, deadline - now + 1));
+        return monitor.getInterruptibly(() -> {
+            awaitZero(() -> next() == null ? 0 : Math.min(nanosUntilNext(), deadline - clock.nanos()));
+            Command next = next();
+            if (next == null || nanosUntilNext() > 0) {
+                return null;
             }
-        } finally {
-            lock.unlock();
-        }
+            next.begin();
+            underWay = next;
+            writing = true;
+            return next;
+        });
     }
 
-    /** Withdraws the command whose turn is next; null if there is none. */
-    Command withdrawNext() {
-        lock.lock();
-        try {
-            Command head = underWay == null ? commands.head() : null;
-            if (head != null) {
-                head.withdraw();
-            }
-            return head;
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    /** Withdraws all commands that wait. */
-    List<Command> withdrawAll() {
-        lock.lock();
-        try {
-            return commands.removeAll();
-        } finally {
-            lock.unlock();
-        }
+    private long nanosUntilNext() {
+        return writing || turnsAwaited > 0 ? Monitor.FOREVER : pacer.nanosUntilAction(pacer.lengthOf(next().frame()), clock.nanos());
     }
 
     /** Records that the command under way has arrived, or failed: the next one may go. */
-    void finish(Command command) {
-        locked(() -> underWay = underWay == command ? null : underWay);
+    void finish() {
+        monitor.change(() -> underWay = null);
     }
 
     /** Records that the outcome of a command has been reported. */
     void reported() {
-        locked(commands::finished);
+        monitor.change(commands::finished);
     }
 
     /** Waits, at most {@code nanos}, until the commands that have been submitted so far are over. */
     void awaitCommandsSoFar(long nanos) throws PortException {
-        lock();
-        try {
+        monitor.getInterruptibly(() -> {
             long submitted = commands.submitted();
             long deadline = clock.nanos() + nanos;
-            for (long left = nanos; left > 0 && !commands.areOver(submitted); left = deadline - clock.nanos()) {
-                requireLine();
-                await(left);
-            }
-        } finally {
-            lock.unlock();
-        }
+            awaitZero(() -> commands.areOver(submitted) ? 0 : deadline - clock.nanos());
+            return null;
+        });
     }
 
     /**
@@ -174,34 +136,27 @@ final class FrameWriter {
      * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
      */
     long write(Kind kind, Frame frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
-        awaitTurn(kind, frame, timeoutMillis);
+        monitor.getInterruptibly(() -> {
+            awaitTurn(kind, frame, timeoutMillis);
+            return null;
+        });
         return writeNow(kind, frame, timeoutMillis, beforeWrite);
     }
 
     private void awaitTurn(Kind kind, Frame frame, int timeoutMillis) throws PortException {
-        lock();
+        long due = clock.nanos();
+        long deadline = due + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+        LongSupplier untilTurn = () -> writing ? Monitor.FOREVER
+                : kind == Kind.ACTION ? pacer.nanosUntilAction(frame.length(), clock.nanos()) : pacer.nanosUntilRequest(due, clock.nanos());
         turnsAwaited++;
         try {
-            long due = clock.nanos();
-            long deadline = due + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-            while (true) {
-                requireLine();
-                long now = clock.nanos();
-                long wait = writing ? FOREVER
-                        : kind == Kind.ACTION ? pacer.nanosUntilAction(frame.length(), now) : pacer.nanosUntilRequest(due, now);
-                if (wait == 0) {
-                    writing = true;
-                    return;
-                }
-                if (deadline - now <= 0) {
-                    throw noTime(frame, timeoutMillis);
-                }
-                await(Math.min(wait, deadline - now));
+            awaitZero(() -> Math.min(untilTurn.getAsLong(), deadline - clock.nanos()));
+            if (untilTurn.getAsLong() > 0) {
+                throw noTime(frame, timeoutMillis);
             }
+            writing = true;
         } finally {
-            turnsAwaited--;
-            changed.signalAll();
-            lock.unlock();
+            monitor.change(() -> turnsAwaited--);
         }
     }
 
@@ -214,126 +169,79 @@ final class FrameWriter {
     /** Writes a frame whose turn has come; as {@link #write}. */
     long writeNow(Kind kind, Frame frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
         byte[] bytes = frame.toBytes();
-        long end = 0;
         try {
             beforeWrite.run();
             long start = clock.nanos();
             try {
                 transport.write(bytes, 0, bytes.length, timeoutMillis);
-            } finally {
-                end = wrote(kind, bytes.length, start); // also of a write that failed some bytes may have left
+            } catch (PortException | RuntimeException e) {
+                wrote(kind, bytes.length, start); // some bytes may have left
+                throw e;
             }
+            return wrote(kind, bytes.length, start);
         } finally {
-            locked(() -> writing = false);
+            monitor.change(() -> writing = false);
         }
-        return end;
     }
 
     private long wrote(Kind kind, int bytes, long start) {
-        lock.lock();
-        try {
-            long now = clock.nanos();
-            return kind == Kind.ACTION ? pacer.wroteAction(bytes, start, now) : pacer.wroteRequest(bytes, start, now);
-        } finally {
-            lock.unlock();
-        }
+        return monitor.get(() -> kind == Kind.ACTION
+                ? pacer.wroteAction(bytes, start, clock.nanos()) : pacer.wroteRequest(bytes, start, clock.nanos()));
     }
 
     /** Waits until the clock shows {@code nanos}. */
     void awaitTime(long nanos) throws PortException {
-        lock();
-        try {
-            for (long left = nanos - clock.nanos(); left > 0; left = nanos - clock.nanos()) {
-                requireLine();
-                await(left);
+        monitor.getInterruptibly(() -> {
+            awaitZero(() -> nanos - clock.nanos());
+            return null;
+        });
+    }
+
+    /** Waits until {@code nanosLeft}, which is asked again after each change, is 0 or less. */
+    private void awaitZero(LongSupplier nanosLeft) throws PortException {
+        while (true) {
+            requireLine();
+            long left = nanosLeft.getAsLong();
+            if (left <= 0) {
+                return;
             }
-        } finally {
-            lock.unlock();
+            monitor.await(left);
         }
     }
 
     /** Records that {@code bytes} have been read at {@code now}. */
     void received(int bytes, long now) {
-        lock.lock();
-        try {
-            pacer.received(bytes, now);
-        } finally {
-            lock.unlock();
-        }
+        monitor.get(() -> {
+            pacer.received(bytes, now); // changes nothing that is waited for
+            return null;
+        });
     }
 
     /** Records that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */
     void answered(long now) {
-        locked(() -> pacer.answered(now));
+        monitor.change(() -> pacer.answered(now));
     }
 
     /** Keeps the manners of version 2 from now on. */
     void speakVersion2() {
-        locked(pacer::speakVersion2);
+        monitor.change(pacer::speakVersion2);
     }
 
     /** Ends the line: who waits here, or comes later, gets a {@link PortGoneException} with {@code reason}. */
     void end(String reason) {
-        locked(() -> endReason = endReason == null ? reason : endReason);
+        monitor.change(() -> endReason = endReason == null ? reason : endReason);
     }
 
     /** Whether the line is still there, as far as it is known. */
     boolean hasLine() {
-        lock.lock();
-        try {
-            return endReason == null;
-        } finally {
-            lock.unlock();
-        }
+        return monitor.get(() -> endReason == null);
     }
 
     /** Does nothing on a line that is there; else throws with the first reason that {@link #end} was given. */
     void requireLine() throws PortGoneException {
-        lock.lock();
-        try {
-            if (endReason != null) {
-                throw new PortGoneException(transport.name(), endReason);
-            }
-        } finally {
-            lock.unlock();
+        String reason = monitor.get(() -> endReason);
+        if (reason != null) {
+            throw new PortGoneException(transport.name(), reason);
         }
-    }
-
-    private interface Change<E extends Exception> {
-        void run() throws E;
-    }
-
-    private <E extends Exception> void locked(Change<E> change) throws E {
-        lock.lock();
-        try {
-            change.run();
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    private void lock() throws PortInterruptedException {
-        try {
-            lock.lockInterruptibly();
-        } catch (InterruptedException e) {
-            throw interrupted();
-        }
-    }
-
-    private void await(long nanos) throws PortInterruptedException {
-        try {
-            if (nanos >= FOREVER) {
-                changed.await();
-            } else {
-                clock.await(changed, nanos);
-            }
-        } catch (InterruptedException e) {
-            throw interrupted();
-        }
-    }
-
-    private PortInterruptedException interrupted() {
-        return PortInterruptedException.remarking(transport.name());
     }
 }

@@ -3,15 +3,13 @@ package javino;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.Lock;
 import java.util.function.Supplier;
 
 /**
  * Reads a line and keeps what came until it is asked for: messages, and what the board says of an action.
  *
- * <p>There is no thread for it: of those who wait for something one reads, keeps what is for the others, and leaves the reading to the next
- * when it has what it waits for. One thread at a time waits for messages, and one for the outcome of an action.
+ * <p>Leader and followers: one of the waiting threads reads, keeps what is for the others, and hands the reading on when its own wait ends. One
+ * thread at a time waits for messages, and one for the outcome of an action.
  */
 final class Inbox {
     /** Told whenever bytes have arrived. */
@@ -30,8 +28,7 @@ final class Inbox {
     /** Reads at most, one after the other, of what a line has ready: more than any driver holds, but an end for a line that never rests. */
     private static final int READS = 64;
 
-    private final Lock lock;
-    private final Condition changed;
+    private final Monitor monitor;
     private final Deque<Reply> messages = new ArrayDeque<>();
     private final byte[] buffer = new byte[BUFFER]; // belongs to who reads
     private final Transport transport;
@@ -65,8 +62,7 @@ final class Inbox {
     Inbox(Transport transport, LineClock clock, ReadListener received, Protocol protocol, int messageLimit) {
         this.transport = transport;
         this.clock = clock;
-        lock = clock.newLock(false);
-        changed = lock.newCondition();
+        monitor = new Monitor(clock, transport.name());
         this.received = received;
         interByteTimeoutNanos = FrameDecoder.interByteTimeoutNanos(transport.line());
         decoder = new FrameDecoder(interByteTimeoutNanos, protocol, this::keep);
@@ -77,13 +73,10 @@ final class Inbox {
 
     /** Reads this version alone from now on. */
     void read(Protocol protocol) {
-        lock.lock();
-        try {
+        monitor.change(() -> {
             version2 = protocol == Protocol.V2;
             decoder.read(protocol);
-        } finally {
-            lock.unlock();
-        }
+        });
     }
 
     /** The next message, or null if none is complete when the clock shows {@code deadlineNanos}; one that has passed does not wait. */
@@ -91,15 +84,12 @@ final class Inbox {
         return await(messages::poll, deadlineNanos);
     }
 
-    /** Says that action {@code sequence} is about to go out; outcomes of others are of no interest any more. */
+    /** Forgets the outcomes of earlier actions, since action {@code sequence} is about to go out. */
     void expectOutcome(int sequence) {
-        lock.lock();
-        try {
+        monitor.change(() -> {
             awaited = sequence;
             outcome = null;
-        } finally {
-            lock.unlock();
-        }
+        });
     }
 
     /** The outcome of the action that is expected, or null if it is not known when the clock shows {@code deadlineNanos}. */
@@ -109,73 +99,48 @@ final class Inbox {
 
     /** Reads what the line has ready, and keeps it. */
     void look() throws PortException {
-        lock.lock();
-        try {
-            if (!beingRead) {
-                readFor(0);
-            }
-        } finally {
-            lock.unlock();
-        }
+        readReady(1);
     }
 
     /** Reads what the line has ready, and returns the newest message among that and what was read before, or null. */
     Reply newest() throws PortException {
-        readAll();
-        lock.lock();
-        try {
+        readReady(READS);
+        return monitor.get(() -> {
             Reply newest = messages.peekLast();
             messages.clear();
             return newest;
-        } finally {
-            lock.unlock();
-        }
+        });
     }
 
     /** Reads what the line has ready, and forgets all messages with that and what was read before, unfinished ones too. */
     void clear() throws PortException {
-        readAll();
-        lock.lock();
-        try {
+        readReady(READS);
+        monitor.change(() -> {
             messages.clear();
             if (!version2) {
                 decoder.reset(); // in version 2 what is unfinished may be the outcome of an action
             }
             reassembler.asked();
             wasted = decoder.discarded();
-        } finally {
-            lock.unlock();
-        }
+        });
     }
 
-    /** Reads what the line has ready, unless another thread reads. */
-    private void readAll() throws PortException {
-        lock.lock();
-        try {
-            for (int reads = 0; reads < READS && !beingRead && readFor(0) > 0; reads++) { }
-        } finally {
-            lock.unlock();
-        }
+    /** Reads what the line has ready, in at most {@code most} pieces, unless another thread reads. */
+    private void readReady(int most) throws PortException {
+        monitor.get(() -> {
+            for (int reads = 0; reads < most && !beingRead && readFor(0) > 0; reads++) { }
+            return null;
+        });
     }
 
-    /** Says that a request is about to go out for whose sake nothing is forgotten. */
+    /** Records that a request is about to go out for whose sake nothing is forgotten. */
     void asked() {
-        lock.lock();
-        try {
-            reassembler.asked();
-        } finally {
-            lock.unlock();
-        }
+        monitor.change(reassembler::asked);
     }
 
-    /** Says that a frame is about to go out, which is no message if the line brings it back. */
+    /** Records that a frame is about to go out, which is no message if the line brings it back. */
     void sends(Frame frame) {
-        lock.lock();
-        try {
-            localEchoes.sends(frame);
-        } finally {
-            lock.unlock();
-        }
+        monitor.change(() -> localEchoes.sends(frame));
     }
 
     /** When the last byte arrived. */
@@ -185,27 +150,16 @@ final class Inbox {
 
     /** Bytes so far that made no frame. */
     long discardedBytes() {
-        lock.lock();
-        try {
-            return decoder.discarded();
-        } finally {
-            lock.unlock();
-        }
+        return monitor.get(decoder::discarded);
     }
 
     /** Frames so far whose checksum was wrong. */
     long corrupt() {
-        lock.lock();
-        try {
-            return decoder.corrupt();
-        } finally {
-            lock.unlock();
-        }
+        return monitor.get(decoder::corrupt);
     }
 
     private <T> T await(Supplier<T> wanted, long deadlineNanos) throws PortException {
-        lock.lock();
-        try {
+        return monitor.get(() -> {
             for (T found = wanted.get(); true; found = wanted.get()) {
                 long now = clock.nanos();
                 long left = Math.max(0, deadlineNanos - now);
@@ -213,7 +167,7 @@ final class Inbox {
                     return found;
                 }
                 if (beingRead) {
-                    awaitReader(left);
+                    monitor.await(left);
                 } else {
                     readFor(Math.min(left, decoder.nanosUntilIdle(now)));
                     if (left == 0) {
@@ -221,17 +175,7 @@ final class Inbox {
                     }
                 }
             }
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    private void awaitReader(long nanos) throws PortInterruptedException {
-        try {
-            clock.await(changed, nanos);
-        } catch (InterruptedException e) {
-            throw PortInterruptedException.remarking(transport.name());
-        }
+        });
     }
 
     /** Reads for at most {@code nanos}, during which the lock is free: the caller holds it once. */
@@ -239,13 +183,10 @@ final class Inbox {
         long millis = TimeUnit.NANOSECONDS.toMillis(nanos + TimeUnit.MILLISECONDS.toNanos(1) - 1);
         int count = 0;
         beingRead = true;
-        lock.unlock();
         try {
-            count = transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE));
+            count = monitor.unlocked(() -> transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE)));
         } finally {
-            lock.lock();
             beingRead = false;
-            changed.signalAll(); // it takes effect when the lock is free, hence after what was read has been kept
         }
         long now = clock.nanos();
         if (count > 0) {

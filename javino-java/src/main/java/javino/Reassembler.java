@@ -4,10 +4,10 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Makes messages of version 2 frames. A message of which any part is missing is dropped as a whole: what follows a part that was lost must
- * not be taken for a message of its own. Only the sequence numbers tell, and no frame says that it is its message's first; so a
- * frame begins a message if it continues the count behind a last part. Where the count breaks, it does so only if the board has not sent
- * parts so far and either there is a known reason for the break, or the board does not count at all.
+ * Makes messages of version 2 frames. A message of which any fragment is missing is dropped as a whole: what follows a lost fragment must
+ * not be taken for a message of its own. Frames carry no start flag. A frame starts a message if its number follows that of the last message's
+ * last frame; after a gap only if this board has never fragmented, and the gap is explained (lost bytes, a repeated request) or the
+ * board does not number frames.
  *
  * <p>Guarded by its user's lock.
  */

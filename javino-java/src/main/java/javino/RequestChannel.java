@@ -13,11 +13,13 @@ final class RequestChannel {
     private static final int REPEAT_MILLIS = 250;
     /** A request is sent so often at most on a line whose damage is seen. */
     private static final int TRIES = 3;
-    private static final int MAX_BACKOFF = 4;
+    /** Milliseconds after which an answer is late if none has been timed yet. */
+    private static final int UNKNOWN_TIMEOUT_MILLIS = 60_000;
 
     private final Inbox inbox;
     private final FrameWriter writer;
     private final LineClock clock;
+    private final RoundTripTimes times = new RoundTripTimes(UNKNOWN_TIMEOUT_MILLIS);
     private final ResponseCorrelator answers;
     private final Negotiation negotiation;
     private final long startedAt; // when a board that has not answered is taken to run
@@ -26,7 +28,6 @@ final class RequestChannel {
     private volatile boolean ready;
     private volatile boolean heard; // the board has said something
     private int sequence;
-    private int backoff;
     private boolean listens; // somebody wants what the board says unasked
     private boolean forAction; // the board is asked since an action is to be sent, and nobody wants the answer
     private Reply overheard; // the newest that came meanwhile and is for who listens; null: none
@@ -36,7 +37,7 @@ final class RequestChannel {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;
-        answers = new ResponseCorrelator(inbox, clock);
+        answers = new ResponseCorrelator(inbox, clock, times);
         negotiation = new Negotiation(this, inbox, answers, clock, settings);
         protocol = settings.protocol();
         spacingMillis = settings.spacingMillis();
@@ -160,10 +161,9 @@ final class RequestChannel {
         long giveUp = sent + timeoutMillis * NANOS_PER_MILLI;
         for (int tries = 1; true; tries++) {
             long noise = inbox.discardedBytes();
-            long patience = tries < TRIES ? answers.timeoutNanos() << backoff : Long.MAX_VALUE / 2;
-            Reply answer = answers.orDamage(sent, noise, sent + Math.min(patience, giveUp - sent), giveUp);
+            long timeout = tries < TRIES ? times.timeoutNanos() : Long.MAX_VALUE / 2;
+            Reply answer = answers.orDamage(sent, noise, sent + Math.min(timeout, giveUp - sent), giveUp);
             if (answer != null) {
-                backoff = tries == 1 ? 0 : backoff;
                 return completed(answer, timeoutMillis);
             }
             if (giveUp - clock.nanos() <= 0) {
@@ -172,7 +172,7 @@ final class RequestChannel {
             if (inbox.discardedBytes() > noise) {
                 answers.settled(); // that was it
             } else {
-                backoff = Math.min(backoff + 1, MAX_BACKOFF);
+                times.timedOut();
             }
             sent = askAsAgreed(request, timeoutMillis);
         }

@@ -8,21 +8,24 @@ package javino;
 final class ResponseCorrelator {
     private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final long QUIET_NANOS = Pacer.QUIET_MILLIS * NANOS_PER_MILLI;
-    private static final long MIN_TIMEOUT_NANOS = 100 * NANOS_PER_MILLI;
 
     private final Inbox inbox;
     private final LineClock clock;
-    private RoundTripTimes history = new RoundTripTimes();
-    private RoundTripTimes asIfVersion2; // what is owed if the board turns out to be of version 2 and slow; null: nothing
+    private final RoundTripTimes times;
+    private OwedAnswers owed;
+    private OwedAnswers asIfVersion2; // what is owed if the board turns out to be of version 2 and slow; null: nothing
 
-    ResponseCorrelator(Inbox inbox, LineClock clock) {
+    /** @param times records how long answers take */
+    ResponseCorrelator(Inbox inbox, LineClock clock, RoundTripTimes times) {
+        this.times = times;
+        owed = new OwedAnswers(times);
         this.inbox = inbox;
         this.clock = clock;
     }
 
     /** Says that a request was written whose last byte leaves at {@code sent}. */
     void asked(long sent) {
-        history.asked(sent);
+        owed.asked(sent);
     }
 
     /** The next message, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
@@ -50,27 +53,22 @@ final class ResponseCorrelator {
         return answer != null ? answer : by(sent, deadline, giveUp);
     }
 
-    /** Nanoseconds after which an answer is late. */
-    long timeoutNanos() {
-        return history.timeoutNanos(MIN_TIMEOUT_NANOS);
-    }
-
     /** Says that nothing is owed any more. */
     void settled() {
-        history.settled();
+        owed.settled();
     }
 
     /** Says that the requests so far were of version 2, to which a version 1 board owes no answer. */
     void oweNothingInVersion1() {
-        asIfVersion2 = history;
-        history = new RoundTripTimes();
+        asIfVersion2 = owed;
+        owed = new OwedAnswers(times);
     }
 
     /** Says that it is a version 2 board that answers now, after all. */
     void oweAllInVersion2() {
         if (asIfVersion2 != null) {
             asIfVersion2.asked(clock.nanos());
-            history = asIfVersion2;
+            owed = asIfVersion2;
             asIfVersion2 = null;
         }
     }
@@ -81,10 +79,10 @@ final class ResponseCorrelator {
      * @param first that message
      */
     Reply last(Reply first, int timeoutMillis, boolean version2) throws PortException {
-        if (history.mayBeLate()) {
+        if (owed.mayBeLate()) {
             return lastBeforeSilence(first, timeoutMillis * NANOS_PER_MILLI, version2);
         }
-        history.answered(clock.nanos());
+        owed.answered(clock.nanos());
         return newest(first); // behind a frame that was cut comes the intact one
     }
 
@@ -101,7 +99,7 @@ final class ResponseCorrelator {
     private Reply lastBeforeSilence(Reply first, long timeoutNanos, boolean version2) throws PortException {
         long now = clock.nanos();
         long giveUp = now + timeoutNanos;
-        long settlingNanos = history.settlingNanos(now, timeoutNanos);
+        long settlingNanos = owed.settlingNanos(now, timeoutNanos);
         Reply last = first;
         long lastAt = now;
         for (int messages = 1; giveUp - clock.nanos() > 0; ) {
@@ -113,8 +111,8 @@ final class ResponseCorrelator {
                 messages++;
             }
             boolean silent = later == null && clock.nanos() - (version2 ? lastAt : inbox.lastByteNanos()) >= settlingNanos;
-            if (silent || version2 && messages >= history.owed()) {
-                history.settled();
+            if (silent || version2 && messages >= owed.count()) {
+                owed.settled();
                 return last;
             }
         }

@@ -1,67 +1,42 @@
 package javino;
 
+import java.util.concurrent.TimeUnit;
+
 /**
- * What earlier requests say about the next answer. After a request that was not answered in time its answer may still come, and would be
- * taken for that of the next: the agent would be one answer behind for good. So the exchange after it listens on until the line has been
- * silent for a while, and takes the last answer.
- *
- * <p>Times are nanoseconds of one steady clock. One thread at a time.
+ * Estimates when a frame that was not answered is to be retransmitted: after twice the longest time that an answer has taken. Only answers to
+ * frames that were sent once are timed, since others may belong to any of their copies. One thread at a time.
  */
 final class RoundTripTimes {
-    private static final long MIN_SETTLING_NANOS = 50_000_000L;
-    /** A board that has never answered and does so later than this was starting, not slow. */
-    private static final long SLOWEST_BOARD_NANOS = 1_000_000_000L;
+    private static final long MIN_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+    private static final int MAX_BACKOFF = 4;
 
-    private static final long UNKNOWN_NANOS = 60_000_000_000L;
-
-    private int asked; // requests since the line was last known to owe no answer
-    private long firstAskedAt;
+    private final long unknownTimeoutNanos;
     private long longestNanos;
+    private int backoff;
 
-    /** Says that a request was written whose last byte leaves at {@code nanos}. */
-    void asked(long nanos) {
-        if (asked == 0) {
-            firstAskedAt = nanos;
-        }
-        asked++;
+    /** @param unknownTimeoutMillis the timeout while no answer has been timed */
+    RoundTripTimes(long unknownTimeoutMillis) {
+        unknownTimeoutNanos = TimeUnit.MILLISECONDS.toNanos(unknownTimeoutMillis);
     }
 
-    /** Whether a message that arrives now may be the answer to a request before the last. */
-    boolean mayBeLate() {
-        return asked > 1;
+    /** Records the time from the last byte of a frame to its answer. */
+    void answeredAfter(long nanos) {
+        longestNanos = Math.max(longestNanos, nanos);
+        backoff = 0;
     }
 
-    /** ResponseCorrelator that may come at most. */
-    int owed() {
-        return asked;
+    /** Records that an answer was late: the timeout is doubled until the next one is timed. */
+    void timedOut() {
+        backoff = Math.min(backoff + 1, MAX_BACKOFF);
     }
 
-    /** Says that the one request there was has been answered. */
-    void answered(long now) {
-        longestNanos = Math.max(longestNanos, now - firstAskedAt);
-        asked = 0;
+    /** The longest time that an answer has taken; 0: none has been timed. */
+    long longestNanos() {
+        return longestNanos;
     }
 
-    /** Nanoseconds after which an answer is late: twice the longest that one has taken, at least {@code leastNanos}; a minute if none has. */
-    long timeoutNanos(long leastNanos) {
-        return longestNanos == 0 ? UNKNOWN_NANOS : Math.max(leastNanos, 2 * longestNanos);
-    }
-
-    /** Says that the line has fallen silent: nothing is owed any more. */
-    void settled() {
-        asked = 0;
-    }
-
-    /**
-     * Nanoseconds of silence after which no further answer is expected: twice the longest that one has taken, at least 50 ms, at most
-     * {@code timeoutNanos}. If none has been timed yet, and the board is not one that was just starting, it takes as long as since the first
-     * request.
-     *
-     * @param answerAt when the first message arrived
-     */
-    long settlingNanos(long answerAt, long timeoutNanos) {
-        long sinceFirst = answerAt - firstAskedAt;
-        long slow = longestNanos > 0 ? 2 * longestNanos : sinceFirst < SLOWEST_BOARD_NANOS ? sinceFirst : 0;
-        return Math.min(Math.max(MIN_SETTLING_NANOS, slow), timeoutNanos);
+    /** Nanoseconds after which an answer is late. */
+    long timeoutNanos() {
+        return (longestNanos == 0 ? unknownTimeoutNanos : Math.max(MIN_TIMEOUT_NANOS, 2 * longestNanos)) << backoff;
     }
 }

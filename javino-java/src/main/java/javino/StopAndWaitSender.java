@@ -12,8 +12,7 @@ final class StopAndWaitSender implements CommandSender {
     private static final int REPEATS = 3;
     private static final int LAST_REPEAT_MILLIS = 2500;
     private static final long QUIET_NANOS = Pacer.QUIET_MILLIS * NANOS_PER_MILLI;
-    private static final long FIRST_TIMEOUT_NANOS = 150 * NANOS_PER_MILLI;
-    private static final long MIN_TIMEOUT_NANOS = 100 * NANOS_PER_MILLI;
+    private static final int FIRST_TIMEOUT_MILLIS = 150;
     /** With it the last repetition is on time, and an action that takes five seconds is still waited for. */
     private static final long MAX_TIMEOUT_NANOS = 350 * NANOS_PER_MILLI;
     private static final int ACKNOWLEDGEMENT_LENGTH = 12;
@@ -25,7 +24,7 @@ final class StopAndWaitSender implements CommandSender {
     private final String board;
     private final long acknowledgementNanos; // on the line
     private int sequence;
-    private long longestNanos; // between the end of an action that was sent once and its outcome
+    private final RoundTripTimes times = new RoundTripTimes(FIRST_TIMEOUT_MILLIS);
 
     /** @param board a name that the board has whatever its port is called */
     StopAndWaitSender(String port, String board, Inbox inbox, FrameWriter writer, LineClock clock, LineSettings line) {
@@ -61,7 +60,7 @@ final class StopAndWaitSender implements CommandSender {
         long first = writer.writeNow(FrameWriter.Kind.ACTION, frame, MAX_WRITE_MILLIS, () -> inbox.sends(frame));
         Inbox.Outcome outcome = await(command, first, timeout);
         if (outcome != null) {
-            longestNanos = Math.max(longestNanos, clock.nanos() - first);
+            times.answeredAfter(clock.nanos() - first);
         }
         for (int repeats = 0; outcome == null && !isOver(command) && repeats < REPEATS; repeats++) {
             timeout *= 2;
@@ -80,8 +79,7 @@ final class StopAndWaitSender implements CommandSender {
     }
 
     private long timeoutNanos() {
-        long usual = longestNanos == 0 ? FIRST_TIMEOUT_NANOS : Math.max(MIN_TIMEOUT_NANOS, 2 * longestNanos);
-        return Math.min(usual, MAX_TIMEOUT_NANOS) + 2 * acknowledgementNanos;
+        return Math.min(times.timeoutNanos(), MAX_TIMEOUT_NANOS) + 2 * acknowledgementNanos;
     }
 
     /** Waits for the outcome, and up to twice as long while the board is sending something else. */
