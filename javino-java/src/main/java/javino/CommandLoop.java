@@ -4,9 +4,9 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Whichever of these
- * is free takes the next command, its own or another's. Outcomes are reported outside of any lock, on the thread that finds them out; what their
- * dependents throw ends no thread.
+ * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Whichever of
+ * these is free takes the next command, its own or another's. Outcomes are reported outside of any lock, on the thread that finds them
+ * out; what their dependents throw ends no thread.
  */
 final class CommandLoop {
     /** Returns when the board can be sent a command. */
@@ -127,8 +127,8 @@ final class CommandLoop {
             return goneOr(trouble);
         } catch (ActionUnconfirmedException trouble) {
             return command.nanosLeft(clock.nanos(), 1) > 0 ? trouble : timeOver(command);
-        } catch (PortException | RuntimeException | LinkageError trouble) { // the commands behind it must go on, whatever a transport throws
-            return trouble;
+        } catch (PortException | RuntimeException | LinkageError trouble) {
+            return trouble; // the commands behind it must go on, whatever a transport throws
         }
     }
 

@@ -93,7 +93,8 @@ public final class Frame {
      * The version 2 frame that carries a copy of {@code payload}.
      *
      * @param flags 0, or the sum of some of {@link #MORE}, {@link #ACK_WANTED}, {@link #ACK} and {@link #REFUSAL}
-     * @param sequence the sender's count of frames modulo 16; a frame that is sent again has the same, an acknowledgement that of its action
+     * @param sequence the sender's count of frames modulo 16; a frame that is sent again has the same, an acknowledgement that of its
+     *     action
      * @throws IllegalArgumentException if the payload has more than {@value #MAX_PAYLOAD} bytes, or another argument is not 0 to 15
      */
     public static Frame version2(byte[] payload, int flags, int sequence) {

@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
 /**
- * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames. One command
- * at a time is under way, from its turn until its outcome; requests go out meanwhile, and before the commands that wait.
+ * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames. One
+ * command at a time is under way, from its turn until its outcome; requests go out meanwhile, and before the commands that wait.
  *
  * <p>Safe on any thread; no lock is held while bytes are written.
  */
@@ -86,7 +86,8 @@ final class FrameWriter {
     }
 
     /**
-     * Waits for the turn of the next command, which is under way from then on until {@link #finish}, and must be written with {@link #writeNow}.
+     * Waits for the turn of the next command, which is under way from then on until {@link #finish}, and must be written with
+     * {@link #writeNow}.
      *
      * @return null if its turn has not come by {@code deadline}, or there is none, or another thread has it
      */

@@ -8,13 +8,13 @@ import java.util.function.Supplier;
 /**
  * Reads a line and keeps what came until it is asked for: messages, and what the board says of an action.
  *
- * <p>Leader and followers: one of the waiting threads reads, keeps what is for the others, and hands the reading on when its own wait ends. One
- * thread at a time waits for messages, and one for the outcome of an action.
+ * <p>Leader and followers: one of the waiting threads reads, keeps what is for the others, and hands the reading on when its own wait
+ * ends. One thread at a time waits for messages, and one for the outcome of an action.
  */
 final class Inbox {
     /** Told whenever bytes have arrived. */
     interface ReadListener {
-        /** Says that {@code bytes} have been read at {@code now}, in nanoseconds of the line's clock. */
+        /** Records that {@code bytes} have been read at {@code now}, in nanoseconds of the line's clock. */
         void received(int bytes, long now);
     }
 

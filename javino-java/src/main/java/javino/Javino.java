@@ -7,13 +7,13 @@ import java.util.concurrent.locks.ReentrantLock;
 /**
  * The interface that Javino programs know: one call for each thing to do with a port, each returning whether it was done.
  *
- * <p>A port is opened when it is first named and stays open until {@link #close()}, since opening it resets most boards; one whose device has
- * gone is opened anew by the next call. No call throws for what happens on the line: {@link #lastError()} says why one returned false.
+ * <p>A port is opened when it is first named and stays open until {@link #close()}, since opening it resets most boards; one whose device
+ * has gone is opened anew by the next call. No call throws for what happens on the line: {@link #lastError()} says why one returned false.
  *
  * <p>It speaks version 1 of the protocol, as programs of this interface expect, unless its settings ask for version 2.
  *
- * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} speak of the latest call of all. Not final, so that programs
- * can put a class of their own in its place in tests.
+ * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} speak of the latest call of all. Not final, so that
+ * programs can put a class of their own in its place in tests.
  */
 public class Javino implements AutoCloseable {
     private static final int DEFAULT_TIMEOUT_MILLIS = 1_000;

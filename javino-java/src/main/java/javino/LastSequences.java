@@ -4,18 +4,18 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * The sequence numbers that this program's ports stopped at. A board that stays on while its port is closed and opened again remembers its last
- * action for some seconds, and would take one of the same number and text for a repetition. All links share this, for a port may change its
- * owner. Safe on any thread.
+ * The sequence numbers that this program's ports stopped at. A board that stays on while its port is closed and opened again remembers its
+ * last action for some seconds, and would take one of the same number and text for a repetition. All links share this, for a port may
+ * change its owner. Safe on any thread.
  */
 final class LastSequences {
-    private static final int MOST_PORTS = 1000;
+    private static final int MAX_PORTS = 1000;
     private static final Map<String, Integer> LAST = new LinkedHashMap<>(16, 0.75f, true) {
         private static final long serialVersionUID = 1L;
 
         @Override
         protected boolean removeEldestEntry(Map.Entry<String, Integer> eldest) {
-            return size() > MOST_PORTS;
+            return size() > MAX_PORTS;
         }
     };
 
@@ -26,7 +26,7 @@ final class LastSequences {
         return LAST.getOrDefault(port, otherwise);
     }
 
-    /** Says that an action to the board on {@code port} has {@code sequence}. */
+    /** Records that an action to the board on {@code port} has {@code sequence}. */
     static synchronized void used(String port, int sequence) {
         LAST.put(port, sequence);
     }

@@ -30,7 +30,8 @@ public interface LineClock {
     }
 
     /**
-     * Runs {@code action}, which does not wait for anything, when {@code nanos} of this clock have passed, on a thread of the clock's choice.
+     * Runs {@code action}, which does not wait for anything, when {@code nanos} of this clock have passed, on a thread of the clock's
+     * choice.
      */
     default void schedule(long nanos, Runnable action) {
         CompletableFuture.delayedExecutor(nanos, TimeUnit.NANOSECONDS, Runnable::run).execute(action);

@@ -17,13 +17,13 @@ import java.util.function.Supplier;
  * come from the board, or {@link LinkSettings#bootMillis()} since opening have passed, a request is repeated every 250 ms (or its own time
  * limit, if that is shorter), and the first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  *
- * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with it:
- * what is asked first is asked in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not
+ * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with
+ * it: what is asked first is asked in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not
  * understand the former and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come
  * whole or not at all, and {@link #send} knows what became of an action.
  *
- * <p>Once the device has gone, or the link is closed, every call throws {@link PortGoneException}, those that wait promptly, and the port is
- * free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
+ * <p>Once the device has gone, or the link is closed, every call throws {@link PortGoneException}, those that wait promptly, and the port
+ * is free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
  */
 public final class Link implements AutoCloseable {
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
@@ -126,12 +126,12 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Sends a request and returns its answer. What was received before it is dropped, as the answer to an earlier one. After a request whose
-     * answer did not come in time, the next takes the last message that comes before the line falls silent.
+     * Sends a request and returns its answer. What was received before it is dropped, as the answer to an earlier one. After a request
+     * whose answer did not come in time, the next takes the last message that comes before the line falls silent.
      *
-     * @param timeoutMillis milliseconds, at least 1, that the request waits at most for its turn on the line, and that the board then has to
-     *     answer, counted from the request's last byte. After a missed answer the line is given as long again to fall silent; while the board
-     *     may be starting the request is repeated until it must have started
+     * @param timeoutMillis milliseconds, at least 1, that the request waits at most for its turn on the line, and that the board then has
+     *     to answer, counted from the request's last byte. After a missed answer the line is given as long again to fall silent; while the
+     *     board may be starting the request is repeated until it must have started
      * @throws PortTimeoutException if no answer came
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
@@ -146,8 +146,8 @@ public final class Link implements AutoCloseable {
 
     /**
      * As {@link #request(String, int)}, for who asks again and again. The request gives way to the commands that were submitted before this
-     * call, and then to those that were submitted meanwhile, since one that a request overtakes waits for a whole exchange; each time for the
-     * longer of the last exchange and the interval, so that commands cannot starve requests.
+     * call, and then to those that were submitted meanwhile, since one that a request overtakes waits for a whole exchange; each time for
+     * the longer of the last exchange and the interval, so that commands cannot starve requests.
      *
      * @param message called when the request's turn has come
      * @param intervalMillis milliseconds between requests
@@ -184,13 +184,14 @@ public final class Link implements AutoCloseable {
     /**
      * Queues a command, urgent ones before the others, and returns at once. It goes out while a thread is in {@link #writeCommands}.
      *
-     * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's rate
-     * (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is sent up to four times, which
-     * the board takes for one, and is waited for up to some five seconds, less if the board is known to be quick. Else it is completed with
-     * {@link ActionRefusedException} if the board does not know the command, or not with these arguments; {@link ActionUnconfirmedException} if it
-     * may or may not have been carried out; {@link CommandWithdrawnException} if its time was over before it began to go out;
-     * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is gone; or
-     * with what a transport threw. A command whose future is completed by others, cancelled for example, does not go out unless it has begun to.
+     * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's
+     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is sent up to four
+     * times, which the board takes for one, and is waited for up to some five seconds, less if the board is known to be quick. Else it is
+     * completed with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
+     * {@link ActionUnconfirmedException} if it may or may not have been carried out; {@link CommandWithdrawnException} if its time was
+     * over before it began to go out; {@link PortTimeoutException} if the line had no time for it, or the driver did not take it;
+     * {@link PortGoneException} if the line is gone; or with what a transport threw. A command whose future is completed by others,
+     * cancelled for example, does not go out unless it has begun to.
      *
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
@@ -199,8 +200,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Takes the commands that are queued to the board, in their turn, on the calling thread, until the link is closed, its device has gone or the
-     * thread is interrupted; then throws.
+     * Takes the commands that are queued to the board, in their turn, on the calling thread, until the link is closed, its device has gone
+     * or the thread is interrupted; then throws.
      */
     public void writeCommands() throws PortException {
         noticing(() -> {
@@ -210,11 +211,12 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * As {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has arrived.
+     * As {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has
+     * arrived.
      *
      * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
-     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some of it
-     *     may have been
+     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some of
+     *     it may have been
      * @throws PortException as {@link #send} completes its future
      */
     public void sendAndAwait(String command, int timeoutMillis) throws PortException {
@@ -253,8 +255,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Finds out whether the device is still there, for who does not read the line all the time. Does not wait, and takes no message from who
-     * does.
+     * Finds out whether the device is still there, for who does not read the line all the time. Does not wait, and takes no message from
+     * who does.
      *
      * @throws PortGoneException if it is not
      */

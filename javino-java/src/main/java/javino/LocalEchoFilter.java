@@ -7,8 +7,8 @@ import java.util.Deque;
  * Tells what a board says from what its line brings back. On some lines, as those of two-wire RS-485 adapters, all that is sent is received
  * as well, so a request would pass for its own answer.
  *
- * <p>That a line is one of these shows when a request for percepts comes back, which no board says. From then on actions that come back are no
- * messages either; before, one may be a board's own: some say what they were told. One thread at a time.
+ * <p>That a line is one of these shows when a request for percepts comes back, which no board says. From then on actions that come back
+ * are no messages either; before, one may be a board's own: some say what they were told. One thread at a time.
  */
 final class LocalEchoFilter {
     /** More than are ever on their way: the others were lost on it. */
@@ -17,7 +17,7 @@ final class LocalEchoFilter {
     private final Deque<Frame> sent = new ArrayDeque<>(); // what has not come back yet, the oldest first
     private boolean known;
 
-    /** Says that a frame is about to go out. */
+    /** Records that a frame is about to go out. */
     void sends(Frame frame) {
         if (sent.size() == MAX) {
             sent.poll();

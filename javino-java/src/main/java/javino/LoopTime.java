@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * How long a version 1 board takes from one look at the line to the next, estimated from its answers. The delay of an answer is the time
- * until the board's next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is always
- * about the same. So the differences of delays show the loop.
+ * until the board's next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is
+ * always about the same. So the differences of delays show the loop.
  *
  * <p>The estimate is twice the range of the last {@value #SAMPLES} delays, and four times that of fewer than {@value #FEW}, which may
  * not have met the whole of the loop. One in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of

@@ -1,5 +1,7 @@
 package javino;
 
+import java.util.concurrent.TimeUnit;
+
 /**
  * Finds out which version a board speaks. It is asked in version 2, twice in case the line damages one; a version 1 board discards that.
  * If there is no answer it is left a time in which boards in the field forget what they have begun to receive, and asked in version 1.
@@ -12,16 +14,15 @@ package javino;
  * <p>One thread at a time, but for {@link #version1From}.
  */
 final class Negotiation {
-    private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int PROBES = 2;
     /** So many if bytes come back, which may be a damaged answer. */
     private static final int MAX_PROBES = 5;
     /** A board that takes longer to begin its answer is probed twice and answers twice. */
-    private static final long PROBE_NANOS = 30 * NANOS_PER_MILLI;
+    private static final long PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(30);
     /** An answer that is coming is complete by then. */
-    private static final long ANSWER_NANOS = 250 * NANOS_PER_MILLI;
+    private static final long ANSWER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
     /** Boards in the field drop a frame 300 ms after its first byte. */
-    private static final long GAP_NANOS = 310 * NANOS_PER_MILLI;
+    private static final long GAP_NANOS = TimeUnit.MILLISECONDS.toNanos(310);
     /** While a board is starting, every so many requests one is of version 2, for a board that knows nothing else. */
     private static final int CYCLE = 4;
 
@@ -39,7 +40,7 @@ final class Negotiation {
         this.channel = channel;
         this.inbox = inbox;
         this.answers = answers;
-        gapNanos = Math.max(GAP_NANOS, settings.spacingMillis() * NANOS_PER_MILLI);
+        gapNanos = Math.max(GAP_NANOS, TimeUnit.MILLISECONDS.toNanos(settings.spacingMillis()));
         version1From = clock.nanos();
     }
 

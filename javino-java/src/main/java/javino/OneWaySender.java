@@ -2,7 +2,7 @@ package javino;
 
 import java.util.concurrent.TimeUnit;
 
-/** Sends commands to a version 1 board, which acknowledges nothing: a command has arrived, as far as is known, when its last byte has left. */
+/** Sends commands to a version 1 board, which acknowledges nothing: a command has arrived when its last byte has left. */
 final class OneWaySender implements CommandSender {
     /** How long the device may be gone before it is noticed while a long message leaves. */
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);

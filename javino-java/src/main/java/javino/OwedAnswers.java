@@ -3,9 +3,9 @@ package javino;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Counts the answers that a board owes. The answer to a request that was not answered in time may still come, and would be taken for that of the
- * next, so that the agent would be one answer behind for good. So the exchange after it listens on until the line has been silent for a
- * while, and takes the last answer.
+ * Counts the answers that a board owes. The answer to a request that was not answered in time may still come, and would be taken for that
+ * of the next, so that the agent would be one answer behind for good. So the exchange after it listens on until the line has been silent
+ * for a while, and takes the last answer.
  *
  * <p>Times are nanoseconds of one steady clock. One thread at a time.
  */
@@ -53,8 +53,8 @@ final class OwedAnswers {
 
     /**
      * Nanoseconds of silence after which no further answer is expected: twice the longest that one has taken, at least 50 ms, at most
-     * {@code timeoutNanos}. If none has been timed yet, and the board is not one that was just starting, it takes as long as since the first
-     * request.
+     * {@code timeoutNanos}. If none has been timed yet, and the board is not one that was just starting, it takes as long as since the
+     * first request.
      *
      * @param answerAt when the first message arrived
      */

@@ -57,7 +57,7 @@ final class Pacer {
         version2 = settings.protocol() == Protocol.V2;
     }
 
-    /** Says that the board speaks version 2. */
+    /** Records that the board speaks version 2. */
     void speakVersion2() {
         version2 = true;
     }
@@ -92,7 +92,7 @@ final class Pacer {
     }
 
     /**
-     * Says that an action was written.
+     * Records that an action was written.
      *
      * @param start when it was handed to the driver
      * @param now when the driver had taken it
@@ -107,7 +107,7 @@ final class Pacer {
         return wrote(bytes, start, now);
     }
 
-    /** Says that a request was written; as {@link #wroteAction}. */
+    /** Records that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wrote(bytes, start, now);
         loop.asked();
@@ -126,7 +126,7 @@ final class Pacer {
         return lastEnd;
     }
 
-    /** Says that {@code bytes} were there when the line was looked at: the first of them came earlier, by the time that the others took. */
+    /** Records that {@code bytes} were there when the line was looked at: the first came earlier, by the time that the others took. */
     void received(int bytes, long now) {
         if (awaitingAnswer) {
             if (!answerBegun) {
@@ -137,7 +137,7 @@ final class Pacer {
         }
     }
 
-    /** Says that a message is complete: the answer, if one is awaited. */
+    /** Records that a message is complete: the answer, if one is awaited. */
     void answered(long now) {
         if (!awaitingAnswer) {
             return;

@@ -5,9 +5,9 @@ import java.nio.charset.StandardCharsets;
 
 /**
  * Makes messages of version 2 frames. A message of which any fragment is missing is dropped as a whole: what follows a lost fragment must
- * not be taken for a message of its own. Frames carry no start flag. A frame starts a message if its number follows that of the last message's
- * last frame; after a gap only if this board has never fragmented, and the gap is explained (lost bytes, a repeated request) or the
- * board does not number frames.
+ * not be taken for a message of its own. Frames carry no start flag. A frame starts a message if its number follows that of the last
+ * message's last frame; after a gap only if this board has never fragmented, and the gap is explained (lost bytes, a repeated request) or
+ * the board does not number frames.
  *
  * <p>Guarded by its user's lock.
  */
@@ -80,7 +80,7 @@ final class Reassembler {
         parts.reset();
     }
 
-    /** Says that a request is about to go out, so that the message which is coming in is of no use any more. */
+    /** Records that a request is about to go out, so that the message which is coming in is of no use any more. */
     void asked() {
         if (gathering) {
             drop();
@@ -88,7 +88,7 @@ final class Reassembler {
         requests++;
     }
 
-    /** Says that frames may have been lost before a silence. */
+    /** Records that frames may have been lost before a silence. */
     void excuse() {
         excused = true;
     }

@@ -1,5 +1,7 @@
 package javino;
 
+import java.util.concurrent.TimeUnit;
+
 /**
  * Asks and listens: what is said to a board, what of that is an answer, and whether the board runs yet.
  *
@@ -9,7 +11,6 @@ final class RequestChannel {
     /** What is asked of a board to find out whether it runs, and in which version. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
 
-    private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int REPEAT_MILLIS = 250;
     /** A request is sent so often at most on a line whose damage is seen. */
     private static final int TRIES = 3;
@@ -41,7 +42,7 @@ final class RequestChannel {
         negotiation = new Negotiation(this, inbox, answers, clock, settings);
         protocol = settings.protocol();
         spacingMillis = settings.spacingMillis();
-        startedAt = clock.nanos() + settings.bootMillis() * NANOS_PER_MILLI;
+        startedAt = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(settings.bootMillis());
         ready = settings.bootMillis() == 0;
     }
 
@@ -90,7 +91,7 @@ final class RequestChannel {
 
     /** As {@link #request}, in the version that is spoken, or, if that is not known yet, in turns. */
     Reply requestAsAgreed(Frame request, int timeoutMillis) throws PortException {
-        long timeoutNanos = timeoutMillis * NANOS_PER_MILLI;
+        long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         long starting = nanosUntilStarted();
         if (starting > 0) {
             return askUntil(clock.nanos() + Math.max(starting, timeoutNanos), request, timeoutMillis);
@@ -110,7 +111,7 @@ final class RequestChannel {
     /** The newest message that the board sends of its own accord, or null if none comes in time. */
     Reply listen(int timeoutMillis) throws PortException {
         listens = true;
-        Reply message = overheard != null ? overheard : inbox.next(clock.nanos() + timeoutMillis * NANOS_PER_MILLI);
+        Reply message = overheard != null ? overheard : inbox.next(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         overheard = null;
         if (message == null) {
             return null;
@@ -143,7 +144,7 @@ final class RequestChannel {
 
     /** Repeats the request until it is answered or the clock shows {@code giveUp}; null: no answer. */
     private Reply askUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
-        long repeatNanos = Math.min(timeoutMillis, REPEAT_MILLIS) * NANOS_PER_MILLI;
+        long repeatNanos = TimeUnit.MILLISECONDS.toNanos(Math.min(timeoutMillis, REPEAT_MILLIS));
         Reply answer = null;
         for (long left = giveUp - clock.nanos(); answer == null && left > 0; left = giveUp - clock.nanos()) {
             long sent = askAsAgreed(request, timeoutMillis);
@@ -158,7 +159,7 @@ final class RequestChannel {
      */
     private Reply askAgain(Frame request, int timeoutMillis) throws PortException {
         long sent = askAsAgreed(request, timeoutMillis);
-        long giveUp = sent + timeoutMillis * NANOS_PER_MILLI;
+        long giveUp = sent + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         for (int tries = 1; true; tries++) {
             long noise = inbox.discardedBytes();
             long timeout = tries < TRIES ? times.timeoutNanos() : Long.MAX_VALUE / 2;

@@ -1,13 +1,14 @@
 package javino;
 
+import java.util.concurrent.TimeUnit;
+
 /**
  * Tells which of the messages that come is the answer to the last request, and waits for it.
  *
  * <p>Times are nanoseconds of the link's clock. One thread at a time.
  */
 final class ResponseCorrelator {
-    private static final long NANOS_PER_MILLI = 1_000_000L;
-    private static final long QUIET_NANOS = Pacer.QUIET_MILLIS * NANOS_PER_MILLI;
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(Pacer.QUIET_MILLIS);
 
     private final Inbox inbox;
     private final LineClock clock;
@@ -23,7 +24,7 @@ final class ResponseCorrelator {
         this.clock = clock;
     }
 
-    /** Says that a request was written whose last byte leaves at {@code sent}. */
+    /** Records that a request was written whose last byte leaves at {@code sent}. */
     void asked(long sent) {
         owed.asked(sent);
     }
@@ -53,18 +54,18 @@ final class ResponseCorrelator {
         return answer != null ? answer : by(sent, deadline, giveUp);
     }
 
-    /** Says that nothing is owed any more. */
+    /** Records that nothing is owed any more. */
     void settled() {
         owed.settled();
     }
 
-    /** Says that the requests so far were of version 2, to which a version 1 board owes no answer. */
+    /** Records that the requests so far were of version 2, to which a version 1 board owes no answer. */
     void oweNothingInVersion1() {
         asIfVersion2 = owed;
         owed = new OwedAnswers(times);
     }
 
-    /** Says that it is a version 2 board that answers now, after all. */
+    /** Records that it is a version 2 board that answers now, after all. */
     void oweAllInVersion2() {
         if (asIfVersion2 != null) {
             asIfVersion2.asked(clock.nanos());
@@ -80,7 +81,7 @@ final class ResponseCorrelator {
      */
     Reply last(Reply first, int timeoutMillis, boolean version2) throws PortException {
         if (owed.mayBeLate()) {
-            return lastBeforeSilence(first, timeoutMillis * NANOS_PER_MILLI, version2);
+            return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis), version2);
         }
         owed.answered(clock.nanos());
         return newest(first); // behind a frame that was cut comes the intact one

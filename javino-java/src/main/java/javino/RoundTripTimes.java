@@ -3,8 +3,8 @@ package javino;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Estimates when a frame that was not answered is to be retransmitted: after twice the longest time that an answer has taken. Only answers to
- * frames that were sent once are timed, since others may belong to any of their copies. One thread at a time.
+ * Estimates when a frame that was not answered is to be retransmitted: after twice the longest time that an answer has taken. Only answers
+ * to frames that were sent once are timed, since others may belong to any of their copies. One thread at a time.
  */
 final class RoundTripTimes {
     private static final long MIN_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(100);

@@ -1,5 +1,7 @@
 package javino;
 
+import java.util.concurrent.TimeUnit;
+
 /**
  * Sends commands to a version 2 board, one at a time: each is retransmitted until the board has acknowledged or refused it.
  *
@@ -8,13 +10,12 @@ package javino;
  * between does not make a board forget the last one. One thread at a time.
  */
 final class StopAndWaitSender implements CommandSender {
-    private static final long NANOS_PER_MILLI = 1_000_000L;
     private static final int REPEATS = 3;
     private static final int LAST_REPEAT_MILLIS = 2500;
-    private static final long QUIET_NANOS = Pacer.QUIET_MILLIS * NANOS_PER_MILLI;
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(Pacer.QUIET_MILLIS);
     private static final int FIRST_TIMEOUT_MILLIS = 150;
     /** With it the last repetition is on time, and an action that takes five seconds is still waited for. */
-    private static final long MAX_TIMEOUT_NANOS = 350 * NANOS_PER_MILLI;
+    private static final long MAX_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(350);
     private static final int ACKNOWLEDGEMENT_LENGTH = 12;
 
     private final Inbox inbox;
@@ -35,7 +36,7 @@ final class StopAndWaitSender implements CommandSender {
         this.clock = clock;
         acknowledgementNanos = ACKNOWLEDGEMENT_LENGTH * line.byteNanos();
         // another program that had the port a moment ago is unlikely to have stopped at the same number
-        sequence = LastSequences.of(board, (int) Math.floorMod(clock.nanos() / NANOS_PER_MILLI, (long) Frame.SEQUENCES));
+        sequence = LastSequences.of(board, (int) Math.floorMod(TimeUnit.NANOSECONDS.toMillis(clock.nanos()), (long) Frame.SEQUENCES));
     }
 
     @Override
@@ -64,7 +65,7 @@ final class StopAndWaitSender implements CommandSender {
         }
         for (int repeats = 0; outcome == null && !isOver(command) && repeats < REPEATS; repeats++) {
             timeout *= 2;
-            boolean remembered = clock.nanos() - first < LAST_REPEAT_MILLIS * NANOS_PER_MILLI;
+            boolean remembered = clock.nanos() - first < TimeUnit.MILLISECONDS.toNanos(LAST_REPEAT_MILLIS);
             outcome = await(command, remembered ? sendAgain(frame) : clock.nanos(), timeout);
         }
         return outcome;

@@ -1,18 +1,19 @@
 /**
  * Messages between a program and a microcontroller board, over a serial line, in versions 1 and 2 of the Javino protocol.
  *
- * <p>{@link javino.Link} is the way in: it opens a port for one owner, asks the board that is there until it answers, and exchanges messages
- * at the pace of the line. {@link javino.Javino} is the classic interface on top of it. Below it a {@link javino.Transport} moves bytes, and
- * {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
+ * <p>{@link javino.Link} is the way in: it opens a port for one owner, asks the board that is there until it answers, and exchanges
+ * messages at the pace of the line. {@link javino.Javino} is the classic interface on top of it. Below it a {@link javino.Transport} moves
+ * bytes, and {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
  *
  * <pre>
  * board --bytes--&gt; Transport --&gt; FrameDecoder --&gt; Link --messages--&gt; program
  * board &lt;--bytes-- Transport &lt;-- Frame &lt;-------- Link &lt;--messages-- program
  * </pre>
  *
- * <p>{@link javino.Transports} finds a transport by the port's name: a serial device ({@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}), one
- * known by its USB identity ({@code usb:2341:0043}), a board on the network ({@code tcp://robot:4000}), a {@link javino.sim.SimulatedBoard} of this
- * program ({@code sim:robot}), or what a {@link javino.TransportProvider} adds. {@link javino.sim.FakeBoard} is a simulated board for tests.
+ * <p>{@link javino.Transports} finds a transport by the port's name: a serial device ({@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}),
+ * one known by its USB identity ({@code usb:2341:0043}), a board on the network ({@code tcp://robot:4000}), a
+ * {@link javino.sim.SimulatedBoard} of this program ({@code sim:robot}), or what a {@link javino.TransportProvider} adds.
+ * {@link javino.sim.FakeBoard} is a simulated board for tests.
  *
  * <table>
  *   <caption>What is thrown. All are {@link javino.PortException}s, which know the port's name</caption>

@@ -2,8 +2,8 @@ package javino
 
 /**
  * A board with the field's library, in a time of its own: a receive buffer of 63 bytes, and a `loop()` that handles a message, waits while
- * an answer goes out, and then does something else. Between two loops it reads all that has arrived, with room for one message: the first byte
- * of the next frame empties it, so that the sketch looks up a handler for nothing and calls a null pointer; from the fifth byte on
+ * an answer goes out, and then does something else. Between two loops it reads all that has arrived, with room for one message: the first
+ * byte of the next frame empties it, so that the sketch looks up a handler for nothing and calls a null pointer; from the fifth byte on
  * the message is forgotten.
  *
  * @param buildNanos what it takes to build an answer, between the look at the line that finds the request and the first byte

@@ -32,7 +32,8 @@ class LinkQueueSpec : FunSpec({
     fun Link.writing() = async { writeCommands() }
 
     link("commands go out in their order, urgent ones before the others, once a thread writes") { board, link ->
-        val sent = listOf("a", "b", "c").map { link.send(it, SendOptions.defaults()) } + link.send("now", URGENT) + link.send("next", URGENT)
+        val ordinary = listOf("a", "b", "c").map { link.send(it, SendOptions.defaults()) }
+        val sent = ordinary + link.send("now", URGENT) + link.send("next", URGENT)
         sent.none { it.isDone } shouldBe true
         link.writing()
         sent.forEach { it.get(LIMIT_S, TimeUnit.SECONDS) }
@@ -76,7 +77,7 @@ class LinkQueueSpec : FunSpec({
         eventually(20.seconds) { board.received() shouldContainExactly listOf("a", "b") }
     }
 
-    robot("a command that is under way when its time is over may have been carried out, and the next one goes", Protocol.V2) { board, link ->
+    robot("a command that is under way when its time is over may have been carried out", Protocol.V2) { board, link ->
         board.whenAsked("walk").after(LIMIT_MS)
         link.writing()
         link.send("walk", SendOptions(false, 300)).failure().shouldBeInstanceOf<ActionUnconfirmedException>()

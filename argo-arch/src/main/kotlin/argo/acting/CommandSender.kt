@@ -32,8 +32,8 @@ internal class CommandSender(
      * With a time limit its outcome is known when that is over: `act_timeout` if it has not begun to go out, and then it never will;
      * `act_unconfirmed` if it has, but is not known to have been carried out.
      *
-     * @param outcome is called once, by any thread, with null when the command's last byte has left the line or, in version 2, the board has
-     *     acted, else with the reason why not
+     * @param outcome is called once, by any thread, with null when the command's last byte has left the line or, in version 2, the board
+     *     has acted, else with the reason why not
      */
     fun submit(text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
         val sent = link.send(text, options.forLink())
