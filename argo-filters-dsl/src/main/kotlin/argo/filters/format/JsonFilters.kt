@@ -22,7 +22,7 @@ object JsonFilters {
 
     /** As the other form, from text that has been decoded. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
-        JsonFilterReader(input.removePrefix("\uFEFF"), source, name).read()
+        readFilter(source, name) { JsonTreeReader(input.removePrefix("\uFEFF"), source).read() }
 
     /** The filter as a JSON document with LF line ends, which [read] reads back to an equal filter. */
     fun write(filter: PerceptionFilter): String = JsonFilterWriter().write(filter)

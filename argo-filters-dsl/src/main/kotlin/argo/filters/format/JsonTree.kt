@@ -8,35 +8,12 @@ import com.fasterxml.jackson.core.JsonProcessingException
 import com.fasterxml.jackson.core.JsonToken
 import com.fasterxml.jackson.core.StreamReadConstraints
 
-/** A value of a JSON document that knows where it stands. */
-internal sealed interface JsonNode {
-    val position: Position
-
-    /** What the value is, for messages. */
-    val words: String
-
-    class Object(override val position: Position, val members: List<Member>) : JsonNode {
-        override val words = "an object"
-    }
-
-    class Member(val name: String, val position: Position, val value: JsonNode)
-
-    class Array(override val position: Position, val items: List<JsonNode>) : JsonNode {
-        override val words = "an array"
-    }
-
-    /** @property isText whether it stands in quotes */
-    class Scalar(override val position: Position, val content: String, val isText: Boolean) : JsonNode {
-        override val words = if (isText) "'$content'" else content
-    }
-}
-
 /** Reads a JSON document into values that know where they stand, of two members of one name both. */
 internal class JsonTreeReader(text: String, private val source: String) {
     private val parser = FACTORY.createParser(text)
 
     /** @throws FilterException if the text is not JSON */
-    fun read(): JsonNode = try {
+    fun read(): FilterNode = try {
         if (parser.nextToken() == null) refuse(parser.currentLocation(), "it is empty")
         val root = value()
         if (parser.nextToken() != null) refuse(parser.currentTokenLocation(), "something follows its end")
@@ -45,20 +22,20 @@ internal class JsonTreeReader(text: String, private val source: String) {
         refuse(e.location ?: parser.currentLocation(), e.originalMessage)
     }
 
-    private fun value(): JsonNode {
+    private fun value(): FilterNode {
         val at = position(parser.currentTokenLocation())
         return when (val token = parser.currentToken()) {
-            JsonToken.START_OBJECT -> JsonNode.Object(at, until(JsonToken.END_OBJECT, ::member))
-            JsonToken.START_ARRAY -> JsonNode.Array(at, until(JsonToken.END_ARRAY, ::value))
-            else -> JsonNode.Scalar(at, parser.text, token == JsonToken.VALUE_STRING)
+            JsonToken.START_OBJECT -> FilterNode.Object(at, until(JsonToken.END_OBJECT, ::member))
+            JsonToken.START_ARRAY -> FilterNode.Array(at, until(JsonToken.END_ARRAY, ::value))
+            else -> (token == JsonToken.VALUE_STRING).let { FilterNode.Scalar(at, parser.text, isText = it, isBare = !it) }
         }
     }
 
-    private fun member(): JsonNode.Member {
+    private fun member(): FilterNode.Member {
         val at = position(parser.currentTokenLocation())
         val name = parser.text
         parser.nextToken()
-        return JsonNode.Member(name, at, value())
+        return FilterNode.Member(name, at, value())
     }
 
     private fun <T> until(end: JsonToken, item: () -> T): List<T> = buildList {

@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.FilterException
 import argo.filters.Problem
 
-/** Collects what is wrong with the document called [source], so that all of it is told at once. */
+/** Collects what is wrong with the document called [source], so that all of it is reported at once. */
 internal class Problems(private val source: String) {
     private val found = ArrayList<Problem>()
 
@@ -23,9 +23,8 @@ internal class Problems(private val source: String) {
         null
     }
 
-    /** @throws FilterException with all problems, in the order of the text; [filter] is null only if there are some */
-    fun <T : Any> unlessAny(filter: T?): T {
-        if (filter == null || found.isNotEmpty()) throw FilterException(found.sortedBy { Position(it.line, it.column) })
-        return filter
+    /** @throws FilterException with all problems, in the order of the text, if there are any */
+    fun throwIfAny() {
+        if (found.isNotEmpty()) throw FilterException(found.distinct().sortedBy { Position(it.line, it.column) })
     }
 }

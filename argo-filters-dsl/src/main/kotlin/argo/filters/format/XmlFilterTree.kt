@@ -1,0 +1,153 @@
+package argo.filters.format
+
+import argo.filters.format.FilterNode.Member
+import argo.filters.format.FilterNode.Scalar
+
+/** Brings an XML document into the shape that [FilterReader] reads. What has no place in that shape is reported to [problems]. */
+internal class XmlFilterTree(private val tree: XmlTree, private val problems: Problems) {
+
+    /** The filter; null only if a problem is reported. */
+    fun filter(): FilterNode? {
+        tree.problem?.let(problems::report)
+        val root = tree.root ?: return null
+        if (root.name != ROOT) {
+            report(root.position, "the root element is <${root.name}>; expected <$ROOT>")
+            if (!root.name.equals(ROOT, ignoreCase = true)) return null
+        }
+        noText(root)
+        val attributes = attributes(root, FilterReader.KEEP, FilterReader.ON_SWITCH).values
+        val (rules, critical) = children(root, FILTER, FilterReader.CRITICAL).partition { it.name == FILTER }
+        val arrays = listOf(
+            array(root, FilterReader.RULES, rules) { rule(it, FilterReader.ARITY, FilterReader.EVERY_MS, FilterReader.DEADBAND) },
+            array(root, FilterReader.CRITICAL, critical) { rule(it, FilterReader.ARITY, FilterReader.REFLEX) },
+        )
+        return FilterNode.Object(root.position, attributes + arrays)
+    }
+
+    private fun rule(element: XmlElement, vararg known: String): FilterNode {
+        noText(element)
+        val attributes = attributes(element, *known).values
+        val (predicates, conditions) =
+            children(element, FilterReader.PREDICATE, PARAMETER, *ANNOTATION).partition { it.name == FilterReader.PREDICATE }
+        predicates.drop(1).forEach {
+            report(it.position, "a second predicate in one rule; expected one, and another <filter> for the other")
+        }
+        val predicate = Member(
+            FilterReader.PREDICATE, element.position,
+            predicates.map(::predicate).firstOrNull()
+                ?: missing(element, "the rule has no predicate; expected one, as in <predicate>dist</predicate>"),
+        )
+        val array = array(element, FilterReader.CONDITIONS, conditions) { if (it.name == PARAMETER) argument(it) else annotation(it) }
+        return FilterNode.Object(element.position, attributes + predicate + array)
+    }
+
+    private fun predicate(element: XmlElement): FilterNode {
+        attributes(element)
+        children(element)
+        return if (element.text.isEmpty() && !isWhole(element)) FilterNode.Refused(element.position) else text(element)
+    }
+
+    private fun argument(element: XmlElement): FilterNode {
+        val attributes = attributes(element, ID, FilterReader.OPERATOR, FilterReader.DEADBAND)
+        children(element)
+        val id = required(element, ID, attributes, "expected id=\"0\" for the first argument, id=\"1\" for the second")
+        val isDeadband = FilterReader.DEADBAND in attributes && FilterReader.OPERATOR !in attributes && element.text.isEmpty()
+        return FilterNode.Object(element.position, attributes.minus(ID).values + id + if (isDeadband) emptyList() else listOf(value(element)))
+    }
+
+    private fun annotation(element: XmlElement): FilterNode {
+        val attributes = attributes(element, NAME, FilterReader.OPERATOR)
+        val limits = children(element, LIMIT)
+        val name = required(element, NAME, attributes, "expected the annotation's functor, as in name=\"q\"")
+        val operator = attributes[FilterReader.OPERATOR]
+        if (limits.isNotEmpty()) noText(element)
+        val tests = when {
+            limits.isNotEmpty() -> listOf(array(element, FilterReader.LIMITS, limits) { limit(it, operator) })
+            operator == null && element.text.isEmpty() -> emptyList()
+            else -> listOfNotNull(operator, value(element))
+        }
+        return FilterNode.Object(element.position, tests + name)
+    }
+
+    /** A limit, with the operator that stands [around] it if it has none of its own. */
+    private fun limit(element: XmlElement, around: Member?): FilterNode {
+        val own = attributes(element, FilterReader.OPERATOR)[FilterReader.OPERATOR]
+        children(element)
+        if (own != null && around != null) {
+            report(own.position, "a second operator for one annotation; expected it on <$LIMIT> or around it")
+        }
+        return FilterNode.Object(element.position, listOfNotNull(own ?: around, value(element)))
+    }
+
+    private fun value(element: XmlElement): Member {
+        val empty = "the <${element.name}> is empty; expected the value to compare with"
+        return Member(FilterReader.VALUE, element.position, if (element.text.isEmpty()) missing(element, empty) else text(element))
+    }
+
+    private fun text(element: XmlElement) = Scalar(element.textPosition, element.text, isText = true, isBare = true)
+
+    private fun array(parent: XmlElement, name: String, elements: List<XmlElement>, item: (XmlElement) -> FilterNode) =
+        Member(name, parent.position, FilterNode.Array(parent.position, elements.map(item)))
+
+    private fun required(element: XmlElement, name: String, attributes: Map<String, Member>, expected: String): Member {
+        attributes[name]?.let { return it }
+        report(element.position, "the <${element.name}> has no $name; $expected")
+        return Member(MEMBER_OF.getValue(name), element.position, FilterNode.Refused(element.position))
+    }
+
+    /** What is missing in an element that the document breaks off in is no problem of its own. */
+    private fun missing(element: XmlElement, problem: String): FilterNode {
+        if (isWhole(element)) report(element.position, problem)
+        return FilterNode.Refused(element.position)
+    }
+
+    private fun isWhole(element: XmlElement) = element.isClosed || tree.problem == null
+
+    /** The attributes of [element] by name; those that are not [known] are reported. */
+    private fun attributes(element: XmlElement, vararg known: String): Map<String, Member> {
+        val members = LinkedHashMap<String, Member>()
+        for (attribute in element.attributes) {
+            val (name, at) = attribute.name to attribute.position
+            if (name !in known) report(at, "the attribute '$name' on <${element.name}>; expected ${words(known, "no attribute")}")
+            else if (members.put(name, member(attribute)) != null) report(at, "a second '$name' on <${element.name}>; expected one")
+        }
+        return members
+    }
+
+    private fun member(attribute: XmlAttribute): Member {
+        val (name, text) = attribute.name to attribute.value
+        val words = if (name == ID || name == FilterReader.DEADBAND) "the $name '$text'" else "$name=\"$text\""
+        return Member(MEMBER_OF[name] ?: name, attribute.position, Scalar(attribute.position, text, isText = true, isBare = true), words)
+    }
+
+    /** The children of [element] that are [known]; others are reported. */
+    private fun children(element: XmlElement, vararg known: String): List<XmlElement> {
+        val (expected, unknown) = element.children.partition { it.name in known }
+        val elements = words(known.map { "<$it>" }.toTypedArray(), "text alone")
+        unknown.forEach { report(it.position, "the element <${it.name}> in <${element.name}>; expected $elements") }
+        return expected
+    }
+
+    private fun words(known: Array<out String>, none: String) = if (known.isEmpty()) none else known.joinToString(" or ")
+
+    private fun noText(element: XmlElement) = element.texts.filter { it.text.isNotBlank() }.forEach {
+        report(it.position, "the text '${it.text.trim()}' in <${element.name}>; expected elements alone")
+    }
+
+    private fun report(at: Position, message: String) = problems.report(at, message)
+
+    private companion object {
+        const val ROOT = "PerceptionFilter"
+        const val FILTER = "filter"
+        const val PARAMETER = "parameter"
+        const val LIMIT = "limit"
+        const val ID = "id"
+        const val NAME = "name"
+
+        /** The members that attributes of other names become. */
+        val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
+
+        /** The second is how files of earlier versions spell it. */
+        val ANNOTATION = arrayOf("annotation", "anotation")
+    }
+}
