@@ -72,6 +72,11 @@ public final class Transports {
     private static TransportProvider provider(String port, PortName name) throws NoSuchPortException {
         Map<String, TransportProvider> providers = providers();
         TransportProvider provider = providers.get(name.scheme());
+        if (providers.isEmpty()) {
+            throw new NoSuchPortException(port, "port " + port + " cannot be opened: no " + TransportProvider.class.getName()
+                    + " was found, not even one for serial devices; does the program's jar hold META-INF/services, merged from all it was"
+                    + " made of?");
+        }
         if (provider == null) {
             throw new NoSuchPortException(port, "port " + port + " asks for the scheme \"" + name.scheme() + "\", but there are only: "
                     + String.join(", ", providers.keySet()) + " (a serial device needs none)");
@@ -80,7 +85,7 @@ public final class Transports {
     }
 
     private static Map<String, TransportProvider> providers() {
-        List<ServiceLoader.Provider<TransportProvider>> services = new ArrayList<>(Services.providers(TransportProvider.class));
+        List<ServiceLoader.Provider<TransportProvider>> services = Services.providers(TransportProvider.class);
         services.sort(Comparator.comparing(service -> !service.type().getName().startsWith(OWN_PACKAGES))); // this library's come first
         Map<String, TransportProvider> providers = new LinkedHashMap<>();
         for (ServiceLoader.Provider<TransportProvider> service : services) {

@@ -6,8 +6,11 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.io.File
+import java.lang.reflect.InvocationTargetException
+import java.net.URL
 import java.net.URLClassLoader
 import java.nio.file.Files
+import java.util.Collections
 import javino.sim.MemoryLine
 import javino.sim.SimulatedBoard
 import javino.sim.SimulatedBoards
@@ -56,6 +59,21 @@ class TransportsSpec : FunSpec({
         refusal.port() shouldBe "warp:9"
         refusal.message shouldContain "\"warp\""
         refusal.message shouldContain "serial, usb, tcp, sim"
+    }
+
+    test("where no provider at all is found, the hint is to the jar that lost its services") {
+        val classes = Transports::class.java.protectionDomain.codeSource.location
+        val withoutServices = object : URLClassLoader(arrayOf(classes), ClassLoader.getPlatformClassLoader()) {
+            override fun findResources(name: String) = Collections.emptyEnumeration<URL>()
+        }
+        withoutServices.use { loader ->
+            inContext(loader) {
+                val settings = loader.loadClass(LineSettings::class.java.name)
+                val open = loader.loadClass(Transports::class.java.name).getMethod("open", String::class.java, settings)
+                val refusal = shouldThrow<InvocationTargetException> { open.invoke(null, "ttyACM0", settings.getMethod("defaults").invoke(null)) }
+                refusal.cause!!.message shouldContain "META-INF/services"
+            }
+        }
     }
 
     test("a serial device may be named with its scheme") {
@@ -118,16 +136,23 @@ internal fun withServices(vararg services: Pair<String, String>, work: () -> Uni
         Files.createDirectories(file.parent)
         Files.writeString(file, implementation)
     }
-    val thread = Thread.currentThread()
-    val before = thread.contextClassLoader
     URLClassLoader(arrayOf(directory.toUri().toURL()), TransportsSpec::class.java.classLoader).use { loader ->
-        thread.contextClassLoader = loader
         try {
-            work()
+            inContext(loader, work)
         } finally {
-            thread.contextClassLoader = before
             listOf("echoboard", "parrotboard").forEach(SimulatedBoards::unplug)
         }
     }
     File(directory.toString()).deleteRecursively()
+}
+
+private fun inContext(loader: ClassLoader, work: () -> Unit) {
+    val thread = Thread.currentThread()
+    val before = thread.contextClassLoader
+    thread.contextClassLoader = loader
+    try {
+        work()
+    } finally {
+        thread.contextClassLoader = before
+    }
 }
