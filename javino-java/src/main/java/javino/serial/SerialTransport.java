@@ -10,6 +10,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import javino.DriverTransport;
 import javino.LineSettings;
 import javino.PortException;
+import javino.PortInterruptedException;
 
 /** A serial device, or a pseudo-terminal that stands for one, through jSerialComm. */
 final class SerialTransport extends DriverTransport {
@@ -27,7 +28,8 @@ final class SerialTransport extends DriverTransport {
 
     private static final DriverOpening OPENING = new DriverOpening(Duration.ofSeconds(1));
 
-    private final ReentrantLock reading = new ReentrantLock(); // held while the driver reads, so that it is not closed under it
+    /** Held while the driver reads, so that it is not closed under it. */
+    final ReentrantLock reading = new ReentrantLock();
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
 
@@ -76,7 +78,7 @@ final class SerialTransport extends DriverTransport {
     }
 
     private int readNow(byte[] b, int off, int len, boolean wait) throws PortException {
-        reading.lock();
+        awaitReading();
         try {
             requireLine();
             int count = wait ? len : Math.min(len, port.bytesAvailable());
@@ -89,6 +91,17 @@ final class SerialTransport extends DriverTransport {
             return count;
         } finally {
             reading.unlock();
+        }
+    }
+
+    /** Takes the reading's lock; an interrupt ends the wait for it, but not a read of what has arrived. */
+    private void awaitReading() throws PortInterruptedException {
+        try {
+            if (!reading.tryLock()) {
+                reading.lockInterruptibly();
+            }
+        } catch (InterruptedException e) {
+            throw PortInterruptedException.remarking(name());
         }
     }
 
@@ -106,28 +119,22 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected void closeDriver() {
+        boolean interrupted = Thread.interrupted(); // a thread that is interrupted closes the port with the same care
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
-        linger();
-        if (!readingEnds()) {
-            System.getLogger(SerialTransport.class.getName()).log(System.Logger.Level.WARNING,
-                    "port " + name() + " is given up as it is: its driver does not return from reading");
-            return;
-        }
         try {
-            port.closePort(); // ends a write that waits
-        } finally {
-            reading.unlock();
-        }
-    }
-
-    /** Takes the reading's lock, for which a device that knows no time limits may let one wait for ever. */
-    private boolean readingEnds() {
-        boolean interrupted = Thread.interrupted();
-        try {
-            return reading.tryLock(READ_END_MILLIS, TimeUnit.MILLISECONDS);
+            linger();
+            if (reading.tryLock(READ_END_MILLIS, TimeUnit.MILLISECONDS)) {
+                try {
+                    port.closePort(); // ends a write that waits
+                } finally {
+                    reading.unlock();
+                }
+            } else {
+                giveUp();
+            }
         } catch (InterruptedException e) {
             interrupted = true;
-            return false;
+            giveUp();
         } finally {
             if (interrupted) {
                 Thread.currentThread().interrupt();
@@ -135,17 +142,18 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
+    private void giveUp() {
+        System.getLogger(SerialTransport.class.getName()).log(System.Logger.Level.WARNING,
+                "port " + name() + " is given up as it is: its driver does not return from reading");
+    }
+
     /** Waits until what was written has left the driver, but not for a device that takes no more. */
     private void linger() {
-        boolean interrupted = Thread.interrupted(); // a thread that is interrupted closes the port with the same care
-        long deadline = System.nanoTime() + MAX_LINGER_NANOS;
         long now = System.nanoTime();
+        long deadline = now + MAX_LINGER_NANOS;
         while (!isLost() && deadline - now > 0 && (lingerUntil - now > 0 || port.bytesAwaitingWrite() > 0)) {
             LockSupport.parkNanos(POLL_NANOS);
             now = System.nanoTime();
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
         }
     }
 }

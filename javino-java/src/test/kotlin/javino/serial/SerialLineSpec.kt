@@ -9,15 +9,18 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import javino.LineSettings
 import javino.Link
 import javino.LinkSettings
 import javino.PortBusyException
 import javino.PortGoneException
+import javino.PortInterruptedException
 import javino.async
 import javino.failure
 import javino.readFully
+import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
 private const val LONG_MILLIS = 20_000
@@ -66,6 +69,23 @@ class SerialLineSpec : FunSpec({
     onTerminals("a device that a transport of this program has open is busy") { terminals ->
         SerialTransport.open(terminals.computer, settings.line()).use {
             shouldThrow<PortBusyException> { SerialTransport.open(terminals.computer, settings.line()) }.owner() shouldContain "this program"
+        }
+    }
+
+    onTerminals("an interrupt ends a read that waits for the driver to come back") { terminals ->
+        SerialTransport.open(terminals.computer, settings.line()).use { line ->
+            line.reading.lock() // as a closing does whose driver hangs
+            try {
+                val end = CompletableFuture<Boolean>()
+                val reader = thread(isDaemon = true) {
+                    val interrupted = runCatching { line.read(ByteArray(1), 0, 1, 0) }.exceptionOrNull() is PortInterruptedException
+                    end.complete(interrupted && Thread.currentThread().isInterrupted)
+                }
+                reader.interrupt()
+                end.get(LONG_MILLIS.toLong(), TimeUnit.MILLISECONDS) shouldBe true
+            } finally {
+                line.reading.unlock()
+            }
         }
     }
 
