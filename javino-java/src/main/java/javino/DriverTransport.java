@@ -21,7 +21,7 @@ public abstract class DriverTransport implements Transport {
     protected DriverTransport(String name, LineSettings line) {
         this.name = name;
         this.line = line;
-        writer = new TimedWriter(name, this::writeToDriver, LineClock.system());
+        writer = new TimedWriter(name, this::writeToDriver);
     }
 
     /**
@@ -71,7 +71,7 @@ public abstract class DriverTransport implements Transport {
     public final void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
         requireLine();
         try {
-            TimedWriter.Outcome outcome = writer.write(b, off, len, System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+            TimedWriter.Outcome outcome = writer.write(b, off, len, timeoutMillis);
             if (outcome == TimedWriter.Outcome.TOO_LATE) {
                 throw new PortTimeoutException(name, "port " + name + " did not take " + len + " bytes within " + timeoutMillis
                         + " ms; the far end does not read");

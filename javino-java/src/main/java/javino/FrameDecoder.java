@@ -85,11 +85,10 @@ public final class FrameDecoder {
      * @param nowNanos when they arrived
      */
     public void accept(byte[] b, int off, int len, long nowNanos) {
-        if (len == 0) {
-            return;
+        if (len > 0) {
+            idle(nowNanos);
+            acceptUnbroken(b, off, len, nowNanos);
         }
-        idle(nowNanos);
-        acceptUnbroken(b, off, len, nowNanos);
     }
 
     /**
@@ -164,28 +163,21 @@ public final class FrameDecoder {
         }
     }
 
+    /** Returns whether anything was decided, as those do that it calls. */
     private boolean confirmOrDoubt() {
-        switch (headerAt(start + delivered)) {
+        return switch (headerAt(start + delivered)) {
             case COMPLETE -> confirm();
             case IMPOSSIBLE -> discardFirst();
-            default -> {
-                return false;
-            }
-        }
-        return true;
+            case UNFINISHED -> false;
+        };
     }
 
     private boolean deliverOrSkip() {
-        switch (headerAt(start)) {
+        return switch (headerAt(start)) {
+            case COMPLETE -> held[start + VERSION_AT] == 'e' ? deliverVersion1() : deliverVersion2OrSkip();
             case IMPOSSIBLE -> discardFirst();
-            case UNFINISHED -> {
-                return false;
-            }
-            default -> {
-                return versionAt(start) == 1 ? deliverVersion1() : deliverVersion2OrSkip();
-            }
-        }
-        return true;
+            case UNFINISHED -> false;
+        };
     }
 
     private boolean deliverVersion1() {
@@ -193,46 +185,45 @@ public final class FrameDecoder {
         if (end - start < length) {
             return false;
         }
-        deliver(length, Frame.copyOf(held, start + Frame.HEADER_LENGTH, payloadLength()));
-        return true;
+        return deliver(length, Frame.copyOf(held, start + Frame.HEADER_LENGTH, payloadLength()));
     }
 
     private boolean deliverVersion2OrSkip() {
         int crcAt = start + Frame.HEADER_LENGTH_2 + payloadLength();
         int length = crcAt + Frame.CRC_LENGTH - start;
         if (!digitsFit(start + Frame.HEADER_LENGTH, start + Frame.HEADER_LENGTH_2) || !digitsFit(crcAt, start + length)) {
-            discardFirst();
-            return true;
+            return discardFirst();
         }
         if (end - start < length) {
             return false;
         }
-        if (numberAt(crcAt, Frame.CRC_LENGTH) == Crc16.of(held, start + LENGTH_AT, crcAt - start - LENGTH_AT)) {
-            int flags = digit(held[start + Frame.HEADER_LENGTH]);
-            int sequence = digit(held[start + Frame.HEADER_LENGTH + 1]);
-            deliver(length, Frame.copyOf2(held, start + Frame.HEADER_LENGTH_2, payloadLength(), flags, sequence));
-        } else {
+        if (numberAt(crcAt, Frame.CRC_LENGTH) != Crc16.of(held, start + LENGTH_AT, crcAt - start - LENGTH_AT)) {
             corrupt++;
-            discardFirst();
+            return discardFirst();
         }
-        return true;
+        int flags = digit(held[start + Frame.HEADER_LENGTH]);
+        int sequence = digit(held[start + Frame.HEADER_LENGTH + 1]);
+        return deliver(length, Frame.copyOf2(held, start + Frame.HEADER_LENGTH_2, payloadLength(), flags, sequence));
     }
 
-    private void deliver(int length, Frame frame) {
+    private boolean deliver(int length, Frame frame) {
         delivered = length;
         frames++;
         sink.accept(frame);
+        return true;
     }
 
-    private void confirm() {
+    private boolean confirm() {
         start += delivered;
         delivered = 0;
+        return true;
     }
 
-    private void discardFirst() {
+    private boolean discardFirst() {
         start++;
         delivered = 0;
         discarded++;
+        return true;
     }
 
     /** The line fell silent: what is unfinished stays so. */
@@ -271,10 +262,6 @@ public final class FrameDecoder {
         };
     }
 
-    private int versionAt(int from) {
-        return held[from + VERSION_AT] == 'e' ? 1 : 2;
-    }
-
     private int payloadLength() {
         return numberAt(start + LENGTH_AT, 2);
     }
@@ -299,12 +286,6 @@ public final class FrameDecoder {
 
     /** The value of a hexadecimal digit in either case, or -1. */
     private static int digit(byte b) {
-        if (b >= '0' && b <= '9') {
-            return b - '0';
-        }
-        if (b >= 'A' && b <= 'F') {
-            return b - 'A' + 10;
-        }
-        return b >= 'a' && b <= 'f' ? b - 'a' + 10 : -1;
+        return Character.digit(b & 0xFF, 16);
     }
 }

@@ -13,11 +13,13 @@ public interface LineClock {
 
     /**
      * Waits until {@code condition} is signalled or {@code nanos} of this clock have passed; may return early. The caller holds
-     * the condition's lock.
+     * the condition's lock. A clock that does not go by the machine's time has waits of its own.
      *
      * @throws InterruptedException if the thread is interrupted
      */
-    void await(Condition condition, long nanos) throws InterruptedException;
+    default void await(Condition condition, long nanos) throws InterruptedException {
+        condition.awaitNanos(nanos);
+    }
 
     /**
      * A new reentrant lock for what goes by this clock; its conditions are those that {@link #await} is given. A clock that moves only when
@@ -39,6 +41,6 @@ public interface LineClock {
 
     /** The machine's steady clock. */
     static LineClock system() {
-        return SystemLineClock.INSTANCE;
+        return System::nanoTime;
     }
 }

@@ -1,16 +1,14 @@
 package javino;
 
-import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Who has which port: one table for the program, as the devices of a machine are, by {@linkplain Transports#canonicalName canonical name}.
  */
 final class PortOwners {
-    private static final ReentrantLock TABLE = new ReentrantLock();
-    private static final Map<String, Claim> CLAIMS = new HashMap<>();
+    private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
 
     private PortOwners() {}
 
@@ -31,12 +29,7 @@ final class PortOwners {
 
         /** Gives the port back. Idempotent. */
         void release() {
-            TABLE.lock();
-            try {
-                CLAIMS.remove(canonicalName, this);
-            } finally {
-                TABLE.unlock();
-            }
+            CLAIMS.remove(canonicalName, this);
         }
     }
 
@@ -47,28 +40,15 @@ final class PortOwners {
 
     /** Claims a port for {@code owner}. */
     static Claim claim(String port, String owner) throws PortBusyException {
-        String canonicalName = Transports.canonicalName(port);
-        TABLE.lock();
-        try {
-            Claim other = CLAIMS.get(canonicalName);
-            if (other != null) {
-                throw new PortBusyException(port, other.owner);
-            }
-            Claim claim = new Claim(canonicalName, owner);
-            CLAIMS.put(canonicalName, claim);
-            return claim;
-        } finally {
-            TABLE.unlock();
+        Claim claim = new Claim(Transports.canonicalName(port), owner);
+        Claim other = CLAIMS.putIfAbsent(claim.canonicalName, claim);
+        if (other != null) {
+            throw new PortBusyException(port, other.owner);
         }
+        return claim;
     }
 
     static Optional<String> ownerOf(String port) {
-        String canonicalName = Transports.canonicalName(port);
-        TABLE.lock();
-        try {
-            return Optional.ofNullable(CLAIMS.get(canonicalName)).map(claim -> claim.owner);
-        } finally {
-            TABLE.unlock();
-        }
+        return Optional.ofNullable(CLAIMS.get(Transports.canonicalName(port))).map(claim -> claim.owner);
     }
 }

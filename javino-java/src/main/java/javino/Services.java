@@ -30,13 +30,12 @@ public final class Services {
 
     private static <T> void addAll(List<ServiceLoader.Provider<T>> found, ServiceLoader<T> loader, Class<T> service) {
         Iterator<ServiceLoader.Provider<T>> providers = loader.stream().iterator();
-        boolean more = true;
-        while (more) {
+        while (true) {
             try {
-                more = providers.hasNext();
-                if (more) {
-                    found.add(providers.next());
+                if (!providers.hasNext()) {
+                    return;
                 }
+                found.add(providers.next());
             } catch (ServiceConfigurationError e) {
                 warn(service, e); // the loader goes on with the next one
             }

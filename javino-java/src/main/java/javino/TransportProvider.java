@@ -21,6 +21,11 @@ public interface TransportProvider {
      */
     Transport open(String address, LineSettings line) throws PortException;
 
+    /** The port's name with its scheme, for messages. */
+    default String port(String address) {
+        return scheme() + ':' + address;
+    }
+
     /** The ports there are now, as a person would give them to {@link Transports#open}; by default none, as when they cannot be listed. */
     default List<String> ports() {
         return List.of();
@@ -42,7 +47,7 @@ public interface TransportProvider {
      * @return the scheme and the {@linkplain #canonicalAddress canonical address}, unless the provider knows better
      */
     default String canonicalName(String address) {
-        return scheme() + ':' + canonicalAddress(address);
+        return port(canonicalAddress(address));
     }
 
     /**

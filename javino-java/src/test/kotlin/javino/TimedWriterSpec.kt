@@ -6,37 +6,33 @@ import io.kotest.matchers.shouldBe
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.TimeUnit
-import java.util.concurrent.locks.Condition
 
 private const val LIMIT_S = 20L
-private const val NEVER = Long.MAX_VALUE
-
-/** The end of a time that is over as soon as the driver has begun to write. */
-private const val UNTIL_BEGUN = 1L
+private const val LONG_MILLIS = 20_000
 
 private fun CountDownLatch.reached() = check(await(LIMIT_S, TimeUnit.SECONDS)) { "the driver was not asked within $LIMIT_S s" }
 
 /** A driver that takes bytes only when its gate is open. */
-private class Gated : AutoCloseable, LineClock {
+private class Gated : AutoCloseable {
     val gate = CountDownLatch(1)
     val begun = CountDownLatch(1)
     val taken = CopyOnWriteArrayList<String>()
-    private val driver = TimedWriter.Target { bytes ->
+    val writer = TimedWriter("gated") { bytes ->
         begun.countDown()
         gate.reached()
         taken += bytes.decodeToString()
         check(bytes.decodeToString() != "worse") { "a driver that throws" }
         if (bytes.decodeToString() == "bad") -1 else bytes.size
     }
-    val writer = TimedWriter("gated", driver, this)
 
-    override fun nanos() = if (begun.count > 0) 0 else UNTIL_BEGUN
+    fun write(text: String, timeoutMillis: Int = LONG_MILLIS) = writer.write(text.toByteArray(), 0, text.length, timeoutMillis)
 
-    override fun await(condition: Condition, nanos: Long) {
-        condition.awaitNanos(TimeUnit.MILLISECONDS.toNanos(1)) // that the driver has begun is not signalled
+    /** Writes until the driver has begun to; a write that is given up before is not begun. */
+    fun begin(bytes: ByteArray) {
+        while (begun.count > 0) {
+            writer.write(bytes, 0, bytes.size, 1) shouldBe TimedWriter.Outcome.TOO_LATE
+        }
     }
-
-    fun write(text: String, deadline: Long = NEVER) = writer.write(text.toByteArray(), 0, text.length, deadline)
 
     override fun close() {
         writer.close()
@@ -60,8 +56,8 @@ class TimedWriterSpec : FunSpec({
 
     test("a write that the driver does not take in time is too late, and the next one waits behind it") {
         Gated().use { driver ->
-            driver.write("first", UNTIL_BEGUN) shouldBe TimedWriter.Outcome.TOO_LATE
-            driver.write("given up", UNTIL_BEGUN) shouldBe TimedWriter.Outcome.TOO_LATE
+            driver.begin("first".toByteArray())
+            driver.write("given up", 1) shouldBe TimedWriter.Outcome.TOO_LATE
             driver.gate.countDown()
             driver.write("second") shouldBe TimedWriter.Outcome.WRITTEN
             driver.taken shouldContainExactly listOf("first", "second")
@@ -89,7 +85,7 @@ class TimedWriterSpec : FunSpec({
     test("the bytes are the caller's again when the write returns") {
         Gated().use { driver ->
             val bytes = "abc".toByteArray()
-            driver.writer.write(bytes, 0, 3, UNTIL_BEGUN) shouldBe TimedWriter.Outcome.TOO_LATE
+            driver.begin(bytes)
             bytes.fill('x'.code.toByte())
             driver.gate.countDown()
             driver.write("d") shouldBe TimedWriter.Outcome.WRITTEN

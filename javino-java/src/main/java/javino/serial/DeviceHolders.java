@@ -1,46 +1,35 @@
 package javino.serial;
 
 import java.io.IOException;
-import java.nio.file.DirectoryStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Finds the processes that have a device open, on systems with a {@code /proc}; only those this user may look into are found. */
 final class DeviceHolders {
     private DeviceHolders() {}
 
     /**
-     * The other processes that hold the device, in words ({@code process 4711 (minicom)}); empty when none can be seen.
-     *
-     * @param device its path with symbolic links followed
+     * The other processes that hold the device, in words ({@code process 4711 (minicom)}); empty when none can be seen, and for a device
+     * that does not show in the file system.
      */
-    static List<String> of(Path device) {
-        List<String> holders = new ArrayList<>();
-        long self = ProcessHandle.current().pid();
-        try (DirectoryStream<Path> processes = Files.newDirectoryStream(Path.of("/proc"), "[0-9]*")) {
-            for (Path process : processes) {
-                if (!process.getFileName().toString().equals(Long.toString(self)) && holds(process, device)) {
-                    holders.add("process " + process.getFileName() + " (" + command(process) + ")");
-                }
-            }
-        } catch (IOException e) {
-            return List.of(); // no /proc here
+    static List<String> of(SerialDevice device) {
+        if (!device.hasNode()) {
+            return List.of();
         }
-        return holders;
+        Path node = Path.of(device.canonicalAddress());
+        return ProcessHandle.allProcesses().filter(process -> !process.equals(ProcessHandle.current()))
+                .map(process -> Path.of("/proc", Long.toString(process.pid()))).filter(process -> holds(process, node))
+                .map(process -> "process " + process.getFileName() + " (" + command(process) + ")").toList();
     }
 
     private static boolean holds(Path process, Path device) {
-        try (DirectoryStream<Path> descriptors = Files.newDirectoryStream(process.resolve("fd"))) {
-            for (Path descriptor : descriptors) {
-                if (device.equals(target(descriptor))) {
-                    return true;
-                }
-            }
-            return false;
-        } catch (IOException e) {
-            return false; // another user's process, or one that has just ended
+        try (Stream<Path> descriptors = Files.list(process.resolve("fd"))) {
+            return descriptors.anyMatch(descriptor -> device.equals(target(descriptor)));
+        } catch (IOException | UncheckedIOException e) {
+            return false; // no /proc here, another user's process, or one that has just ended
         }
     }
 

@@ -1,7 +1,7 @@
 package javino.serial;
 
+import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -40,14 +40,7 @@ record SerialDevice(String name, String path) {
     }
 
     boolean exists() {
-        if (!hasNode()) {
-            return true; // only the driver knows
-        }
-        try {
-            return Files.exists(Path.of(path));
-        } catch (InvalidPathException e) {
-            return false;
-        }
+        return !hasNode() || new File(path).exists(); // without one only the driver knows
     }
 
     /** Whether the device shows in the file system, as it does everywhere but on Windows. */

@@ -32,7 +32,8 @@ final class SerialPortErrors {
             case NO_SUCH_PORT -> noSuchPort(device, ports);
             case BUSY -> new PortBusyException(device.name(), holders(device));
             case OPEN_IN_THIS_PROGRAM -> new PortBusyException(device.name(), "another part of this program");
-            case NO_PERMISSION -> noPermission(device);
+            case NO_PERMISSION -> new PortPermissionException(device.name(), "user " + System.getProperty("user.name", "this user")
+                    + " may not open port " + device.name() + "; " + permissionRemedy(device));
             case OTHER -> new PortFaultException(device.name(), "port " + device.name() + " cannot be opened; "
                     + (code == DriverOpening.UNKNOWN_CODE ? "the driver is opening another device, so its reason is not known; try again"
                             : "the driver's code is " + code), null);
@@ -55,14 +56,8 @@ final class SerialPortErrors {
     }
 
     private static String holders(SerialDevice device) {
-        List<String> holders = device.hasNode() ? DeviceHolders.of(Path.of(device.canonicalAddress())) : List.of();
+        List<String> holders = DeviceHolders.of(device);
         return holders.isEmpty() ? "another program" : String.join(" and ", holders);
-    }
-
-    static PortPermissionException noPermission(SerialDevice device) {
-        String user = System.getProperty("user.name", "this user");
-        return new PortPermissionException(device.name(),
-                "user " + user + " may not open port " + device.name() + "; " + permissionRemedy(device));
     }
 
     static String permissionRemedy(SerialDevice device) {

@@ -69,8 +69,7 @@ public final class SerialPorts {
      * can be seen: on systems without {@code /proc}, and for other users' processes.
      */
     public static List<String> holders(String port) {
-        SerialDevice device = SerialDevice.of(port);
-        return device.hasNode() ? DeviceHolders.of(Path.of(device.canonicalAddress())) : List.of();
+        return DeviceHolders.of(SerialDevice.of(port));
     }
 
     /**

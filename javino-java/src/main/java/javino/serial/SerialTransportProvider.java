@@ -16,7 +16,7 @@ public final class SerialTransportProvider implements TransportProvider {
 
     @Override
     public Transport open(String address, LineSettings line) throws PortException {
-        return SerialTransport.open(SerialDevice.of(address), line);
+        return SerialTransport.open(address, line);
     }
 
     @Override

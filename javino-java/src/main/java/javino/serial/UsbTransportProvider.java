@@ -65,13 +65,11 @@ public class UsbTransportProvider implements TransportProvider {
 
     private SerialDevice device(String address) throws NoSuchPortException {
         List<SerialPortInfo> fitting = fitting(address);
-        if (fitting.isEmpty()) {
-            throw nothing(port(address), onUsb());
-        }
-        if (fitting.size() > 1) {
-            throw severalAlike(port(address), fitting);
-        }
-        return SerialDevice.of(fitting.get(0).name());
+        return switch (fitting.size()) {
+            case 0 -> throw nothing(port(address), onUsb());
+            case 1 -> SerialDevice.of(fitting.get(0).name());
+            default -> throw severalAlike(port(address), fitting);
+        };
     }
 
     private List<SerialPortInfo> fitting(String address) throws NoSuchPortException {
@@ -81,10 +79,6 @@ public class UsbTransportProvider implements TransportProvider {
 
     private List<SerialPortInfo> onUsb() {
         return onceEach(present.get().stream().filter(port -> port.usbName().isPresent()).toList());
-    }
-
-    private String port(String address) {
-        return scheme + ':' + address;
     }
 
     private static NoSuchPortException nothing(String port, List<SerialPortInfo> present) {

@@ -15,16 +15,14 @@ import javino.TransportProvider;
 
 /** {@code replay:FILE}: a {@link ReplayBoard} of the recording in that file. */
 public final class ReplayTransportProvider implements TransportProvider {
-    private static final String SCHEME = "replay";
-
     @Override
     public String scheme() {
-        return SCHEME;
+        return "replay";
     }
 
     @Override
     public Transport open(String address, LineSettings line) throws PortException {
-        String port = SCHEME + ':' + address;
+        String port = port(address);
         try {
             return new BoardSocket(port, ReplayBoard.of(Recording.read(Path.of(address)))).open(line);
         } catch (NoSuchFileException | InvalidPathException e) {

@@ -20,7 +20,7 @@ public final class SimTransportProvider implements TransportProvider {
 
     @Override
     public List<String> ports() {
-        return SimulatedBoards.names().stream().map(name -> scheme() + ':' + name).toList();
+        return SimulatedBoards.names().stream().map(this::port).toList();
     }
 
     @Override

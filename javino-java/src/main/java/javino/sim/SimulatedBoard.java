@@ -18,7 +18,8 @@ public interface SimulatedBoard {
      * <p>Runs on a thread of its own, never twice at a time for one plugged board. Bytes take their time at the rate the port was opened
      * with, {@code line.line().baud()}. When the port is closed, calls on {@code line} throw {@link javino.PortGoneException},
      * as soon as what was sent before has been read; let it through. The thread is interrupted when the board is unplugged,
-     * or opened again before this method has returned. When it returns, the port is gone for who has it open; if it throws something else they are told so.
+     * or opened again before this method has returned. When it returns, the port is gone for who has it open; if it throws something else
+     * they are told so.
      *
      * @param line the board's end
      */

@@ -2,10 +2,10 @@ package javino.tcp;
 
 import java.net.InetAddress;
 import java.net.UnknownHostException;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentMap;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
@@ -14,7 +14,7 @@ import java.util.concurrent.TimeoutException;
  * network. So it runs on a thread of its own, at most one for each host: callers that ask meanwhile get the same result.
  */
 final class HostLookup {
-    private static final ConcurrentMap<String, CompletableFuture<InetAddress[]>> UNDER_WAY = new ConcurrentHashMap<>();
+    private static final ConcurrentMap<String, Future<InetAddress[]>> UNDER_WAY = new ConcurrentHashMap<>();
 
     private HostLookup() {}
 
@@ -39,19 +39,13 @@ final class HostLookup {
         }
     }
 
-    private static CompletableFuture<InetAddress[]> start(String host, Resolver resolver) {
-        CompletableFuture<InetAddress[]> result = new CompletableFuture<>();
-        Thread thread = new Thread(() -> {
+    private static Future<InetAddress[]> start(String host, Resolver resolver) {
+        return BlockingCall.start("look up " + host, () -> {
             try {
-                result.complete(resolver.addresses(host));
-            } catch (UnknownHostException | RuntimeException e) {
-                result.completeExceptionally(e);
+                return resolver.addresses(host);
             } finally {
-                UNDER_WAY.remove(host, result); // the next one asks anew
+                UNDER_WAY.remove(host); // the next one asks anew
             }
-        }, "look up " + host);
-        thread.setDaemon(true);
-        thread.start();
-        return result;
+        });
     }
 }

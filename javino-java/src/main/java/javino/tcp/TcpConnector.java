@@ -9,7 +9,6 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.net.StandardSocketOptions;
 import java.net.UnknownHostException;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import javino.NoSuchPortException;
@@ -62,37 +61,21 @@ final class TcpConnector {
         }
     }
 
-    /** Connects on a thread of its own, since no interrupt ends the system's connecting, but closing the socket does. */
+    /** An interrupt does not end the system's connecting, but closing the socket does. */
     private static Socket connect(InetSocketAddress place, int timeoutMillis) throws IOException, InterruptedException {
         Socket socket = new Socket();
-        boolean connected = false;
         try {
             configure(socket);
-            CompletableFuture<IOException> failure = new CompletableFuture<>();
-            Thread thread = new Thread(() -> failure.complete(failureToConnect(socket, place, timeoutMillis)), "connect " + place);
-            thread.setDaemon(true);
-            thread.start();
-            IOException why = failure.get();
-            if (why != null) {
-                throw why;
-            }
-            connected = true;
-            return socket;
+            return BlockingCall.start("connect " + place, () -> {
+                socket.connect(place, timeoutMillis);
+                return socket;
+            }).get();
+        } catch (IOException | InterruptedException e) {
+            socket.close();
+            throw e;
         } catch (ExecutionException e) {
-            throw new IllegalStateException(e); // it is never completed so
-        } finally {
-            if (!connected) {
-                socket.close();
-            }
-        }
-    }
-
-    private static IOException failureToConnect(Socket socket, InetSocketAddress place, int timeoutMillis) {
-        try {
-            socket.connect(place, timeoutMillis);
-            return null;
-        } catch (IOException e) {
-            return e;
+            socket.close();
+            throw e.getCause() instanceof IOException cause ? cause : new IOException(e.getCause());
         }
     }
 
@@ -117,7 +100,7 @@ final class TcpConnector {
             return new NoSuchPortException(port, start + address + " did not answer within " + LIMIT_MILLIS
                     + " ms; is the board on, and in this network?");
         }
-        if (cause instanceof NoRouteToHostException || isUnreachable(cause)) {
+        if (cause instanceof NoRouteToHostException || String.valueOf(cause.getMessage()).contains("unreachable")) {
             return new NoSuchPortException(port, start + address.host() + " cannot be reached; is the board on, and in this network?");
         }
         if (cause instanceof ConnectException) {
@@ -125,9 +108,5 @@ final class TcpConnector {
                     + address.number() + " its port?");
         }
         return new PortFaultException(port, start + "the system reports \"" + cause.getMessage() + '"', cause);
-    }
-
-    private static boolean isUnreachable(IOException cause) {
-        return cause.getMessage() != null && cause.getMessage().contains("unreachable");
     }
 }

@@ -47,14 +47,12 @@ final class TcpTransport extends DriverTransport {
             if (count >= 0) {
                 return count;
             }
-            throw lost("the far end closed the connection");
         } catch (SocketTimeoutException e) {
             return 0;
-        } catch (PortGoneException e) {
-            throw e;
         } catch (IOException e) {
             throw lost(broken(e));
         }
+        throw lost("the far end closed the connection");
     }
 
     @Override

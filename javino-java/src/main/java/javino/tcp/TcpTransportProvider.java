@@ -11,13 +11,12 @@ import javino.TransportProvider;
 
 /** {@code tcp://host:port}: a board on the network, or a serial server with a board behind it. */
 public final class TcpTransportProvider implements TransportProvider {
-    private static final String SCHEME = "tcp";
     /** A network has no baud rate; at this one, 0.1 µs a byte, nothing is ever held back for the sake of the line. */
     private static final LineSettings NETWORK = new LineSettings(100_000_000);
 
     @Override
     public String scheme() {
-        return SCHEME;
+        return "tcp";
     }
 
     @Override
@@ -43,9 +42,5 @@ public final class TcpTransportProvider implements TransportProvider {
     @Override
     public LineSettings usualLine() {
         return NETWORK;
-    }
-
-    private static String port(String address) {
-        return SCHEME + ':' + address;
     }
 }
