@@ -15,14 +15,14 @@ const explained = new Map(); // a percept's key: its text and filter when it was
 // --- words ---
 
 function age(ms) {
-  if (ms === null || ms === undefined) return '–';
+  if (ms == null) return '–';
   if (ms < 1000) return `${Math.round(ms)} ms`;
   if (ms < 60000) return `${(ms / 1000).toFixed(1)} s`;
   if (ms < 3600000) return `${Math.floor(ms / 60000)} min`;
   return `${Math.floor(ms / 3600000)} h`;
 }
 
-const rate = perSecond => perSecond === undefined || perSecond === null ? '–' : `${perSecond < 10 ? perSecond.toFixed(1) : Math.round(perSecond)} /s`;
+const rate = perSecond => perSecond == null ? '–' : `${perSecond < 10 ? perSecond.toFixed(1) : Math.round(perSecond)} /s`;
 
 const FATES = {
   kept: ['kept', 'good'],
@@ -36,21 +36,27 @@ const STATES = {
   done: ['done', 'good'],
   failed: ['failed', 'bad'],
 };
+const CONNECTIONS = {
+  connecting: ['connecting', ''],
+  live: ['live', 'good'],
+  lost: ['no connection', 'bad'],
+  full: ['too many pages', 'bad'],
+  ended: ['ended', ''],
+};
 const PORTS = { on: 'good', off: 'bad', timeout: 'warn' };
 
 // --- elements ---
 
 function text(element, words) { if (element.textContent !== words) element.textContent = words; }
 function say(element, words) { text(element, words || ''); element.hidden = !words; }
-function chip(element, words, kind) { text(element, words); const name = `chip ${kind}`.trim(); if (element.className !== name) element.className = name; }
+function chip(element, words, kind) { text(element, words); element.className = `chip ${kind}`.trim(); }
 function element(tag, name) { const made = document.createElement(tag); if (name) made.className = name; return made; }
 
 /** Makes the rows of a list those of [items], keeping the elements of rows that stay, so that focus and reading position stay too. */
 function rows(list, items, keyOf, make, fill, none) {
   const before = new Map([...list.children].map(row => [row.dataset.key, row]));
   let next = list.firstElementChild;
-  if (items.length === 0) items = [null];
-  for (const item of items) {
+  for (const item of items.length ? items : [null]) {
     const key = item === null ? '\u0000none' : keyOf(item);
     let row = before.get(key);
     before.delete(key);
@@ -69,6 +75,22 @@ function row(label) {
   made.append(label || element('span', 'text'), element('span', 'chip'), element('span', 'age'), element('span', 'detail'));
   return made;
 }
+
+function fill(line, label, words, kind, ageWords = '', detail = '') {
+  text(line.children[0], label);
+  chip(line.children[1], words, kind);
+  text(line.children[2], ageWords);
+  text(line.children[3], detail);
+}
+
+function button(name, pressed) {
+  const made = element('button', name);
+  made.type = 'button';
+  made.addEventListener('click', pressed);
+  return made;
+}
+
+const joined = (...parts) => parts.filter(Boolean).join(' · ');
 
 // --- parts of the page ---
 
@@ -96,48 +118,32 @@ function showFigures(shown, since) {
     ['interval', shown.intervalMs === 0 ? 'none' : age(shown.intervalMs)],
     ['policy', shown.policy],
   ];
-  const list = $('figures');
-  figures.forEach(([name, value], i) => {
-    let pair = list.children[i];
-    if (!pair) {
-      pair = element('div');
-      pair.append(element('dt'), element('dd'));
-      list.append(pair);
-    }
+  rows($('figures'), figures, ([name]) => name, ([name]) => {
+    const pair = element('div');
+    pair.append(element('dt'), element('dd'));
     text(pair.children[0], name);
-    text(pair.children[1], value);
-  });
+    return pair;
+  }, (pair, [, value]) => text(pair.children[1], value));
 }
 
 function showFilters(shown) {
   const active = shown.filter ? shown.filter.name : null;
   const names = [null, ...(filters || [])];
   if (active !== null && !names.includes(active)) names.push(active);
-  const group = $('filters');
-  names.forEach((name, i) => {
-    let button = group.children[i];
-    if (!button) {
-      button = element('button');
-      button.type = 'button';
-      button.addEventListener('click', () => changeFilter(button.dataset.name ?? null));
-      group.append(button);
-    }
-    if (name === null) delete button.dataset.name; else button.dataset.name = name;
-    text(button, name === null ? 'none' : name);
-    button.setAttribute('aria-pressed', String(name === active));
-    disable(button);
+  const choices = names.map(name => ({ name }));
+  rows($('filters'), choices, choice => JSON.stringify(choice), ({ name }) => button('', () => changeFilter(name)), (choice, { name }) => {
+    text(choice, name ?? 'none');
+    choice.setAttribute('aria-pressed', String(name === active));
+    disable(choice);
   });
-  while (group.children.length > names.length) group.lastElementChild.remove();
   text($('filter-words'), shown.filter ? shown.filter.words : 'Everything that the board says reaches the agent.');
 }
 
 function showPorts(shown, since) {
-  rows($('ports'), shown.ports, port => port.name, () => row(), (line, port) => {
-    text(line.children[0], port.name);
-    chip(line.children[1], port.status, PORTS[port.status] || '');
-    text(line.children[2], port.ageMs === null ? '' : age(port.ageMs + since));
-    text(line.children[3], [port.inUse ? 'in use' : 'not in use', port.status === 'on' ? null : port.reason].filter(Boolean).join(' · '));
-  }, 'The agent has asked for no port.');
+  rows($('ports'), shown.ports, port => port.name, () => row(), (line, port) => fill(
+    line, port.name, port.status, PORTS[port.status] || '', port.ageMs === null ? '' : age(port.ageMs + since),
+    joined(port.inUse ? 'in use' : 'not in use', port.status !== 'on' && port.reason),
+  ), 'The agent has asked for no port.');
 }
 
 /** Why the sensors show the past although the agent perceives; empty if they do not. */
@@ -150,16 +156,13 @@ function silence(shown) {
   return `The port ${port.name} ${words}${port.reason ? `: ${port.reason}` : ''}. The sensors show what came before.`;
 }
 
-function perceptRow(percept) {
-  const button = element('button', 'text');
-  button.type = 'button';
-  button.title = 'Why?';
-  const made = row(button);
-  button.addEventListener('click', () => {
-    if (!explained.delete(percept.key)) explain(percept.key, button.textContent);
+function perceptRow({ key }) {
+  const label = button('text', () => {
+    if (!explained.delete(key)) explain(key, label.textContent);
     show();
   });
-  return made;
+  label.title = 'Why?';
+  return row(label);
 }
 
 function showSensors(shown, since) {
@@ -173,12 +176,9 @@ function showSensors(shown, since) {
     const [words, kind] = FATES[percept.fate] || [percept.fate, ''];
     const why = explained.get(percept.key)?.why;
     line.className = percept.fate === 'kept' && !isPast ? '' : 'off';
-    text(line.children[0], percept.text);
+    fill(line, percept.text, words, isPast ? '' : kind, age(percept.ageMs + since), why);
     line.children[0].setAttribute('aria-expanded', String(Boolean(why)));
-    chip(line.children[1], words, isPast ? '' : kind);
-    text(line.children[2], age(percept.ageMs + since));
     line.children[2].title = `the same for ${age(percept.sameMs + since)}`;
-    text(line.children[3], why || '');
   }, shown.perceiving ? 'The board has said nothing yet.' : 'Nothing is perceived.');
   if (more) text($('sensors-words'), `${more} more percepts are not shown.`);
 }
@@ -189,10 +189,9 @@ function showBeliefs(shown) {
   const sorted = [...beliefs].sort((a, b) => order(a) < order(b) ? -1 : 1);
   text($('beliefs-count'), total ? `${total}` : '');
   text($('beliefs-words'), total > beliefs.length ? `${total - beliefs.length} more are not shown.` : '');
-  rows($('beliefs'), sorted.map((belief, i) => [String(i), belief]), ([key]) => key, () => row(), (line, [, belief]) => {
-    text(line.children[0], belief.text);
-    chip(line.children[1], belief.sources.join(', ') || 'self', belief.sources.includes('percept') ? 'good' : '');
-  }, shown.beliefs.ageMs === null ? 'Not seen yet.' : 'The agent believes nothing.');
+  rows($('beliefs'), sorted.map((belief, i) => [String(i), belief]), ([key]) => key, () => row(), (line, [, { text, sources }]) => fill(
+    line, text, sources.join(', ') || 'self', sources.includes('percept') ? 'good' : '',
+  ), shown.beliefs.ageMs === null ? 'Not seen yet.' : 'The agent believes nothing.');
 }
 
 function showCommands(shown, since) {
@@ -202,10 +201,8 @@ function showCommands(shown, since) {
   const ports = new Set(shown.ports.map(port => port.name)).size;
   rows($('commands'), [...unfinished, ...finished], command => String(command.number), () => row(), (line, command) => {
     const [words, kind] = STATES[command.state] || [command.state, ''];
-    text(line.children[0], command.text);
-    chip(line.children[1], command.tookMs === null ? words : `${words} in ${age(command.tookMs)}`, kind);
-    text(line.children[2], age(command.ageMs + since));
-    text(line.children[3], [ports > 1 ? command.port : null, command.error].filter(Boolean).join(' · '));
+    fill(line, command.text, command.tookMs === null ? words : `${words} in ${age(command.tookMs)}`, kind,
+      age(command.ageMs + since), joined(ports > 1 && command.port, command.error));
   }, 'The agent has given no command.');
 }
 
@@ -214,23 +211,25 @@ function showHead(shown) {
   const title = `${shown.agent} · ARGO`;
   if (document.title !== title) document.title = title;
   text($('percepts'), shown.perceiving ? 'Block percepts' : 'Open percepts');
-  $('percepts').title = shown.perceiving ? 'The agent stops perceiving its board and goes on acting on what it believes' : 'The agent perceives its board again';
+  $('percepts').title = shown.perceiving ? 'The agent stops perceiving its board and goes on acting on what it believes'
+    : 'The agent perceives its board again';
   disable($('percepts'));
 }
 
 function disable(button) { button.disabled = waits || connection !== 'live' || Boolean(state?.ended); }
 
 function showConnection() {
-  const words = { connecting: ['connecting', ''], live: ['live', 'good'], lost: ['no connection', 'bad'], full: ['too many pages', 'bad'], ended: ['ended', ''] }[connection];
-  if (frozen && connection === 'live') chip($('connection'), 'frozen', 'warn');
-  else if (connection === 'live' && silence(state)) chip($('connection'), 'board silent', 'bad');
-  else chip($('connection'), ...words);
+  const isLive = connection === 'live';
+  const special = frozen ? ['frozen', 'warn'] : state && silence(state) ? ['board silent', 'bad'] : null;
+  chip($('connection'), ...(isLive && special || CONNECTIONS[connection]));
 }
 
 function notice() {
   if (state?.ended) return 'The agent has ended. What you see is how it was then.';
   if (frozen) return 'This page is frozen. The agent goes on.';
-  if (connection === 'lost') return 'The connection is lost: the program has ended or does not answer. What you see is how it was then; this page tries again by itself.';
+  if (connection === 'lost') {
+    return 'The connection is lost: the program has ended or does not answer. What you see is how it was then; this page tries again.';
+  }
   if (connection === 'full') return 'Too many pages show this agent already. Close one and load this one again.';
   if (state?.waitingToStart) return 'The agent has not started yet.';
   return '';
