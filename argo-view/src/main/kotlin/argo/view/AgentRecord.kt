@@ -80,7 +80,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
         /** As many names as ports can have states, twice. */
         const val MAX_PORTS = 256
 
-        /** As many as a board that sends its percepts one by one says in a tenth of a second at 115200 baud. */
+        /** As many as a board that sends its percepts one by one can send in a tenth of a second at 115200 baud. */
         const val MAX_UNSEEN = 64
     }
 }

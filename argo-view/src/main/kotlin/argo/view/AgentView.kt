@@ -10,7 +10,7 @@ import java.util.logging.Logger
 
 /**
  * The live view of one agent: a page that browsers on this computer can open while the agent runs. An agent has one whose options
- * say `argo_view=8080`, or `argo_view=0` for any port that is free; it is among [argo.Arch.observers].
+ * hold `argo_view=8080`, or `argo_view=0` for any port that is free; it is among [argo.Arch.observers].
  *
  * Neither the agent nor its sensing ever waits for it. Safe for use by several threads.
  */

@@ -48,7 +48,7 @@ const PORTS = { on: 'good', off: 'bad', timeout: 'warn' };
 // --- elements ---
 
 function text(element, words) { if (element.textContent !== words) element.textContent = words; }
-function say(element, words) { text(element, words || ''); element.hidden = !words; }
+function showOrHide(element, words) { text(element, words || ''); element.hidden = !words; }
 function chip(element, words, kind) { text(element, words); element.className = `chip ${kind}`.trim(); }
 function element(tag, name) { const made = document.createElement(tag); if (name) made.className = name; return made; }
 
@@ -136,7 +136,7 @@ function showFilters(shown) {
     choice.setAttribute('aria-pressed', String(name === active));
     disable(choice);
   });
-  text($('filter-words'), shown.filter ? shown.filter.words : 'Everything that the board says reaches the agent.');
+  text($('filter-words'), shown.filter ? shown.filter.words : 'Everything that the board sends reaches the agent.');
 }
 
 function showPorts(shown, since) {
@@ -179,7 +179,7 @@ function showSensors(shown, since) {
     fill(line, percept.text, words, isPast ? '' : kind, age(percept.ageMs + since), why);
     line.children[0].setAttribute('aria-expanded', String(Boolean(why)));
     line.children[2].title = `the same for ${age(percept.sameMs + since)}`;
-  }, shown.perceiving ? 'The board has said nothing yet.' : 'Nothing is perceived.');
+  }, shown.perceiving ? 'No message has come from the board yet.' : 'Nothing is perceived.');
   if (more) text($('sensors-words'), `${more} more percepts are not shown.`);
 }
 
@@ -237,12 +237,12 @@ function notice() {
 
 function show() {
   showConnection();
-  say($('notice'), notice());
+  showOrHide($('notice'), notice());
   const shown = frozen ? frozen.state : state;
   if (!shown) return;
   const stands = frozen || connection !== 'live';
   const since = frozen ? frozen.since : stands ? 0 : performance.now() - receivedAt;
-  say($('silence'), state.ended ? '' : silence(shown));
+  showOrHide($('silence'), state.ended ? '' : silence(shown));
   if (!stands) renewExplanations(shown);
   showHead(shown);
   showPicture(shown.picture);
@@ -266,12 +266,12 @@ async function ask(path, body) {
 
 async function order(path, body) {
   waits = true;
-  say($('problem'), '');
+  showOrHide($('problem'), '');
   show();
   try {
     await ask(path, body);
   } catch (trouble) {
-    say($('problem'), trouble.message);
+    showOrHide($('problem'), trouble.message);
   } finally {
     waits = false;
     show();
@@ -287,7 +287,7 @@ async function explain(key, percept) {
   explained.set(key, entry);
   try {
     entry.why = (await ask(`explain?percept=${encodeURIComponent(percept)}`)).message;
-    if (!before) text($('told'), entry.why);
+    if (!before) text($('announced'), entry.why);
   } catch (trouble) {
     entry.why = `cannot be explained now: ${trouble.message}`;
   }
@@ -309,7 +309,7 @@ async function loadFilters() {
   try {
     filters = (await ask('filters')).filters;
   } catch (trouble) {
-    say($('problem'), trouble.message);
+    showOrHide($('problem'), trouble.message);
   }
   show();
 }

@@ -27,7 +27,10 @@ class BeliefWatchSpec : FunSpec({
     }
 
     test("beliefs are told with where they come from") {
-        val watch = watch(base("dist(f,38)[source(percept)]", "status(front)[source(self)]", "go[source(bob),source(self)]").apply { add(parseLiteral("kqml(1)[hide_in_mind_inspector]")); add(parseRule("near(X) :- dist(f,X) & X < 40.")) })
+        val base = base("dist(f,38)[source(percept)]", "status(front)[source(self)]", "go[source(bob),source(self)]")
+        base.add(parseLiteral("kqml(1)[hide_in_mind_inspector]"))
+        base.add(parseRule("near(X) :- dist(f,X) & X < 40."))
+        val watch = watch(base)
         watch.isWatched = true
         watch.cycleFinished()
         val picture = watch.newest.shouldNotBeNull()

@@ -36,12 +36,14 @@ internal class Chromium private constructor(private val driver: ChromeDriver, pr
 
     /** Sets the size of what is seen, in CSS pixels, which a window has a least width for. */
     fun size(width: Int, height: Int) {
-        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", mapOf("width" to width, "height" to height, "deviceScaleFactor" to 1, "mobile" to false))
+        val metrics = mapOf("width" to width, "height" to height, "deviceScaleFactor" to 1, "mobile" to false)
+        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", metrics)
     }
 
     /** Sets the preferences of the person who looks, such as `prefers-color-scheme` to `dark`. */
     fun prefer(vararg features: Pair<String, String>) {
-        driver.executeCdpCommand("Emulation.setEmulatedMedia", mapOf("features" to features.map { (name, value) -> mapOf("name" to name, "value" to value) }))
+        val named = features.map { (name, value) -> mapOf("name" to name, "value" to value) }
+        driver.executeCdpCommand("Emulation.setEmulatedMedia", mapOf("features" to named))
     }
 
     /** Waits until [condition] holds of the page. */
@@ -72,20 +74,24 @@ internal class Chromium private constructor(private val driver: ChromeDriver, pr
         /** Whether there is one here. */
         val available: Enabled = when {
             browser == null -> Enabled.disabled("needs a browser, and there is no chromium: install it with your package manager")
-            chromeDriver == null -> Enabled.disabled("needs chromedriver beside chromium: install the package chromium-driver or chromium-chromedriver")
+            chromeDriver == null ->
+                Enabled.disabled("needs chromedriver beside chromium: install the package chromium-driver or chromium-chromedriver")
             else -> Enabled.enabled
         }
 
         fun open(address: URI): Chromium {
-            val service = ChromeDriverService.Builder().usingDriverExecutable(checkNotNull(chromeDriver)).usingAnyFreePort().withSilent(true).build()
+            val driver = checkNotNull(chromeDriver)
+            val service = ChromeDriverService.Builder().usingDriverExecutable(driver).usingAnyFreePort().withSilent(true).build()
             val options = ChromeOptions().setBinary(checkNotNull(browser))
             // a container's root has no sandbox to use, and a small /dev/shm
-            options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--disable-background-networking", "--window-size=1280,1000")
+            options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--window-size=1280,1000")
+            options.addArguments("--disable-background-networking")
             options.setCapability("goog:loggingPrefs", mapOf("browser" to "ALL"))
             return Chromium(ChromeDriver(service, options), address)
         }
 
         private fun program(vararg names: String): File? =
-            System.getenv("PATH").orEmpty().split(File.pathSeparator).flatMap { folder -> names.map { File(folder, it) } }.find { it.canExecute() }
+            System.getenv("PATH").orEmpty().split(File.pathSeparator).flatMap { folder -> names.map { File(folder, it) } }
+                .find { it.canExecute() }
     }
 }

@@ -12,12 +12,21 @@ import org.openqa.selenium.Keys
 private const val AGENT = """
     likes(tea).
     !start.
-    +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open); argo.act(hello); !refuse.
-    +!refuse <- argo.act("a command that is so long that it would make a narrow page wider than it is if words could not be broken_anywhere_in_the_middle").
+    +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open);
+        argo.act(hello); !long.
+    +!long <- argo.act("a command that is too long for a narrow page unless words could be broken_anywhere_in_the_middle_of_them").
 """
 /** A picture that would change the page's title if its script ran. */
-private const val SVG = """<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><rect width="9" height="9"/><script>parent.document.title='taken'</script></svg>"""
-private const val FRONT = """<PerceptionFilter><filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter></PerceptionFilter>"""
+private const val SVG = """
+    <svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">
+      <rect width="9" height="9" fill="teal"/><script>parent.document.title='taken'</script>
+    </svg>
+"""
+private const val FRONT = """
+    <PerceptionFilter>
+      <filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter>
+    </PerceptionFilter>
+"""
 
 /** The page in a real browser. */
 class PageSpec : FunSpec({
@@ -29,7 +38,9 @@ class PageSpec : FunSpec({
             mas.file("front.xml", FRONT)
             mas.agent("bob", AGENT)
             Chromium.open(mas.viewOf("bob")).use { page ->
-                page.await { texts("#sensors .text").isNotEmpty() && texts("#beliefs .text").size > 2 && texts("#commands .text").size == 2 }
+                page.await {
+                    texts("#sensors .text").isNotEmpty() && texts("#beliefs .text").size > 2 && texts("#commands .text").size == 2
+                }
                 mas.agentView("bob").show { Picture(SVG, "73.2 cm – driving") }
                 page.await { run("return !document.getElementById('picture').hidden") }
                 page.test(mas, board)
@@ -69,7 +80,8 @@ class PageSpec : FunSpec({
     }
 
     test("markup that a board says is text").config(enabledOrReasonIf = browser) {
-        shown("""say("<img src=x onerror=document.title='taken'><b>x</b>");'</li><script>document.title=\'taken\'</script>'(1);""") { _, _ ->
+        val percepts = """say("<img src=x onerror=document.title='taken'><b>x</b>");'</li><script>document.title=\'taken\'</script>'(1);"""
+        shown(percepts) { _, _ ->
             texts("#sensors .text") shouldContainText "<img src=x"
             texts("#beliefs .text") shouldContainText "<b>x</b>"
             run<Long>("return document.querySelectorAll('section img, section b, main script').length") shouldBe 0
@@ -145,7 +157,7 @@ class PageSpec : FunSpec({
             text("#notice") shouldContain "The agent goes on"
             val figures = text("#figures")
             mas.achieve("bob", "start")
-            mas.achieve("bob", "refuse")
+            mas.achieve("bob", "long")
             eventually({ mas.beliefs("bob") }) { "dist(f,38)" in mas.beliefs("bob") }
             text("#figures") shouldBe figures
             press("Unfreeze page")
@@ -202,7 +214,12 @@ class PageSpec : FunSpec({
     test("every control has a name, and the console has no complaint").config(enabledOrReasonIf = browser) {
         shown("dist(f,38);") { _, _ ->
             run<Long>("return [...document.querySelectorAll('button')].filter(b => !b.textContent.trim()).length") shouldBe 0
-            run<Long>("return [...document.querySelectorAll('section')].filter(s => !document.getElementById(s.getAttribute('aria-labelledby')).textContent.trim()).length") shouldBe 0
+            run<Long>(
+                """
+                const label = section => document.getElementById(section.getAttribute('aria-labelledby'));
+                return [...document.querySelectorAll('section')].filter(section => !label(section).textContent.trim()).length
+                """,
+            ) shouldBe 0
             complaints() shouldNotContain "SEVERE"
         }
     }
@@ -215,8 +232,15 @@ private const val FAINT = """
     const channel = c => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
     const numbers = colour => colour.match(/[\d.]+/g).map(Number);
     const luminance = ([r, g, b]) => 0.2126 * channel(r) + 0.7152 * channel(g) + 0.0722 * channel(b);
-    const behind = e => { for (; e; e = e.parentElement) { const c = numbers(getComputedStyle(e).backgroundColor); if (c.length < 4 || c[3] > 0) return c; } return [255, 255, 255]; };
-    return [...document.querySelectorAll('body *')].filter(e => e.checkVisibility() && !e.disabled && [...e.childNodes].some(n => n.nodeType === 3 && n.textContent.trim())).flatMap(e => {
+    const behind = e => {
+        for (; e; e = e.parentElement) {
+            const c = numbers(getComputedStyle(e).backgroundColor);
+            if (c.length < 4 || c[3] > 0) return c;
+        }
+        return [255, 255, 255];
+    };
+    const hasWords = e => [...e.childNodes].some(n => n.nodeType === 3 && n.textContent.trim());
+    return [...document.querySelectorAll('body *')].filter(e => e.checkVisibility() && !e.disabled && hasWords(e)).flatMap(e => {
         const [a, b] = [luminance(numbers(getComputedStyle(e).color)), luminance(behind(e))].sort((x, y) => y - x);
         const ratio = (a + 0.05) / (b + 0.05);
         return ratio < 4.5 ? [e.textContent + ': ' + ratio.toFixed(2)] : [];

@@ -17,7 +17,8 @@ class PerceptRowsSpec : FunSpec({
 
     test("each percept is what the filter made of it") {
         val rows = PerceptRows()
-        rows.add(frame(listOf("dist(f,1)", "light(b,2)", "temp(20)", "X"), kept = listOf("dist(f,1)", "temp(19)", "X"), unreadable = setOf("X")))
+        val kept = listOf("dist(f,1)", "temp(19)", "X")
+        rows.add(frame(listOf("dist(f,1)", "light(b,2)", "temp(20)", "X"), kept, unreadable = setOf("X")))
         rows.state(0).first.map { it.text to it.fate } shouldBe
             listOf("dist(f,1)" to "kept", "light(b,2)" to "dropped", "temp(20)" to "held", "X" to "unreadable")
     }
@@ -26,7 +27,8 @@ class PerceptRowsSpec : FunSpec({
         val rows = PerceptRows()
         rows.add(frame(listOf("dist(f,1)", "light(5)"), atMs = 0))
         rows.add(frame(listOf("light(5)", "dist(f,2)"), atMs = 100))
-        rows.state(150 * MS).first.map { listOf(it.text, it.ageMs, it.sameMs) } shouldBe listOf(listOf("dist(f,2)", 50L, 50L), listOf("light(5)", 50L, 150L))
+        rows.state(150 * MS).first.map { Triple(it.text, it.ageMs, it.sameMs) } shouldBe
+            listOf(Triple("dist(f,2)", 50L, 50L), Triple("light(5)", 50L, 150L))
     }
 
     test("a sensor that falls silent is shown with its age for a while, then not") {

@@ -17,10 +17,13 @@ class RequestGateSpec : FunSpec({
 
     context("a request is refused under the host name") {
         listOf(
-            "robot.example:8080", "127.0.0.1.example:8080", "example/127.0.0.1:8080", "localhost.example", "127.0.0.1:8080@example", "127.0.0.10:8080",
+            "robot.example:8080", "127.0.0.1.example:8080", "example/127.0.0.1:8080", "localhost.example", "127.0.0.1:8080@example",
+            "127.0.0.10:8080",
             "127.0.0.1:", "", "a127.0.0.1", "127.0.0.1\n", "localhost:8080.example",
         ).forEach { host ->
-            test(host.ifEmpty { "(empty)" }.trim() + if (host.endsWith("\n")) " and a line break" else "") { refusal(host).shouldNotBeNull() shouldContain "127.0.0.1" }
+            test(host.ifEmpty { "(empty)" }.trim() + if (host.endsWith("\n")) " and a line break" else "") {
+                refusal(host).shouldNotBeNull() shouldContain "127.0.0.1"
+            }
         }
     }
 
@@ -33,7 +36,8 @@ class RequestGateSpec : FunSpec({
     }
 
     context("a request of another page is refused") {
-        listOf("http://robot.example", "null", "http://localhost:8080", "http://127.0.0.1:8081", "https://127.0.0.1:8080", "").forEach { origin ->
+        val others = listOf("http://robot.example", "null", "http://localhost:8080", "http://127.0.0.1:8081", "https://127.0.0.1:8080", "")
+        others.forEach { origin ->
             test("origin $origin") { refusal(origin = origin).shouldNotBeNull() shouldContain "another page" }
         }
         listOf("cross-site", "same-site").forEach { site ->

@@ -8,8 +8,12 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import javino.sim.FakeBoard
+import java.net.Inet4Address
 import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.net.NetworkInterface
 import java.net.ServerSocket
+import java.net.Socket
 import java.net.URI
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -19,7 +23,11 @@ private const val LOOKS = """
 """
 /** Percepts that make a message as long as it may be. */
 private val FILLING = "a(1);b(2);c(3);d(\"${"x".repeat(180)}\");"
-private const val FRONT = """<PerceptionFilter><filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter></PerceptionFilter>"""
+private const val FRONT = """
+    <PerceptionFilter>
+      <filter><predicate>dist</predicate><parameter id="0" operator="NE">f</parameter></filter>
+    </PerceptionFilter>
+"""
 
 class ViewSpec : FunSpec({
     fun watched(program: String = LOOKS, answer: String = "dist(f,38);dist(b,90);light(4);", test: (ViewedMas, FakeBoard, URI) -> Unit) =
@@ -36,11 +44,16 @@ class ViewSpec : FunSpec({
     test("a page is told of ports, sensors, the filter's decisions, beliefs and commands") {
         watched { _, _, address ->
             Watcher(address).use { watcher ->
-                val state = watcher.await { it.sensors.percepts.any { p -> p.fate == "dropped" } && it.commands.finished.isNotEmpty() && it.beliefs.beliefs.size == 3 }
-                listOf(state.agent, state.policy, state.intervalMs, state.perceiving, state.ended) shouldBe listOf("bob", "fresh", 20, true, false)
+                val state = watcher.await {
+                    it.sensors.percepts.any { p -> p.fate == "dropped" } && it.commands.finished.isNotEmpty() &&
+                        it.beliefs.beliefs.size == 3
+                }
+                listOf(state.agent, state.policy, state.intervalMs, state.perceiving, state.ended) shouldBe
+                    listOf("bob", "fresh", 20, true, false)
                 state.ports.map { listOf(it.name, it.status, it.inUse) } shouldBe listOf(listOf("\"sim:robot\"", "on", true))
                 state.filter.shouldNotBeNull().name shouldBe "front"
-                state.sensors.percepts.map { it.text to it.fate } shouldBe listOf("dist(f,38)" to "kept", "dist(b,90)" to "dropped", "light(4)" to "kept")
+                state.sensors.percepts.map { it.text to it.fate } shouldBe
+                    listOf("dist(f,38)" to "kept", "dist(b,90)" to "dropped", "light(4)" to "kept")
                 state.beliefs.beliefs.map { it.text }.shouldContainExactlyInAnyOrder("port(\"sim:robot\",on)", "dist(f,38)", "light(4)")
                 state.commands.finished.map { it.text to it.state } shouldBe listOf("hello" to "done")
                 state.picture.shouldBeNull()
@@ -52,15 +65,24 @@ class ViewSpec : FunSpec({
     test("a page that is opened later is told what an idle agent believes") {
         watched("likes(tea).\n!start.\n+!start <- +ready.") { mas, _, address ->
             eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
-            Watcher(address).use { it.await { state -> state.beliefs.beliefs.map { b -> b.text }.containsAll(listOf("likes(tea)", "ready")) } }
+            Watcher(address).use { watcher ->
+                watcher.await { it.beliefs.beliefs.map { belief -> belief.text }.containsAll(listOf("likes(tea)", "ready")) }
+            }
         }
     }
 
     test("a command that the line cannot take yet is on the line, and the next one waits") {
-        watched("!start.\n+!start <- argo.port(\"sim:robot\", [boot(600000)]); !!a; !!b.\n+!a <- argo.act(one).\n+!b <- argo.act(two).") { _, board, address ->
+        val program = """
+            !start.
+            +!start <- argo.port("sim:robot", [boot(600000)]); !!a; !!b.
+            +!a <- argo.act(one).
+            +!b <- argo.act(two).
+        """
+        watched(program) { _, board, address ->
             board.stall()
             Watcher(address).use { watcher ->
-                watcher.await { state -> state.commands.unfinished.map { it.state } == listOf("line", "waiting") }.commands.waiting shouldBe 2
+                val state = watcher.await { state -> state.commands.unfinished.map { it.state } == listOf("line", "waiting") }
+                state.commands.waiting shouldBe 2
             }
             board.resume()
         }
@@ -142,7 +164,8 @@ class ViewSpec : FunSpec({
                 address.post("/filter", """{"name":null}""", "Origin" to "null").statusCode() shouldBe 403
                 address.post("/filter", """{"name":null}""", "Sec-Fetch-Site" to "cross-site").statusCode() shouldBe 403
                 address.post("/filter", """{"name":null}""", "Content-Type" to "text/plain").statusCode() shouldBe 415
-                address.raw("POST /filter HTTP/1.1", "Host: robot.example:${address.port}", "Content-Type: application/json", "Content-Length: 13", "", """{"name":null}""") shouldContain "403"
+                val json = arrayOf("Content-Type: application/json", "Content-Length: 13", "", """{"name":null}""")
+                address.raw("POST /filter HTTP/1.1", "Host: robot.example:${address.port}", *json) shouldContain "403"
                 address.raw("GET /events HTTP/1.1", "Host: robot.example:${address.port}") shouldContain "403"
                 address.raw("GET / HTTP/1.1", "Host: robot.example") shouldContain "403"
                 address.raw("GET / HTTP/1.1", "Host: localhost:${address.port}") shouldContain "200"
@@ -185,22 +208,28 @@ class ViewSpec : FunSpec({
     test("the server listens on this computer's own address only") {
         watched { _, _, address ->
             address.host shouldBe "127.0.0.1"
-            val others = java.net.NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }.filter { !it.isLoopbackAddress && it is java.net.Inet4Address }
-            others.forEach { other -> runCatching { java.net.Socket(other, address.port).close() }.isFailure shouldBe true }
+            val own = NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }
+            own.filter { !it.isLoopbackAddress && it is Inet4Address }.forEach { other ->
+                runCatching { Socket(other, address.port).close() }.isFailure shouldBe true
+            }
         }
     }
 
     test("a browser that does not read holds up neither the agent nor another browser") {
         watched(program = LOOKS + "+light(X) <- argo.act(seen(X)).") { _, board, address ->
-            val stalled = java.net.Socket().apply { receiveBufferSize = 1024; connect(java.net.InetSocketAddress("127.0.0.1", address.port)) }
-            stalled.use {
+            Socket().use {
+                it.receiveBufferSize = 1024
+                it.connect(InetSocketAddress("127.0.0.1", address.port))
                 it.getOutputStream().write("GET /events HTTP/1.1\r\nHost: ${address.authority}\r\n\r\n".toByteArray())
                 val frames = AtomicInteger()
                 board.whenAsked("getPercepts").answer { "light(${frames.incrementAndGet()});" + FILLING }
                 Watcher(address).use { watcher ->
                     eventually({ board.received().size }) { board.received().count { it.startsWith("seen") } > 50 }
                     val now = frames.get()
-                    watcher.await { state -> state.sensors.percepts.any { it.text.startsWith("light(") && it.text.removeSurrounding("light(", ")").toInt() > now } }
+                    val light = Regex("""light\((\d+)\)""")
+                    watcher.await { state ->
+                        state.sensors.percepts.mapNotNull { light.matchEntire(it.text)?.groupValues?.get(1) }.any { it.toInt() > now }
+                    }
                 }
             }
         }
@@ -305,4 +334,5 @@ class ViewSpec : FunSpec({
     }
 })
 
-private fun viewThreads(): List<String> = Thread.getAllStackTraces().keys.map { it.name }.filter { "-view" in it || it == "HTTP-Dispatcher" }
+private fun viewThreads(): List<String> =
+    Thread.getAllStackTraces().keys.map { it.name }.filter { "-view" in it || it == "HTTP-Dispatcher" }

@@ -69,10 +69,14 @@ internal class ViewedMas : AutoCloseable {
 
     /** The view of agent [name], as a project gets at it. */
     fun agentView(name: String): AgentView =
-        generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().flatMap { it.observers }.filterIsInstance<AgentView>().single()
+        generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>()
+            .flatMap { it.observers }.filterIsInstance<AgentView>().single()
 
     /** Where the view of agent [name] is, by the log. */
-    fun viewOf(name: String): URI = URI(checkNotNull(Regex("the live view of $name is at (http://127\\.0\\.0\\.1:\\d+/)").find(log)).groupValues[1])
+    fun viewOf(name: String): URI {
+        val line = Regex("the live view of $name is at (http://127\\.0\\.0\\.1:\\d+/)").find(log)
+        return URI(checkNotNull(line) { log }.groupValues[1])
+    }
 
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own

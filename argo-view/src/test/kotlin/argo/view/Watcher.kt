@@ -36,7 +36,8 @@ internal class Watcher(address: URI) : AutoCloseable {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_S)
         var last: ViewState? = null
         while (true) {
-            val state = unread.poll(deadline - System.nanoTime(), TimeUnit.NANOSECONDS) ?: throw AssertionError("not so within $DEADLINE_S s: $last; sent: ${sent.takeLast(500)}")
+            val state = unread.poll(deadline - System.nanoTime(), TimeUnit.NANOSECONDS)
+                ?: throw AssertionError("not so within $DEADLINE_S s: $last; sent: ${sent.takeLast(500)}")
             if (condition(state)) return state
             last = state
         }
@@ -65,7 +66,8 @@ internal fun URI.get(path: String): HttpResponse<String> =
 
 /** The answer to POST [path] with [json], and with [headers] beside those of the page. */
 internal fun URI.post(path: String, json: String, vararg headers: Pair<String, String>): HttpResponse<String> {
-    val request = HttpRequest.newBuilder(resolve(path)).header("Content-Type", "application/json").POST(HttpRequest.BodyPublishers.ofString(json))
+    val request = HttpRequest.newBuilder(resolve(path)).header("Content-Type", "application/json")
+        .POST(HttpRequest.BodyPublishers.ofString(json))
     headers.forEach { (name, value) -> request.setHeader(name, value) }
     return client.send(request.build(), HttpResponse.BodyHandlers.ofString())
 }

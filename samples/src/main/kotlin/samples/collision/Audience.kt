@@ -29,7 +29,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
         }
         view.show {
             firstBrowser.countDown() // a view asks for its picture when it has somebody to show it to
-            picture().let { now -> now.copy(words = conclusion ?: now.words) }.drawn()
+            picture().drawn(conclusion)
         }
         val waiting = if (waitS > 0) "  (the robot starts when a browser shows it, at Enter, or in $waitS s)" else ""
         out.println("live view: ${view.address}$waiting")
@@ -41,7 +41,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
         while (System.nanoTime() < deadline) if (firstBrowser.await(LOOK_MS, TimeUnit.MILLISECONDS) || isEntered()) return
     }
 
-    /** Has the picture say how the run ended. */
+    /** Puts under the picture how the run ended. */
     fun conclude(words: String) {
         conclusion = words
     }

@@ -9,29 +9,29 @@ import samples.cm
  * @property distance of the robot's front from the wall in cm; null: not known
  * @property limit where it is to stop, in cm from the wall
  * @property range how many cm the picture has room for, above 0
- * @property words what the robot does, or how the run ended
+ * @property doing what the robot does, such as `driving`
  */
-internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val words: String) {
-    /** The same for the live view. */
-    fun drawn() = Picture(svg(), (distance?.let { "${cm(it)} cm" } ?: "no distance yet") + " – $words")
+internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val doing: String) {
+    /** The same for the live view, under [caption]: the distance and what the robot does, unless another is given. */
+    fun drawn(caption: String?) = Picture(svg(), caption ?: "${distance?.let { "${cm(it)} cm" } ?: "no distance yet"} – $doing")
 
     /** Without a `viewBox` it is as wide as the page; percentages are of that width, and lengths and letters keep their size. */
     private fun svg(stop: Double = place(limit.toDouble())) = """
         <svg xmlns="http://www.w3.org/2000/svg" font-family="system-ui, sans-serif" font-size="13">
           <style>
             .robot { fill: #14655c } .wheel { fill: #1d2320; stroke: #fff; stroke-width: 4 } .eye { fill: #fff }
-            .wall { fill: #56605a } .floor { fill: #dcdfd8 } .range { fill: #56605a } .limit { fill: #a3262a; stroke: #a3262a }
+            .wall { fill: #56605a } .floor { fill: #dcdfd8 } .range { fill: #56605a } .limit { fill: #a3262a } line { stroke: #a3262a }
             @media (prefers-color-scheme: dark) {
               .robot { fill: #74d0c2 } .wheel { fill: #e8ece9; stroke: #1d2320 } .eye { fill: #1d2320 }
-              .wall { fill: #a5b0aa } .floor { fill: #343c38 } .range { fill: #a5b0aa } .limit { fill: #ff9d98; stroke: #ff9d98 }
+              .wall { fill: #a5b0aa } .floor { fill: #343c38 } .range { fill: #a5b0aa } .limit { fill: #ff9d98 } line { stroke: #ff9d98 }
             }
           </style>
           <rect class="floor" y="76" width="100%" height="3"/>
           <rect class="wall" x="$WALL%" width="${100 - WALL}%" height="82"/>
-          <line class="limit" x1="$stop%" x2="$stop%" y2="82" stroke-width="3" stroke-dasharray="8 4"/>
+          <line x1="$stop%" x2="$stop%" y2="82" stroke-width="3" stroke-dasharray="8 4"/>
           ${distance?.let(::robot).orEmpty()}
-          <text class="range" y="100">${cm(range)} cm from the wall</text>
-          <text class="limit" x="100%" y="100" text-anchor="end" stroke="none">to stop at $limit cm</text>
+          <text class="range" y="100">${range.toInt()} cm from the wall</text>
+          <text class="limit" x="100%" y="100" text-anchor="end">to stop at $limit cm</text>
         </svg>
     """.trimIndent()
 

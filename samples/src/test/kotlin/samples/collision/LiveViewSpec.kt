@@ -21,7 +21,7 @@ class LiveViewSpec : FunSpec({
             val verdict = printed.lines().last()
             verdict shouldContain "stopped"
             states.last() shouldContain "\"ended\":true"
-            states.last() shouldContain " cm – $verdict"
+            states.last() shouldContain "\"words\":\"$verdict\""
             states.dropLast(1).forEach { it shouldContain "\"ended\":false" }
             states.joinToString() shouldContain " cm – driving"
             states.joinToString() shouldContain "\"fate\":\"dropped\""
