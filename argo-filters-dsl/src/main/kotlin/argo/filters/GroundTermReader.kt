@@ -6,32 +6,26 @@ package argo.filters
  * Whatever is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text) gives null,
  * and so does anything nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
  */
-internal class GroundTermReader(private val text: CharSequence, start: Int, private val end: Int) {
-    private var at = start
+internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : TermCursor(text, start, end) {
 
     /** The term that fills the whole region, blanks around it aside. */
-    fun readWhole(): GroundTerm? {
-        val value = term(0) ?: return null
-        return value.takeIf { blanks() == end }
-    }
+    fun readWhole(): GroundTerm? = term(0)?.takeIf { blanks() == end }
 
     private fun term(depth: Int): GroundTerm? {
         if (depth > MAX_DEPTH || blanks() >= end) return null
         return when (text[at]) {
-            '"' -> string()
+            '"' -> quoted()?.let(GroundTerm::Text)
             '[' -> list(depth)?.let(GroundTerm::Sequence)
             '(' -> parenthesised(depth)
             '+', '-' -> signed(depth)
-            in '0'..'9' -> number()
-            '.' -> number()
+            in '0'..'9', '.' -> number()
             else -> structure(depth)
         }
     }
 
     private fun parenthesised(depth: Int): GroundTerm? {
         at++
-        val value = term(depth + 1)
-        return value.takeIf { take(')') }
+        return term(depth + 1)?.takeIf { take(')') }
     }
 
     private fun signed(depth: Int): GroundTerm? {
@@ -44,29 +38,14 @@ internal class GroundTermReader(private val text: CharSequence, start: Int, priv
         return if (minus) GroundTerm.Number(-value.value) else value
     }
 
-    private fun number(): GroundTerm? {
-        val numberEnd = Syntax.numberEnd(text, at, end)
-        if (numberEnd < 0) return null
-        val value = text.substring(at, numberEnd).toDouble()
-        at = numberEnd
-        return GroundTerm.Number(value)
-    }
-
-    private fun string(): GroundTerm? {
-        val stringEnd = Syntax.stringEnd(text, at, end)
-        if (stringEnd < 0) return null
-        val value = GroundTerm.Text.unescape(text.substring(at + 1, stringEnd - 1))
-        at = stringEnd
-        return GroundTerm.Text(value)
-    }
+    private fun number(): GroundTerm? = double()?.let(GroundTerm::Number)
 
     private fun list(depth: Int): List<GroundTerm>? {
         at++
-        val items = ArrayList<GroundTerm>()
-        if (take(']')) return items
-        do items += term(depth + 1) ?: return null while (take(','))
+        if (take(']')) return emptyList()
+        val items = items { term(depth + 1) } ?: return null
         if (take('|')) {
-            if (depth >= MAX_DEPTH || blanks() >= end || text[at] != '[') return null
+            if (depth >= MAX_DEPTH || !isNext('[')) return null
             items += list(depth + 1) ?: return null
         }
         return items.takeIf { take(']') }
@@ -75,15 +54,9 @@ internal class GroundTermReader(private val text: CharSequence, start: Int, priv
     private fun structure(depth: Int): GroundTerm? {
         val predicate = predicate() ?: return null
         if (predicate.functor in Syntax.TRUTH_VALUES) return GroundTerm.Structure(predicate)
-        val arguments = if (take('(')) terms(depth, ')') ?: return null else emptyList()
-        val annotations = if (blanks() < end && text[at] == '[') list(depth) ?: return null else emptyList()
+        val arguments = if (take('(')) items { term(depth + 1) }?.takeIf { take(')') } ?: return null else emptyList()
+        val annotations = if (isNext('[')) list(depth) ?: return null else emptyList()
         return GroundTerm.Structure(predicate, arguments, annotations.toSet())
-    }
-
-    private fun terms(depth: Int, close: Char): List<GroundTerm>? {
-        val terms = ArrayList<GroundTerm>()
-        do terms += term(depth + 1) ?: return null while (take(','))
-        return terms.takeIf { take(close) }
     }
 
     private fun predicate(): Predicate? {
@@ -93,13 +66,7 @@ internal class GroundTermReader(private val text: CharSequence, start: Int, priv
         return head.predicate()
     }
 
-    private fun blanks(): Int = Syntax.skipBlanks(text, at, end).also { at = it }
-
-    private fun take(expected: Char): Boolean {
-        if (blanks() >= end || text[at] != expected) return false
-        at++
-        return true
-    }
+    override fun blanks(): Int = Syntax.skipBlanks(text, at, end).also { at = it }
 
     companion object {
         /** Deeper terms than any board sends; keeps hostile text from using up the stack. */

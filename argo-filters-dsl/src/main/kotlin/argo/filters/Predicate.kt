@@ -51,14 +51,6 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
             return if (quote in 0..first) text.indexOf("::", text.indexOf('\'', quote + 1)) else first
         }
 
-        /** The predicate of these parts, or null if Jason could not write it. */
-        internal fun ofOrNull(functor: String, negated: Boolean, namespace: String): Predicate? =
-            if (Syntax.isAtom(functor) && isNamespace(namespace) && isWritable(functor, negated, namespace)) {
-                Predicate(functor, negated, namespace)
-            } else {
-                null
-            }
-
         private fun isNamespace(name: String) = Syntax.isAtom(name) && name !in Syntax.TRUTH_VALUES && name != THIS_NAMESPACE
 
         private fun isWritable(functor: String, negated: Boolean, namespace: String) =

@@ -10,25 +10,21 @@ internal object Syntax {
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
-    /** Whether a word is one that Jason's parser takes for something else than an atom. */
-    fun isReserved(text: CharSequence, start: Int, end: Int): Boolean = when (end - start) {
-        2 -> isAt(text, start, "if")
-        3 -> isAt(text, start, "not") || isAt(text, start, "div") || isAt(text, start, "mod") || isAt(text, start, "for")
-        4 -> isAt(text, start, "else") || isAt(text, start, "elif")
-        5 -> isAt(text, start, "while")
-        else -> false
-    }
+    private val RESERVED = arrayOf("if", "not", "div", "mod", "for", "else", "elif", "while")
 
-    fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean = when (end - start) {
-        4 -> isAt(text, start, "true")
-        5 -> isAt(text, start, "false")
-        else -> false
-    }
+    /** Whether a word is one that Jason's parser takes for something else than an atom. */
+    fun isReserved(text: CharSequence, start: Int, end: Int): Boolean = RESERVED.any { isAt(text, start, end, it) }
+
+    fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean =
+        isAt(text, start, end, "true") || isAt(text, start, end, "false")
 
     /** The end of the letters, digits and underscores from [start]. */
-    fun wordEnd(text: CharSequence, start: Int, end: Int): Int {
+    fun wordEnd(text: CharSequence, start: Int, end: Int): Int = first(text, start, end) { !isWordCharacter(it) }
+
+    /** The first position from [start] whose character is [wanted]; [end] if there is none. */
+    private inline fun first(text: CharSequence, start: Int, end: Int, wanted: (Char) -> Boolean): Int {
         var i = start
-        while (i < end && isWordCharacter(text[i])) i++
+        while (i < end && !wanted(text[i])) i++
         return i
     }
 
@@ -53,9 +49,8 @@ internal object Syntax {
 
     /** The end of the quoted atom that starts at [start], or -1 if it is not closed. */
     fun quotedAtomEnd(text: CharSequence, start: Int, end: Int): Int {
-        var i = start + 1
-        while (i < end && text[i] != '\'') i++
-        return if (i < end) i + 1 else -1
+        val quote = first(text, start + 1, end) { it == '\'' }
+        return if (quote < end) quote + 1 else -1
     }
 
     private fun isDottedWord(text: CharSequence, i: Int, end: Int) =
@@ -87,11 +82,7 @@ internal object Syntax {
         return if (exponent > digits) exponent else start
     }
 
-    private fun digitsEnd(text: CharSequence, start: Int, end: Int): Int {
-        var i = start
-        while (i < end && text[i] in '0'..'9') i++
-        return i
-    }
+    private fun digitsEnd(text: CharSequence, start: Int, end: Int) = first(text, start, end) { it !in '0'..'9' }
 
     /** The end of the string in double quotes that starts at [start], or -1 if it is not closed or not as Jason writes strings. */
     fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
@@ -130,29 +121,20 @@ internal object Syntax {
     fun commentEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start + 1 >= end) return start
         return when (text[start + 1]) {
-            '/' -> lineEnd(text, start + 2, end)
+            '/' -> first(text, start + 2, end) { it == '\n' || it == '\r' }
             '*' -> blockEnd(text, start + 2, end).let { if (it < 0) start else it }
             else -> start
         }
     }
 
-    private fun lineEnd(text: CharSequence, start: Int, end: Int): Int {
-        var i = start
-        while (i < end && text[i] != '\n' && text[i] != '\r') i++
-        return i
-    }
-
     private fun blockEnd(text: CharSequence, start: Int, end: Int): Int {
-        var i = start
-        while (i + 1 < end) {
-            if (text[i] == '*' && text[i + 1] == '/') return i + 2
-            i++
-        }
+        for (i in start until end - 1) if (text[i] == '*' && text[i + 1] == '/') return i + 2
         return -1
     }
 
-    /** Whether [word] stands in [text] at [start]; the text is long enough for it. */
-    fun isAt(text: CharSequence, start: Int, word: String): Boolean {
+    /** Whether [word] is what stands in [text] from [start] to [end]. */
+    fun isAt(text: CharSequence, start: Int, end: Int, word: String): Boolean {
+        if (word.length != end - start) return false
         for (i in word.indices) if (text[start + i] != word[i]) return false
         return true
     }

@@ -52,18 +52,12 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
     /** What [load] gives; what it fails with says why, down to the filter that is refused. */
     private fun <T> usable(words: String? = null, load: () -> T): T = try {
         load()
-    } catch (broken: ServiceConfigurationError) {
-        throw unusable(words, broken)
-    } catch (broken: LinkageError) { // of a class whose values are made when it is first used
-        throw unusable(words, broken)
-    } catch (broken: RuntimeException) {
-        throw unusable(words, broken)
-    }
-
-    private fun unusable(words: String?, broken: Throwable): ServiceConfigurationError {
+    } catch (broken: Throwable) {
+        // a linkage error comes of a class whose values are made when it is first used
+        if (broken !is ServiceConfigurationError && broken !is LinkageError && broken !is RuntimeException) throw broken
         val causes = generateSequence(broken) { it.cause }.toList()
         val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()
-        return ServiceConfigurationError(known.ifEmpty { listOf("$broken") }.joinToString(": "), broken)
+        throw ServiceConfigurationError(known.ifEmpty { listOf("$broken") }.joinToString(": "), broken)
     }
 
     override fun toString(): String = "the filters of ${FilterProvider::class.java.name} services"

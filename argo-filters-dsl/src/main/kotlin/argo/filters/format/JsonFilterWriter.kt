@@ -1,9 +1,10 @@
 package argo.filters.format
 
 import argo.filters.Condition
-import argo.filters.CriticalRule
 import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
+import argo.filters.PerceptionFilter.Mode
+import argo.filters.PerceptionFilter.OnSwitch
 import argo.filters.Rule
 import argo.filters.TermTest
 import com.fasterxml.jackson.core.JsonFactory
@@ -13,87 +14,74 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter
 import com.fasterxml.jackson.core.util.Separators
 import java.io.StringWriter
 
-/** Writes filters in the canonical form of the JSON format. */
+/** Writes filters in the canonical form of the JSON format: as maps of members, of which those that are null are left out. */
 internal class JsonFilterWriter {
     private val text = StringWriter()
     private val json: JsonGenerator = JsonFactory().createGenerator(text).setPrettyPrinter(printer())
 
     fun write(filter: PerceptionFilter): String {
-        json.use { filter(filter) }
+        json.use { value(filter(filter)) }
         return "$text\n"
     }
 
-    private fun filter(filter: PerceptionFilter) = entity {
-        if (filter.mode == PerceptionFilter.Mode.KEEP) json.writeBooleanField("keep", true)
-        if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) json.writeStringField("onSwitch", "freeze")
-        if (filter.critical.isNotEmpty()) array("critical", filter.critical, ::criticalRule)
-        array("rules", filter.rules, ::rule)
-    }
+    private fun filter(filter: PerceptionFilter) = mapOf(
+        "keep" to true.takeIf { filter.mode == Mode.KEEP },
+        "onSwitch" to "freeze".takeIf { filter.onSwitch == OnSwitch.FREEZE },
+        "critical" to filter.critical.map { rule(it.rule, it.reflex) }.ifEmpty { null },
+        "rules" to filter.rules.map { rule(it) },
+    )
 
-    private fun rule(rule: Rule) = entity {
-        json.writeStringField("predicate", rule.predicate.toString())
-        rule.arity?.let { json.writeNumberField("arity", it) }
-        rule.rate?.everyMs?.let { json.writeNumberField("everyMs", it) }
+    private fun rule(rule: Rule, reflex: String? = null): Map<String, Any?> {
         val (all, some) = rule.rate?.deadbands.orEmpty().partition { it.argument == null }
-        all.forEach { numberField("deadband", it.width) }
-        val conditions = rule.conditions.map { { condition(it) } } + some.map { { argumentDeadband(it.argument!!, it.width) } }
-        if (conditions.isNotEmpty()) array("conditions", conditions) { it() }
+        val deadbands = some.map { mapOf("argument" to it.argument, "deadband" to GroundTerm.Number(it.width)) }
+        return mapOf(
+            "predicate" to rule.predicate,
+            "arity" to rule.arity,
+            "reflex" to reflex,
+            "everyMs" to rule.rate?.everyMs,
+            "deadband" to all.firstOrNull()?.let { GroundTerm.Number(it.width) },
+            "conditions" to (rule.conditions.map(::condition) + deadbands).ifEmpty { null },
+        )
     }
 
-    private fun criticalRule(critical: CriticalRule) = entity {
-        json.writeStringField("predicate", critical.rule.predicate.toString())
-        critical.rule.arity?.let { json.writeNumberField("arity", it) }
-        critical.reflex?.let { json.writeStringField("reflex", it) }
-        if (critical.rule.conditions.isNotEmpty()) array("conditions", critical.rule.conditions, ::condition)
-    }
-
-    private fun argumentDeadband(argument: Int, width: Double) = entity {
-        json.writeNumberField("argument", argument)
-        numberField("deadband", width)
-    }
-
-    private fun condition(condition: Condition) = entity {
-        when (condition) {
-            is Condition.Argument -> {
-                json.writeNumberField("argument", condition.index)
-                test(condition.test)
-            }
-            is Condition.Annotation -> {
-                json.writeStringField("annotation", condition.name.toString())
-                val single = condition.tests.singleOrNull()
-                if (single != null) test(single)
-                else if (condition.tests.isNotEmpty()) array("limits", condition.tests) { entity { test(it) } }
-            }
+    private fun condition(condition: Condition): Map<String, Any?> = when (condition) {
+        is Condition.Argument -> mapOf("argument" to condition.index) + test(condition.test)
+        is Condition.Annotation -> mapOf("annotation" to condition.name) + when (condition.tests.size) {
+            0 -> emptyMap()
+            1 -> test(condition.tests.single())
+            else -> mapOf("limits" to condition.tests.map(::test))
         }
     }
 
-    private fun test(test: TermTest) {
-        json.writeStringField("operator", TestFormat.operator(test))
-        when (test) {
-            is TermTest.Compare -> json.writeFieldName("value").also { value(test.value) }
-            is TermTest.OneOf -> array("value", test.values, ::value)
-            is TermTest.Matches -> json.writeStringField("value", test.pattern)
+    private fun test(test: TermTest): Map<String, Any> {
+        val value = when (test) {
+            is TermTest.Compare -> test.value
+            is TermTest.OneOf -> test.values
+            is TermTest.Matches -> test.pattern
         }
+        return mapOf("operator" to TestFormat.operator(test), "value" to value)
     }
 
-    private fun value(value: GroundTerm) =
-        if (value is GroundTerm.Number && value.value.isFinite()) json.writeNumber("$value") else json.writeString("$value")
-
-    private fun numberField(name: String, number: Double) {
-        json.writeFieldName(name)
-        value(GroundTerm.Number(number))
+    private fun value(value: Any): Unit = when {
+        value is Map<*, *> -> members(value)
+        value is Collection<*> -> {
+            json.writeStartArray()
+            value.filterNotNull().forEach(::value)
+            json.writeEndArray()
+        }
+        value is Boolean -> json.writeBoolean(value)
+        value is Number || value is GroundTerm.Number && value.value.isFinite() -> json.writeNumber("$value")
+        else -> json.writeString("$value")
     }
 
-    private fun entity(members: () -> Unit) {
+    private fun members(members: Map<*, *>) {
         json.writeStartObject()
-        members()
+        for ((name, value) in members) {
+            if (value == null) continue
+            json.writeFieldName("$name")
+            value(value)
+        }
         json.writeEndObject()
-    }
-
-    private fun <T> array(name: String, items: Collection<T>, item: (T) -> Unit) {
-        json.writeArrayFieldStart(name)
-        items.forEach(item)
-        json.writeEndArray()
     }
 
     private fun printer(): DefaultPrettyPrinter {

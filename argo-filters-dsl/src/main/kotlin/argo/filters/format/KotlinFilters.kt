@@ -3,9 +3,7 @@ package argo.filters.format
 import argo.filters.Condition
 import argo.filters.Deadband
 import argo.filters.GroundTerm
-import argo.filters.Operator
 import argo.filters.PerceptionFilter
-import argo.filters.Predicate
 import argo.filters.Rule
 import argo.filters.TermTest
 
@@ -25,39 +23,31 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
     private val text = StringBuilder()
 
     fun write(): String {
-        val freezes = filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE
         line(0, "import argo.filters.*")
+        val freezes = filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE
         if (freezes) line(0, "import argo.filters.PerceptionFilter.OnSwitch")
         line(0, "")
-        val (builder, verb) = when (filter.mode) {
-            PerceptionFilter.Mode.DROP -> "dropFilter" to "drop"
-            PerceptionFilter.Mode.KEEP -> "keepFilter" to "keep"
-        }
-        val onSwitch = when (filter.onSwitch) {
-            PerceptionFilter.OnSwitch.FORGET -> ""
-            PerceptionFilter.OnSwitch.FREEZE -> ", OnSwitch.FREEZE"
-        }
-        line(0, "val ${kotlinName(filter.name)} = $builder(${kotlinString(filter.name)}$onSwitch) {")
-        filter.critical.forEach { critical -> rule("critical", critical.rule.predicate, saidOf(critical.rule) + saidOf(critical.reflex)) }
-        filter.rules.forEach { rule(verb, it.predicate, saidOf(it)) }
+        val verb = filter.mode.name.lowercase()
+        val onSwitch = if (freezes) ", OnSwitch.FREEZE" else ""
+        line(0, "val ${kotlinName(filter.name)} = ${verb}Filter(${kotlinString(filter.name)}$onSwitch) {")
+        filter.critical.forEach { rule("critical", it.rule, it.reflex) }
+        filter.rules.forEach { rule(verb, it) }
         line(0, "}")
         return text.toString()
     }
 
-    private fun saidOf(rule: Rule): List<String> =
-        listOfNotNull(rule.arity?.let { "arity($it)" }, rule.rate?.everyMs?.let { "everyMs($it)" }) +
-            rule.rate?.deadbands.orEmpty().map(::deadband) + rule.conditions.map(::condition)
-
-    private fun saidOf(reflex: String?): List<String> = listOfNotNull(reflex?.let { "reflex(${kotlinString(it)})" })
-
-    private fun rule(verb: String, predicate: Predicate, said: List<String>) {
-        val head = "$verb(${kotlinString("$predicate")})"
-        when (said.size) {
+    private fun rule(verb: String, rule: Rule, reflex: String? = null) {
+        val head = "$verb(${kotlinString("${rule.predicate}")})"
+        val rate = rule.rate
+        val statements = listOfNotNull(rule.arity?.let { "arity($it)" }, rate?.everyMs?.let { "everyMs($it)" }) +
+            rate?.deadbands.orEmpty().map(::deadband) + rule.conditions.map(::condition) +
+            listOfNotNull(reflex?.let { "reflex(${kotlinString(it)})" })
+        when (statements.size) {
             0 -> line(1, head)
-            1 -> line(1, "$head { ${said.single()} }")
+            1 -> line(1, "$head { ${statements.single()} }")
             else -> {
                 line(1, "$head {")
-                said.forEach { line(2, it) }
+                statements.forEach { line(2, it) }
                 line(1, "}")
             }
         }
@@ -82,14 +72,7 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
     private fun infix(test: TermTest) = "${word(test)} ${value(test)}"
 
     private fun word(test: TermTest): String = when (test) {
-        is TermTest.Compare -> when (test.operator) {
-            Operator.EQ -> "eq"
-            Operator.NE -> "ne"
-            Operator.GT -> "gt"
-            Operator.GE -> "ge"
-            Operator.LT -> "lt"
-            Operator.LE -> "le"
-        }
+        is TermTest.Compare -> test.operator.name.lowercase()
         is TermTest.OneOf -> "isIn"
         is TermTest.Matches -> "matches"
     }

@@ -1,8 +1,7 @@
 package argo.filters.jason
 
-import argo.filters.GroundTerm
 import argo.filters.Syntax
-import argo.filters.matching.DecimalReader
+import argo.filters.TermCursor
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.Atom
@@ -20,27 +19,19 @@ import jason.asSyntax.Term
  * Reads one literal of the shapes that boards send. It gives up on everything that needs more of Jason's grammar: namespaces, variables,
  * operators, comments, words that mean something to Jason.
  */
-internal class LiteralParser(private val text: String) {
-    private val end = text.length
-    private var at = 0
+internal class LiteralParser(text: String) : TermCursor(text, 0, text.length) {
 
     /** Exactly the literal that Jason's parser reads, or null if the text is left to it. */
-    fun parse(): Literal? {
-        val literal = literal() ?: return null
-        return literal.takeIf { blanks() == end }
-    }
+    fun parse(): Literal? = literal()?.takeIf { blanks() == end }
 
     private fun literal(depth: Int = 0): Literal? {
         if (blanks() >= end || depth > MAX_DEPTH) return null
-        val negated = text[at] == '~'
-        if (negated) {
-            at++
-            blanks()
-        }
+        val negated = take('~')
+        blanks()
         val functor = functor() ?: return null
         val literal = LiteralImpl(Literal.DefaultNS, !negated, functor)
         literal.srcInfo = SOURCE
-        if (take('(')) literal.setTerms(terms(depth) ?: return null)
+        if (take('(')) literal.setTerms(items { term(depth + 1) }?.takeIf { take(')') } ?: return null)
         if (take('[')) literal.setAnnots(list(depth) ?: return null)
         return literal
     }
@@ -60,33 +51,21 @@ internal class LiteralParser(private val text: String) {
         return if (isSpecial) null else text.substring(start, at)
     }
 
-    private fun terms(depth: Int): ArrayList<Term>? {
-        val terms = ArrayList<Term>(USUAL_ARITY)
-        do terms.add(term(depth + 1) ?: return null) while (take(','))
-        return terms.takeIf { take(')') }
-    }
-
     private fun list(depth: Int): ListTermImpl? {
         val list = ListTermImpl()
         if (take(']')) return list
-        var last: ListTerm = list
-        do last = last.append(term(depth + 1) ?: return null) while (take(','))
+        val items = items { term(depth + 1) } ?: return null
+        items.fold<Term, ListTerm>(list) { last, item -> last.append(item) }
         return list.takeIf { take(']') }
     }
 
     private fun term(depth: Int): Term? {
         if (blanks() >= end || depth > MAX_DEPTH) return null
-        return when (text[at]) {
-            '"' -> string()
-            '[' -> {
-                at++
-                list(depth)
-            }
-            '-' -> {
-                at++
-                number()?.let { ArithExpr(ArithExpr.ArithmeticOp.minus, it) }
-            }
-            in '0'..'9' -> number()
+        return when {
+            text[at] == '"' -> quoted()?.let { StringTermImpl(it).apply { srcInfo = SOURCE } }
+            text[at] in '0'..'9' -> number()
+            take('-') -> number()?.let { ArithExpr(ArithExpr.ArithmeticOp.minus, it) }
+            take('[') -> list(depth)
             else -> structure(depth)
         }
     }
@@ -98,40 +77,18 @@ internal class LiteralParser(private val text: String) {
     }
 
     private fun number(): NumberTerm? {
-        val start = blanks()
-        if (start >= end || text[start] !in '0'..'9') return null
-        at = Syntax.numberEnd(text, start, end)
-        val plain = DecimalReader.plain(text, start, at)
-        val number = NumberTermImpl(if (plain.isNaN()) text.substring(start, at).toDouble() else plain)
-        number.srcInfo = SOURCE
-        return number
-    }
-
-    private fun string(): Term? {
-        val start = at
-        at = Syntax.stringEnd(text, start, end)
-        if (at < 0) return null
-        val written = text.substring(start + 1, at - 1)
-        val string = StringTermImpl(if ('\\' in written) GroundTerm.Text.unescape(written) else written)
-        string.srcInfo = SOURCE
-        return string
-    }
-
-    private fun take(expected: Char): Boolean {
-        if (blanks() >= end || text[at] != expected) return false
-        at++
-        return true
+        if (blanks() >= end || text[at] !in '0'..'9') return null
+        return double()?.let { NumberTermImpl(it).apply { srcInfo = SOURCE } }
     }
 
     /** Line breaks are left to Jason's parser, since terms remember their line, and so are comments. */
-    private fun blanks(): Int {
+    override fun blanks(): Int {
         while (at < end && (text[at] == ' ' || text[at] == '\t')) at++
         return at
     }
 
     private companion object {
         const val MAX_DEPTH = 64
-        const val USUAL_ARITY = 4
         val ATOMS_OF_JASON = setOf("default", "this_ns")
 
         /** Where Jason's parser says that terms of a one-line text stand. */

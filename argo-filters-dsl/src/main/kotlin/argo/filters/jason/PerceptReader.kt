@@ -2,7 +2,6 @@ package argo.filters.jason
 
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
-import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 
 /** A percept's text is not a literal; the message says what Jason's parser found. */
@@ -25,12 +24,10 @@ object PerceptReader {
 
     private fun parseWithJason(percept: String): Literal = try {
         ASSyntax.parseLiteral(percept)
-    } catch (e: ParseException) {
-        throw refusal(percept, e)
+    } catch (e: Exception) {
+        throw refusal(percept, e) // a ParseException; a RuntimeException for expressions of terms that are no formulas, and large numbers
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
-    } catch (e: RuntimeException) {
-        throw refusal(percept, e) // so it refuses expressions of terms that are no formulas, and numbers out of range
     } catch (e: StackOverflowError) {
         throw PerceptSyntaxException("${shortened(percept)} is nested too deep to be read", e)
     }

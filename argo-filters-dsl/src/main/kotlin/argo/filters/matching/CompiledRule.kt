@@ -31,10 +31,8 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     }
 
     /** Whether the percept in [text] meets all conditions whose functor ends at [functorEnd] and goes on with [tail]. */
-    fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
-        for (condition in compiled) if (!condition.isMet(text, functorEnd, end, tail)) return false
-        return true
-    }
+    fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean =
+        compiled.all { it.isMet(text, functorEnd, end, tail) }
 
     /** The first condition that the percept does not meet; parameters as of [areMet]. */
     fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Condition =
@@ -95,11 +93,11 @@ internal class CompiledTest(private val test: TermTest) {
         if (text[start] in 'a'..'z') {
             val wordEnd = Syntax.wordEnd(text, start, end)
             if (Syntax.skipBlanks(text, wordEnd, end) == end && !Syntax.isReserved(text, start, wordEnd)) {
-                return decides(isAnAtom(text, start, wordEnd), Double.NaN)
+                return decides(atoms.any { Syntax.isAt(text, start, wordEnd, it) }, Double.NaN)
             }
         }
         val number = DecimalReader.plain(text, start, end)
-        return if (number.isNaN()) isMetBy(GroundTermReader(text, start, end).readWhole()) else decides(isANumber(number), number)
+        return if (number.isNaN()) isMetBy(GroundTermReader(text, start, end).readWhole()) else decides(numbers.any { it == number }, number)
     }
 
     /** Whether [value] meets the test; null stands for a term that is not ground and plain. */
@@ -117,16 +115,6 @@ internal class CompiledTest(private val test: TermTest) {
         Operator.GE -> number >= numbers[0]
         Operator.LT -> number < numbers[0]
         Operator.LE -> number <= numbers[0]
-    }
-
-    private fun isAnAtom(text: CharSequence, start: Int, end: Int): Boolean {
-        for (atom in atoms) if (atom.length == end - start && Syntax.isAt(text, start, atom)) return true
-        return false
-    }
-
-    private fun isANumber(number: Double): Boolean {
-        for (wanted in numbers) if (wanted == number) return true
-        return false
     }
 
     /** The word of an atom without quotes, negation, namespace, arguments and annotations. */

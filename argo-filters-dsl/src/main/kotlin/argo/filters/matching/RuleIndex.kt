@@ -31,7 +31,7 @@ internal class RuleIndex(rules: List<CompiledRule>) {
         var slot = slot(hash)
         while (true) {
             val functor = functors[slot] ?: return NO_RULES
-            if (functor.length == end - start && Syntax.isAt(text, start, functor)) return rulesOf[slot]
+            if (Syntax.isAt(text, start, end, functor)) return rulesOf[slot]
             slot = slot + 1 and mask
         }
     }

@@ -73,14 +73,13 @@ internal object TermBounds {
     }
 
     private fun annotationsEnd(text: CharSequence, open: Int, end: Int): Int {
-        var i = Syntax.skipBlanks(text, open + 1, end)
-        if (i < end && text[i] == ']') return Syntax.skipBlanks(text, i + 1, end)
-        while (true) {
-            i = partEnd(text, i, end, ']')
+        val first = Syntax.skipBlanks(text, open + 1, end)
+        var i = if (first < end && text[first] == ']') first else open
+        while (text[i] != ']') {
+            i = partEnd(text, Syntax.skipBlanks(text, i + 1, end), end, ']')
             if (i < 0) return NONE
-            if (text[i] == ']') return Syntax.skipBlanks(text, i + 1, end)
-            i = Syntax.skipBlanks(text, i + 1, end)
         }
+        return Syntax.skipBlanks(text, i + 1, end)
     }
 
     /** The position after the character, string, comment or bracketed group at [i], or [NONE]. */
