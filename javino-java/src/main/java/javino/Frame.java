@@ -51,13 +51,24 @@ public final class Frame {
     private final int version;
     private final int flags;
     private final int sequence;
-    private final byte[] payload;
+    private final String text; // a byte a character
 
-    private Frame(int version, int flags, int sequence, byte[] payload) {
+    private Frame(int version, int flags, int sequence, String text) {
+        if (text.length() > MAX_PAYLOAD) {
+            throw new IllegalArgumentException("a message has at most " + MAX_PAYLOAD + " bytes, but " + quoted(text) + " has "
+                    + text.length());
+        }
         this.version = version;
-        this.flags = flags;
-        this.sequence = sequence;
-        this.payload = payload;
+        this.flags = digit("flags", flags);
+        this.sequence = digit("a sequence number", sequence);
+        this.text = text;
+    }
+
+    private static int digit(String what, int value) {
+        if (value < 0 || value >= SEQUENCES) {
+            throw new IllegalArgumentException(what + " of a frame is 0 to " + (SEQUENCES - 1) + ", but " + value + " was given");
+        }
+        return value;
     }
 
     /**
@@ -67,16 +78,7 @@ public final class Frame {
      *     which does not fit into a byte
      */
     public static Frame of(String text) {
-        for (int i = 0; i < text.length(); i++) {
-            char c = text.charAt(i);
-            if (c > 0xFF) {
-                throw new IllegalArgumentException(String.format(Locale.ROOT,
-                        "a message carries one byte per character, but character %d of %s is U+%04X; the highest is U+00FF",
-                        i + 1, quoted(text), (int) c));
-            }
-        }
-        checkLength(text.length(), text);
-        return new Frame(1, 0, 0, text.getBytes(StandardCharsets.ISO_8859_1));
+        return new Frame(1, 0, 0, requireBytes(text));
     }
 
     /**
@@ -85,28 +87,28 @@ public final class Frame {
      * @throws IllegalArgumentException if the payload has more than {@value #MAX_PAYLOAD} bytes
      */
     public static Frame of(byte[] payload) {
-        checkLength(payload.length, new String(payload, StandardCharsets.ISO_8859_1));
-        return new Frame(1, 0, 0, payload.clone());
+        return new Frame(1, 0, 0, new String(payload, StandardCharsets.ISO_8859_1));
     }
 
     /**
      * The version 2 frame that carries a copy of {@code payload}.
      *
      * @param flags 0, or the sum of some of {@link #MORE}, {@link #ACK_WANTED}, {@link #ACK} and {@link #REFUSAL}
-     * @param sequence the sender's count of frames modulo 16; a frame that is sent again has the same, an acknowledgement that of its
-     *     action
+     * @param sequence the sender's count of frames modulo 16; a frame that is sent again has the same, an acknowledgement its action's
      * @throws IllegalArgumentException if the payload has more than {@value #MAX_PAYLOAD} bytes, or another argument is not 0 to 15
      */
     public static Frame version2(byte[] payload, int flags, int sequence) {
-        checkLength(payload.length, new String(payload, StandardCharsets.ISO_8859_1));
-        checkDigit("flags", flags);
-        checkDigit("a sequence number", sequence);
-        return new Frame(2, flags, sequence, payload.clone());
+        return new Frame(2, flags, sequence, new String(payload, StandardCharsets.ISO_8859_1));
+    }
+
+    /** The frame of these fields that carries a copy of {@code length} bytes of {@code source}. */
+    static Frame copyOf(int version, int flags, int sequence, byte[] source, int offset, int length) {
+        return new Frame(version, flags, sequence, new String(source, offset, length, StandardCharsets.ISO_8859_1));
     }
 
     /** This frame's payload as version 2 sends it; as {@link #version2(byte[], int, int)}. */
     Frame toVersion2(int flags, int sequence) {
-        return new Frame(2, flags, sequence, payload);
+        return new Frame(2, flags, sequence, text);
     }
 
     /**
@@ -120,37 +122,30 @@ public final class Frame {
         do {
             int to = Math.min(message.length, from + MAX_PAYLOAD);
             int flags = to < message.length ? MORE : 0;
-            frames.add(new Frame(2, flags, (sequence + frames.size()) % SEQUENCES, Arrays.copyOfRange(message, from, to)));
+            frames.add(copyOf(2, flags, (sequence + frames.size()) % SEQUENCES, message, from, to - from));
             from = to;
         } while (from < message.length);
         return frames;
     }
 
-    /** The version 1 frame that carries a copy of {@code length} bytes of {@code source}; the caller has checked the length. */
-    static Frame copyOf(byte[] source, int offset, int length) {
-        return new Frame(1, 0, 0, Arrays.copyOfRange(source, offset, offset + length));
-    }
-
-    /** As {@link #copyOf}, of version 2. */
-    static Frame copyOf2(byte[] source, int offset, int length, int flags, int sequence) {
-        return new Frame(2, flags, sequence, Arrays.copyOfRange(source, offset, offset + length));
-    }
-
-    private static void checkDigit(String what, int value) {
-        if (value < 0 || value >= SEQUENCES) {
-            throw new IllegalArgumentException(what + " of a frame is 0 to " + (SEQUENCES - 1) + ", but " + value + " was given");
+    /**
+     * {@code text} itself.
+     *
+     * @throws IllegalArgumentException if it has a character above U+00FF, which does not fit into a byte
+     */
+    public static String requireBytes(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            if (text.charAt(i) > 0xFF) {
+                throw new IllegalArgumentException(String.format(Locale.ROOT,
+                        "a message carries one byte per character, but character %d of %s is U+%04X; the highest is U+00FF",
+                        i + 1, quoted(text), (int) text.charAt(i)));
+            }
         }
-    }
-
-    private static void checkLength(int length, String text) {
-        if (length > MAX_PAYLOAD) {
-            throw new IllegalArgumentException(String.format(Locale.ROOT,
-                    "a message has at most %d bytes, but %s has %d", MAX_PAYLOAD, quoted(text), length));
-        }
+        return text;
     }
 
     /** {@code text} in quotes, for a message to a person: its beginning if it is long. */
-    static String quoted(String text) {
+    public static String quoted(String text) {
         return text.length() <= 40 ? '"' + text + '"' : '"' + text.substring(0, 40) + "...\"";
     }
 
@@ -176,22 +171,22 @@ public final class Frame {
 
     /** Bytes of payload. */
     int payloadLength() {
-        return payload.length;
+        return text.length();
     }
 
     /** A copy of the payload's bytes. */
     public byte[] payload() {
-        return payload.clone();
+        return text.getBytes(StandardCharsets.ISO_8859_1);
     }
 
     /** The payload as text, one character a byte (ISO-8859-1). */
     public String text() {
-        return new String(payload, StandardCharsets.ISO_8859_1);
+        return text;
     }
 
     /** Bytes this frame takes on the line: its payload and what is around it, {@value #HEADER_LENGTH} in version 1 and 12 in version 2. */
     public int length() {
-        return (version == 1 ? HEADER_LENGTH : HEADER_LENGTH_2 + CRC_LENGTH) + payload.length;
+        return HEADER_LENGTH + (version == 2 ? VERSION_2_OVERHEAD : 0) + text.length();
     }
 
     /** The bytes for the line, in an array of the caller's own; digits are written in upper case. */
@@ -199,12 +194,12 @@ public final class Frame {
         byte[] bytes = new byte[length()];
         Arrays.fill(bytes, 0, PREAMBLE_LENGTH - 1, (byte) 'f');
         bytes[PREAMBLE_LENGTH - 1] = (byte) (version == 1 ? 'e' : 'd');
-        putDigits(bytes, PREAMBLE_LENGTH, 2, payload.length);
+        putDigits(bytes, PREAMBLE_LENGTH, 2, text.length());
         int before = version == 1 ? HEADER_LENGTH : HEADER_LENGTH_2;
-        System.arraycopy(payload, 0, bytes, before, payload.length);
+        System.arraycopy(payload(), 0, bytes, before, text.length());
         if (version == 2) {
             putDigits(bytes, HEADER_LENGTH, 2, flags << 4 | sequence);
-            int checked = HEADER_LENGTH_2 - PREAMBLE_LENGTH + payload.length;
+            int checked = HEADER_LENGTH_2 - PREAMBLE_LENGTH + text.length();
             putDigits(bytes, bytes.length - CRC_LENGTH, CRC_LENGTH, Crc16.of(bytes, PREAMBLE_LENGTH, checked));
         }
         return bytes;
@@ -220,12 +215,12 @@ public final class Frame {
     @Override
     public boolean equals(Object other) {
         return other instanceof Frame frame && version == frame.version && flags == frame.flags && sequence == frame.sequence
-                && Arrays.equals(payload, frame.payload);
+                && text.equals(frame.text);
     }
 
     @Override
     public int hashCode() {
-        return 31 * (version << 8 | flags << 4 | sequence) + Arrays.hashCode(payload);
+        return 31 * (version << 8 | flags << 4 | sequence) + text.hashCode();
     }
 
     /** The frame as it is on the line, for logs and test reports. */

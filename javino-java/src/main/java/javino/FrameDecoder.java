@@ -103,9 +103,7 @@ public final class FrameDecoder {
 
     /** Takes one byte that arrived at {@code nowNanos}. */
     public void accept(byte b, long nowNanos) {
-        idle(nowNanos);
-        lastByteNanos = nowNanos;
-        append(b);
+        accept(new byte[] {b}, 0, 1, nowNanos);
     }
 
     /** Says that nothing has arrived up to {@code nowNanos}, so that an unfinished frame can be given up in time. */
@@ -185,7 +183,7 @@ public final class FrameDecoder {
         if (end - start < length) {
             return false;
         }
-        return deliver(length, Frame.copyOf(held, start + Frame.HEADER_LENGTH, payloadLength()));
+        return deliver(length, Frame.copyOf(1, 0, 0, held, start + Frame.HEADER_LENGTH, payloadLength()));
     }
 
     private boolean deliverVersion2OrSkip() {
@@ -203,7 +201,7 @@ public final class FrameDecoder {
         }
         int flags = digit(held[start + Frame.HEADER_LENGTH]);
         int sequence = digit(held[start + Frame.HEADER_LENGTH + 1]);
-        return deliver(length, Frame.copyOf2(held, start + Frame.HEADER_LENGTH_2, payloadLength(), flags, sequence));
+        return deliver(length, Frame.copyOf(2, flags, sequence, held, start + Frame.HEADER_LENGTH_2, payloadLength()));
     }
 
     private boolean deliver(int length, Frame frame) {

@@ -121,30 +121,23 @@ final class SerialTransport extends DriverTransport {
     protected void closeDriver() {
         boolean interrupted = Thread.interrupted(); // a thread that is interrupted closes the port with the same care
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
+        linger();
+        boolean readingEnded = false;
         try {
-            linger();
-            if (reading.tryLock(READ_END_MILLIS, TimeUnit.MILLISECONDS)) {
-                try {
-                    port.closePort(); // ends a write that waits
-                } finally {
-                    reading.unlock();
-                }
-            } else {
-                giveUp();
-            }
+            readingEnded = reading.tryLock(READ_END_MILLIS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             interrupted = true;
-            giveUp();
-        } finally {
-            if (interrupted) {
-                Thread.currentThread().interrupt();
-            }
         }
-    }
-
-    private void giveUp() {
-        System.getLogger(SerialTransport.class.getName()).log(System.Logger.Level.WARNING,
-                "port " + name() + " is given up as it is: its driver does not return from reading");
+        if (readingEnded) {
+            port.closePort(); // ends a write that waits
+            reading.unlock();
+        } else {
+            System.getLogger(SerialTransport.class.getName()).log(System.Logger.Level.WARNING,
+                    "port " + name() + " is given up as it is: its driver does not return from reading");
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** Waits until what was written has left the driver, but not for a device that takes no more. */

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.List;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import javino.Frame;
@@ -30,8 +31,8 @@ public final class BoardLoop {
     private final FrameDecoder decoder;
     private final Deque<Frame> arrived = new ArrayDeque<>();
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
-    private int version = 1; // of the message taken last; guarded by this, as is sequence
-    private int sequence;
+    private volatile int version = 1; // of the message taken last
+    private int sequence; // guarded by this
     private Frame acted; // the last action that wanted to be acknowledged; null: there was none
     private int actedWith; // the outcome's flag
     private long read; // bytes
@@ -88,9 +89,7 @@ public final class BoardLoop {
     Frame take() throws PortException, InterruptedException {
         Frame frame = arrived.poll();
         if (frame != null) {
-            synchronized (this) {
-                version = frame.version();
-            }
+            version = frame.version();
             if (frame.has(Frame.ACK_WANTED) && frame.equals(acted)) {
                 sendOutcome(frame);
                 return null;
@@ -136,7 +135,7 @@ public final class BoardLoop {
     }
 
     /** The version of the protocol of the message that was taken last; 1 before the first. */
-    public synchronized int version() {
+    public int version() {
         return version;
     }
 
@@ -150,10 +149,9 @@ public final class BoardLoop {
             return Frame.of(text).toBytes();
         }
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        for (Frame fragment : Frame.fragments(text.getBytes(StandardCharsets.ISO_8859_1), sequence)) {
-            bytes.writeBytes(fragment.toBytes());
-            sequence = (sequence + 1) % Frame.SEQUENCES;
-        }
+        List<Frame> fragments = Frame.fragments(Frame.requireBytes(text).getBytes(StandardCharsets.ISO_8859_1), sequence);
+        sequence = (sequence + fragments.size()) % Frame.SEQUENCES;
+        fragments.forEach(fragment -> bytes.writeBytes(fragment.toBytes()));
         return bytes.toByteArray();
     }
 

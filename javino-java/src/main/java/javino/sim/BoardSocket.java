@@ -30,9 +30,11 @@ final class BoardSocket {
         opening.lock();
         try {
             if (current != null) {
-                current.requireOver();
+                requireOver(current);
             }
-            Run run = new Run(MemoryLine.paced(port, settings));
+            MemoryLine line = MemoryLine.paced(port, settings);
+            Run run = new Run(line, new Thread(() -> run(line), "board " + port));
+            run.thread.setDaemon(true);
             current = run;
             if (unplugged) { // asked behind the assignment: unplug() sees this run, or this sees that it is unplugged
                 throw new NoSuchPortException(port, "the simulated board " + port + " was unplugged while it was opened");
@@ -59,46 +61,36 @@ final class BoardSocket {
         return run != null && run.thread.isAlive();
     }
 
-    private final class Run implements Runnable {
-        private final MemoryLine line;
-        private final Thread thread;
-
-        Run(MemoryLine line) {
-            this.line = line;
-            thread = new Thread(this, "board " + port);
-            thread.setDaemon(true);
-        }
-
-        @Override
-        public void run() {
-            String end = "the board's program ended";
-            try {
-                board.run(line.board());
-            } catch (PortGoneException | InterruptedException e) {
-                end = "the board's program ended with its line"; // the usual way
-            } catch (PortException | RuntimeException | Error e) {
-                LOG.log(System.Logger.Level.ERROR, "the program of " + port + " failed", e);
-                end = "the board's program failed with " + e;
-            } finally {
-                line.closeBoard(end);
-            }
-        }
-
-        /** Gives a run whose line is gone a moment to end. */
-        void requireOver() throws PortException {
-            if (!line.isGone()) {
-                throw new PortBusyException(port, "another part of this program");
-            }
-            thread.interrupt(); // it has had its time to read what was sent before the port was closed
-            try {
-                thread.join(LAST_RUN_MILLIS);
-            } catch (InterruptedException e) {
-                throw PortInterruptedException.remarking(port);
-            }
-            if (thread.isAlive()) {
-                throw new PortBusyException(port, "the board's own program, which still runs " + LAST_RUN_MILLIS
-                        + " ms after its port was closed (it must end when its line is gone)");
-            }
+    private void run(MemoryLine line) {
+        String end = "the board's program ended";
+        try {
+            board.run(line.board());
+        } catch (PortGoneException | InterruptedException e) {
+            end = "the board's program ended with its line"; // the usual way
+        } catch (PortException | RuntimeException | Error e) {
+            LOG.log(System.Logger.Level.ERROR, "the program of " + port + " failed", e);
+            end = "the board's program failed with " + e;
+        } finally {
+            line.closeBoard(end);
         }
     }
+
+    /** Gives a run whose line is gone a moment to end. */
+    private void requireOver(Run run) throws PortException {
+        if (!run.line.isGone()) {
+            throw new PortBusyException(port, "another part of this program");
+        }
+        run.thread.interrupt(); // it has had its time to read what was sent before the port was closed
+        try {
+            run.thread.join(LAST_RUN_MILLIS);
+        } catch (InterruptedException e) {
+            throw PortInterruptedException.remarking(port);
+        }
+        if (run.thread.isAlive()) {
+            throw new PortBusyException(port, "the board's own program, which still runs " + LAST_RUN_MILLIS
+                    + " ms after its port was closed (it must end when its line is gone)");
+        }
+    }
+
+    private record Run(MemoryLine line, Thread thread) {}
 }

@@ -2,12 +2,14 @@ package javino.sim;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.function.Function;
+import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import javino.LineClock;
 import javino.PerceptsRequest;
 import javino.PortException;
+import javino.Protocol;
 
 /**
  * A board for tests. It is plugged in as {@code sim:name}, answers as it is told, and keeps what it received:
@@ -39,8 +41,9 @@ public final class FakeBoard implements AutoCloseable {
 
     private FakeBoard(String name, LineClock clock) {
         this.name = name;
-        record = new FakeBoardRecord(port(), clock);
-        sketch = new FakeBoardSketch(script, record, clock);
+        FakeBoardMonitor monitor = new FakeBoardMonitor(clock);
+        record = new FakeBoardRecord(port(), monitor);
+        sketch = new FakeBoardSketch(script, record, monitor, clock);
         whenAsked(PerceptsRequest.ALL).answer("");
     }
 
@@ -104,7 +107,7 @@ public final class FakeBoard implements AutoCloseable {
         if (messages < 1) {
             throw new IllegalArgumentException("a board holds at least 1 message, but a queue of " + messages + " was asked for");
         }
-        sketch.queueSize(messages);
+        sketch.queueSize = messages;
         return this;
     }
 
@@ -114,19 +117,19 @@ public final class FakeBoard implements AutoCloseable {
      * called before the port is opened.
      */
     public FakeBoard version2() {
-        sketch.version2();
+        sketch.protocol = Protocol.AUTO;
         return this;
     }
 
     /** Says how many milliseconds the board does something else between two messages, as a sketch's {@code loop()} does. */
     public FakeBoard loopTakes(int millis) {
-        sketch.loopTakes(millis);
+        sketch.loopMillis = millis;
         return this;
     }
 
     /** Says how many milliseconds the board takes to start when its port is opened; what comes in that time is lost. */
     public FakeBoard bootTakes(int millis) {
-        sketch.bootTakes(millis);
+        sketch.bootMillis = millis;
         return this;
     }
 
@@ -227,9 +230,10 @@ public final class FakeBoard implements AutoCloseable {
 
     /** How a board handles a message: after a delay it answers, or does not. Without an answer it stays silent. */
     public static final class Rule {
-        private volatile int delayMillis;
-        private volatile boolean refused;
-        private volatile FakeBoardScript.Reply reply = (message, framed) -> null;
+        volatile int delayMillis;
+        volatile boolean refused;
+        /** The bytes that answer a message, or null; the loop makes them of a text. */
+        volatile BiFunction<String, BoardLoop, byte[]> reply = (message, loop) -> null;
 
         Rule() {}
 
@@ -241,29 +245,25 @@ public final class FakeBoard implements AutoCloseable {
 
         /** Answers with these messages, one each time, and with the last of them from then on. */
         public Rule answer(String first, String... next) {
-            reply = FakeBoardScript.inTurn(first, next);
-            return this;
+            return answer(FakeBoardScript.inTurn(first, next));
         }
 
         /** Answers with what {@code answer} makes of the message; null: no answer. It is called on the board's thread. */
         public Rule answer(UnaryOperator<String> answer) {
-            reply = (message, framed) -> {
-                String text = answer.apply(message);
-                return text == null ? null : framed.apply(text);
-            };
+            reply = (message, loop) -> Optional.ofNullable(answer.apply(message)).map(loop::bytesOf).orElse(null);
             return this;
         }
 
         /** Answers with bytes as they are: a damaged frame, half of one, two at once. Characters are bytes (ISO-8859-1). */
         public Rule answerRaw(String bytes) {
             byte[] raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
-            reply = (message, framed) -> raw.clone();
+            reply = (message, loop) -> raw;
             return this;
         }
 
         /** Gives no answer. */
         public Rule staySilent() {
-            reply = (message, framed) -> null;
+            reply = (message, loop) -> null;
             return this;
         }
 
@@ -271,18 +271,6 @@ public final class FakeBoard implements AutoCloseable {
         public Rule refuse() {
             refused = true;
             return this;
-        }
-
-        int delayMillis() {
-            return delayMillis;
-        }
-
-        byte[] reply(String message, Function<String, byte[]> framed) {
-            return reply.to(message, framed);
-        }
-
-        boolean isRefused() {
-            return refused;
         }
     }
 }

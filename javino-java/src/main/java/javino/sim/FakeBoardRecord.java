@@ -2,95 +2,64 @@ package javino.sim;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.Lock;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
-import javino.LineClock;
+import java.util.stream.Collectors;
 
 /** What a {@link FakeBoard} received and what becomes of it. Safe on any thread. */
 final class FakeBoardRecord {
-    private final Lock lock;
-    private final Condition changed;
+    private final String port;
+    private final FakeBoardMonitor monitor; // guards the lists
     private final List<String> received = new ArrayList<>();
     private final List<String> overwritten = new ArrayList<>();
     private final List<String> unaccounted = new ArrayList<>(); // covered by no rule, not expected, not taken yet
     private final List<String> expected = new ArrayList<>();
-    private final String port;
 
-    FakeBoardRecord(String port, LineClock clock) {
+    FakeBoardRecord(String port, FakeBoardMonitor monitor) {
         this.port = port;
-        lock = clock.newLock(false);
-        changed = lock.newCondition();
+        this.monitor = monitor;
     }
 
     void expect(String message) {
-        locked(() -> unaccounted.remove(message) || expected.add(message));
+        monitor.locked(() -> unaccounted.remove(message) || expected.add(message));
     }
 
     /** @param covered whether a rule says what to do with it */
     void received(String message, boolean covered) {
-        locked(() -> {
+        monitor.locked(() -> {
             received.add(message);
             boolean wasExpected = expected.remove(message);
-            if (!covered && !wasExpected) {
-                unaccounted.add(message);
-            }
-            changed.signalAll();
-            return null;
+            return covered || wasExpected || unaccounted.add(message);
         });
     }
 
     void overwritten(String message) {
-        locked(() -> overwritten.add(message));
+        monitor.locked(() -> overwritten.add(message));
     }
 
     List<String> received() {
-        return locked(() -> List.copyOf(received));
+        return monitor.locked(() -> List.copyOf(received));
     }
 
     List<String> overwritten() {
-        return locked(() -> List.copyOf(overwritten));
-    }
-
-    private <T> T locked(Supplier<T> work) {
-        lock.lock();
-        try {
-            return work.get();
-        } finally {
-            lock.unlock();
-        }
+        return monitor.locked(() -> List.copyOf(overwritten));
     }
 
     /** Takes the first message that is not accounted for and is {@code wanted}; {@code what} says to a person what was wanted. */
     String take(Predicate<String> wanted, String what, int timeoutMillis) {
-        long left = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        lock.lock();
-        try {
-            while (true) {
-                for (String message : unaccounted) {
-                    if (wanted.test(message)) {
-                        unaccounted.remove(message);
-                        return message;
-                    }
-                }
-                if (left <= 0) {
-                    throw new AssertionError("board " + port + " waited " + timeoutMillis + " ms for " + what + "; " + all());
-                }
-                left = changed.awaitNanos(left);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new AssertionError("interrupted while board " + port + " waited for " + what, e);
-        } finally {
-            lock.unlock();
+        List<String> taken = new ArrayList<>();
+        boolean came = monitor.await(() -> {
+            unaccounted.stream().filter(wanted).findFirst().ifPresent(taken::add);
+            return !taken.isEmpty() && unaccounted.remove(taken.get(0));
+        }, timeoutMillis, "board " + port + " waited for " + what);
+        if (!came) {
+            throw new AssertionError("board " + port + " waited " + timeoutMillis + " ms for " + what + "; " + monitor.locked(this::all));
         }
+        return taken.get(0);
     }
 
     void verify() {
         List<String> amiss = new ArrayList<>();
-        String all = locked(() -> {
+        String all = monitor.locked(() -> {
             addUnlessEmpty(amiss, "received what nobody expected: ", unaccounted);
             addUnlessEmpty(amiss, "did not receive: ", expected);
             addUnlessEmpty(amiss, "had no room for, and lost: ", overwritten);
@@ -112,6 +81,6 @@ final class FakeBoardRecord {
     }
 
     private static String quoted(List<String> messages) {
-        return String.join(", ", messages.stream().map(message -> '"' + message + '"').toList());
+        return messages.stream().map(message -> '"' + message + '"').collect(Collectors.joining(", "));
     }
 }

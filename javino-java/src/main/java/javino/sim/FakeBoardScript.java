@@ -4,17 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import javino.Frame;
 
 /** The rules of a {@link FakeBoard}. Safe on any thread. */
 final class FakeBoardScript {
-    /** The bytes that answer a message, or null; {@code framed} makes them of a text. */
-    interface Reply {
-        byte[] to(String message, Function<String, byte[]> framed);
-    }
-
     private record Entry(String message, Predicate<String> kind, FakeBoard.Rule rule) {}
 
     private volatile List<Entry> entries = List.of(); // those for one message first
@@ -41,11 +36,12 @@ final class FakeBoardScript {
         return entries.stream().filter(entry -> entry.kind().test(message)).map(Entry::rule).findFirst();
     }
 
-    static Reply inTurn(String first, String... next) {
+    /** One of the texts each time, and the last of them from then on. */
+    static UnaryOperator<String> inTurn(String first, String... next) {
         List<String> answers = new ArrayList<>(List.of(first));
         answers.addAll(List.of(next));
         answers.stream().filter(text -> text.length() <= Frame.MAX_PAYLOAD).forEach(Frame::of); // else the test would learn too late
         AtomicInteger turn = new AtomicInteger();
-        return (message, framed) -> framed.apply(answers.get(turn.getAndUpdate(i -> Math.min(i + 1, answers.size() - 1))));
+        return message -> answers.get(turn.getAndUpdate(i -> Math.min(i + 1, answers.size() - 1)));
     }
 }

@@ -1,8 +1,6 @@
 package javino.sim;
 
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.Lock;
 import java.util.function.BooleanSupplier;
 import javino.Frame;
 import javino.LineClock;
@@ -13,69 +11,54 @@ import javino.Transport;
 /** The program that runs on a {@link FakeBoard}: reads a message, does what the script says, and begins again. */
 final class FakeBoardSketch implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
-    private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
-    private final LineClock clock;
-    private final Lock lock;
-    private final Condition changed;
+    // as the methods of FakeBoard that set them say
+    volatile int queueSize = Integer.MAX_VALUE;
+    volatile int loopMillis;
+    volatile int bootMillis;
+    volatile Protocol protocol = Protocol.V1;
+
     private final FakeBoardScript script;
     private final FakeBoardRecord record;
-    private BoardLoop open; // guarded by lock, as is stalled
+    private final FakeBoardMonitor monitor;
+    private final LineClock clock;
+    private BoardLoop open; // guarded by the monitor, as is stalled
     private boolean stalled;
-    private volatile int queueSize = Integer.MAX_VALUE;
-    private volatile int loopMillis;
-    private volatile int bootMillis;
-    private volatile Protocol protocol = Protocol.V1;
 
-    FakeBoardSketch(FakeBoardScript script, FakeBoardRecord record, LineClock clock) {
-        this.clock = clock;
-        lock = clock.newLock(false);
-        changed = lock.newCondition();
+    FakeBoardSketch(FakeBoardScript script, FakeBoardRecord record, FakeBoardMonitor monitor, LineClock clock) {
         this.script = script;
         this.record = record;
-    }
-
-    void queueSize(int messages) {
-        queueSize = messages;
-    }
-
-    void loopTakes(int millis) {
-        loopMillis = millis;
-    }
-
-    void bootTakes(int millis) {
-        bootMillis = millis;
-    }
-
-    void version2() {
-        protocol = Protocol.AUTO;
+        this.monitor = monitor;
+        this.clock = clock;
     }
 
     void stall(boolean value) {
-        change(() -> stalled = value);
+        monitor.locked(() -> stalled = value);
     }
 
     @Override
     public void run(Transport line) throws PortException, InterruptedException {
         BoardLoop loop = new BoardLoop(line, protocol, clock);
-        setOpen(loop);
+        monitor.locked(() -> open = loop);
         try {
             boot(loop);
             while (true) {
-                awaitRunning();
+                monitor.awaitWhile(() -> stalled);
                 loop.receive(READ_MILLIS);
-                if (awaitRunning()) {
+                if (monitor.awaitWhile(() -> stalled)) {
                     loop.receive(0);
                 }
-                loseWhatDoesNotFit(loop);
+                while (loop.waiting() > queueSize) {
+                    record.overwritten(loop.overwrite().text());
+                }
                 Frame message = loop.take();
                 if (message != null) {
                     handle(message, loop);
                 }
-                        loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
+                loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
-            setClosed(loop);
+            monitor.locked(() -> open = open == loop ? null : open); // a board that was plugged in again may be open anew by now
         }
     }
 
@@ -83,12 +66,6 @@ final class FakeBoardSketch implements SimulatedBoard {
         if (bootMillis > 0) {
             loop.pause(TimeUnit.MILLISECONDS.toNanos(bootMillis));
             loop.ignore();
-        }
-    }
-
-    private void loseWhatDoesNotFit(BoardLoop loop) {
-        while (loop.waiting() > queueSize) {
-            record.overwritten(loop.overwrite().text());
         }
     }
 
@@ -101,12 +78,12 @@ final class FakeBoardSketch implements SimulatedBoard {
             loop.acknowledge(frame);
             return;
         }
-        loop.pause(TimeUnit.MILLISECONDS.toNanos(rule.delayMillis()));
-        byte[] answer = rule.reply(message, loop::bytesOf);
+        loop.pause(TimeUnit.MILLISECONDS.toNanos(rule.delayMillis));
+        byte[] answer = rule.reply.apply(message, loop);
         if (answer != null) {
             loop.send(answer);
         }
-        if (rule.isRefused()) {
+        if (rule.refused) {
             loop.refuse(frame);
         } else {
             loop.acknowledge(frame);
@@ -125,19 +102,15 @@ final class FakeBoardSketch implements SimulatedBoard {
     }
 
     private BoardLoop requireOpen() {
-        lock.lock();
-        try {
-            if (open == null) {
-                throw new IllegalStateException("the board has nobody to send to: its port is not open");
-            }
-            return open;
-        } finally {
-            lock.unlock();
+        BoardLoop loop = monitor.locked(() -> open);
+        if (loop == null) {
+            throw new IllegalStateException("the board has nobody to send to: its port is not open");
         }
+        return loop;
     }
 
     void awaitOpen(String port, int timeoutMillis) {
-        if (!await(() -> open != null, timeoutMillis)) {
+        if (!monitor.await(() -> open != null, timeoutMillis, "waiting for somebody to open " + port)) {
             throw new AssertionError("nobody opened " + port + " within " + timeoutMillis + " ms");
         }
     }
@@ -148,66 +121,9 @@ final class FakeBoardSketch implements SimulatedBoard {
      * @param starting whether the board's thread lives, so that this program runs or is about to
      */
     void awaitDrained(BooleanSupplier starting, int timeoutMillis) {
-        lock.lock();
-        try {
-            BoardLoop first = open;
-            int silences = first == null ? 0 : first.silences();
-            await(() -> stalled || (open == null ? !starting.getAsBoolean() : open.isDrained(open == first ? silences : 0)), timeoutMillis);
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    /** Waits until {@code reached}, which is asked under the lock; false if it is not within {@code timeoutMillis}. */
-    private boolean await(BooleanSupplier reached, int timeoutMillis) {
-        lock.lock();
-        try {
-            long end = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-            while (!reached.getAsBoolean()) {
-                long left = end - clock.nanos();
-                if (left <= 0) {
-                    return false;
-                }
-                clock.await(changed, Math.min(left, POLL_NANOS));
-            }
-            return true;
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new AssertionError("interrupted while waiting for a fake board", e);
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    private void setOpen(BoardLoop loop) {
-        change(() -> open = loop);
-    }
-
-    private void setClosed(BoardLoop loop) {
-        change(() -> open = open == loop ? null : open); // a board that was plugged in again may be open anew by now
-    }
-
-    private void change(Runnable change) {
-        lock.lock();
-        try {
-            change.run();
-            changed.signalAll();
-        } finally {
-            lock.unlock();
-        }
-    }
-
-    /** Waits while the board is stalled; returns whether it was. */
-    private boolean awaitRunning() throws InterruptedException {
-        lock.lockInterruptibly();
-        try {
-            boolean waited = stalled;
-            while (stalled) {
-                changed.await();
-            }
-            return waited;
-        } finally {
-            lock.unlock();
-        }
+        BoardLoop first = monitor.locked(() -> open);
+        int silences = first == null ? 0 : first.silences();
+        monitor.await(() -> stalled || (open == null ? !starting.getAsBoolean() : open.isDrained(open == first ? silences : 0)),
+                timeoutMillis, "waiting for a fake board");
     }
 }

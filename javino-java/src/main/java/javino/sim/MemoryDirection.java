@@ -5,10 +5,8 @@ import java.util.concurrent.locks.Lock;
 
 /** One direction of a {@link MemoryLine}: bytes, each with the time at which it has arrived. Guarded by the line's lock. */
 final class MemoryDirection {
-    /** Signalled when bytes have been put on it. */
-    final Condition arrived;
-    /** Signalled when bytes have been taken from it. */
-    final Condition room;
+    /** Signalled when bytes have been put on it or taken from it. */
+    final Condition changed;
     private final byte[] bytes;
     private final long[] readyAt;
     private final long byteNanos;
@@ -16,23 +14,19 @@ final class MemoryDirection {
     private int count;
     private long taken;
     private long lineFreeAt;
-    private boolean used;
 
-    MemoryDirection(int capacity, long byteNanos, Lock lock) {
+    MemoryDirection(int capacity, long byteNanos, Lock lock, long now) {
         bytes = new byte[capacity];
         readyAt = new long[capacity];
         this.byteNanos = byteNanos;
-        arrived = lock.newCondition();
-        room = lock.newCondition();
+        changed = lock.newCondition();
+        lineFreeAt = now;
     }
 
     /** Puts as many of the bytes on the line as there is room for, and returns how many. */
     int put(byte[] source, int off, int len, long now) {
         int room = Math.min(len, bytes.length - count);
-        if (!used || lineFreeAt - now < 0) {
-            lineFreeAt = now;
-            used = true;
-        }
+        lineFreeAt += Math.max(0, now - lineFreeAt);
         for (int i = 0; i < room; i++) {
             int at = (first + count) % bytes.length;
             lineFreeAt += byteNanos;

@@ -1,7 +1,7 @@
 package javino.sim;
 
 import java.util.List;
-import java.util.concurrent.locks.Condition;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Lock;
 import javino.LineClock;
 import javino.LineSettings;
@@ -24,23 +24,21 @@ public final class MemoryLine {
     /** Bytes a direction that the line holds unread. */
     public static final int CAPACITY = 4096;
 
-    private static final long NANOS_PER_MILLI = 1_000_000L;
-
     private final Lock lock;
     private final String name;
     private final LineSettings line;
     private final LineClock clock;
     private final End computer;
     private final End board;
-    private String end; // why the line is gone; null while it is there
+    private volatile String end; // why the line is gone; null while it is there
 
     private MemoryLine(String name, LineSettings line, long byteNanos, LineClock clock) {
         this.name = name;
         this.line = line;
         this.clock = clock;
         lock = clock.newLock(false);
-        MemoryDirection toBoard = new MemoryDirection(CAPACITY, byteNanos, lock);
-        MemoryDirection toComputer = new MemoryDirection(CAPACITY, byteNanos, lock);
+        MemoryDirection toBoard = new MemoryDirection(CAPACITY, byteNanos, lock, clock.nanos());
+        MemoryDirection toComputer = new MemoryDirection(CAPACITY, byteNanos, lock, clock.nanos());
         computer = new End(toComputer, toBoard);
         board = new End(toBoard, toComputer);
     }
@@ -92,13 +90,9 @@ public final class MemoryLine {
             if (end == null) {
                 end = why;
             }
-            for (MemoryDirection direction : emptied) {
-                direction.clear();
-            }
-            for (MemoryDirection direction : List.of(computer.in, board.in)) {
-                direction.arrived.signalAll();
-                direction.room.signalAll();
-            }
+            List.of(emptied).forEach(MemoryDirection::clear);
+            computer.in.changed.signalAll();
+            board.in.changed.signalAll();
         } finally {
             lock.unlock();
         }
@@ -106,12 +100,7 @@ public final class MemoryLine {
 
     /** Whether an end is closed or the line is unplugged. */
     public boolean isGone() {
-        lock.lock();
-        try {
-            return end != null;
-        } finally {
-            lock.unlock();
-        }
+        return end != null;
     }
 
     private void requireLine() throws PortGoneException {
@@ -120,9 +109,9 @@ public final class MemoryLine {
         }
     }
 
-    private void await(Condition changed, long nanos) throws PortException {
+    private void await(MemoryDirection direction, long nanos) throws PortException {
         try {
-            clock.await(changed, nanos);
+            clock.await(direction.changed, nanos);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             requireLine();
@@ -151,14 +140,14 @@ public final class MemoryLine {
 
         @Override
         public int read(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-            long deadline = clock.nanos() + timeoutMillis * NANOS_PER_MILLI;
+            long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
             lock.lock();
             try {
                 while (true) {
                     long now = clock.nanos();
                     int count = in.take(b, off, len, now);
                     if (count > 0) {
-                        in.room.signalAll();
+                        in.changed.signalAll();
                         return count;
                     }
                     if (in.isEmpty()) {
@@ -167,7 +156,7 @@ public final class MemoryLine {
                     if (deadline - now <= 0) {
                         return 0;
                     }
-                    await(in.arrived, Math.min(deadline - now, in.nanosUntilReady(now)));
+                    await(in, Math.min(deadline - now, in.nanosUntilReady(now)));
                 }
             } finally {
                 lock.unlock();
@@ -176,7 +165,7 @@ public final class MemoryLine {
 
         @Override
         public void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
-            long deadline = clock.nanos() + timeoutMillis * NANOS_PER_MILLI;
+            long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
             int written = 0;
             lock.lock();
             try {
@@ -186,7 +175,7 @@ public final class MemoryLine {
                     int count = out.put(b, off + written, len - written, now);
                     written += count;
                     if (count > 0) {
-                        out.arrived.signalAll();
+                        out.changed.signalAll();
                     }
                     if (written == len) {
                         return;
@@ -195,7 +184,7 @@ public final class MemoryLine {
                         throw new PortTimeoutException(name, "port " + name + " took " + written + " of " + len + " bytes within "
                                 + timeoutMillis + " ms; nobody reads at the far end");
                     }
-                    await(out.room, deadline - now);
+                    await(out, deadline - now);
                 }
             } finally {
                 lock.unlock();

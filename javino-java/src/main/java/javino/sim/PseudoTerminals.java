@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -24,8 +25,7 @@ public final class PseudoTerminals implements AutoCloseable {
     /** Whether {@code socat} can be started here. */
     public static boolean available() {
         try {
-            return new ProcessBuilder("socat", "-V").redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
-                    .waitFor() == 0;
+            return socat("-V").waitFor() == 0;
         } catch (IOException e) {
             return false; // there is no such program
         } catch (InterruptedException e) {
@@ -41,7 +41,8 @@ public final class PseudoTerminals implements AutoCloseable {
      */
     public static PseudoTerminals open() throws IOException, InterruptedException {
         Path directory = Files.createTempDirectory("argo-pty");
-        PseudoTerminals pair = new PseudoTerminals(directory, start(directory));
+        String raw = "pty,raw,echo=0,link=";
+        PseudoTerminals pair = new PseudoTerminals(directory, socat(raw + directory.resolve("computer"), raw + directory.resolve("board")));
         try {
             pair.awaitDevices();
             return pair;
@@ -51,10 +52,10 @@ public final class PseudoTerminals implements AutoCloseable {
         }
     }
 
-    private static Process start(Path directory) throws IOException {
-        String raw = "pty,raw,echo=0,link=";
-        return new ProcessBuilder("socat", raw + directory.resolve("computer"), raw + directory.resolve("board"))
-                .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start();
+    private static Process socat(String... arguments) throws IOException {
+        ProcessBuilder socat = new ProcessBuilder("socat");
+        socat.command().addAll(List.of(arguments));
+        return socat.redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start();
     }
 
     /** The device that a program opens as the board's port. */

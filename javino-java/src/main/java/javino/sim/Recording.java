@@ -9,7 +9,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import javino.Frame;
 import javino.PerceptsRequest;
 
 /**
@@ -36,9 +39,7 @@ public record Recording(List<Entry> entries) {
         /** To the board. */
         OUT;
 
-        String word() {
-            return this == IN ? "in" : "out";
-        }
+        final String word = name().toLowerCase(Locale.ROOT);
     }
 
     /**
@@ -49,17 +50,12 @@ public record Recording(List<Entry> entries) {
      * @param message its text, a character a byte
      */
     public record Entry(long millis, Direction direction, String message) {
-        private static final int HIGHEST = 0xFF;
-
         /** @throws IllegalArgumentException if the time is negative, or a character of the message is above U+00FF */
         public Entry {
             if (millis < 0) {
                 throw new IllegalArgumentException("a recording begins at 0 ms, but a message at " + millis + " ms was given");
             }
-            message.chars().filter(c -> c > HIGHEST).findFirst().ifPresent(c -> {
-                throw new IllegalArgumentException(String.format("a message carries one byte per character, but one of %s is U+%04X; "
-                        + "the highest is U+00FF", RecordingText.quoted(message), c));
-            });
+            Frame.requireBytes(message);
         }
     }
 
@@ -146,17 +142,13 @@ public record Recording(List<Entry> entries) {
 
     private static long millis(String written) {
         if (!written.matches("[0-9]{1,18}")) {
-            throw new IllegalArgumentException(RecordingText.quoted(written) + " is not a time in whole milliseconds");
+            throw new IllegalArgumentException(Frame.quoted(written) + " is not a time in whole milliseconds");
         }
         return Long.parseLong(written);
     }
 
     private static Direction direction(String written) {
-        for (Direction direction : Direction.values()) {
-            if (direction.word().equals(written)) {
-                return direction;
-            }
-        }
-        throw new IllegalArgumentException(RecordingText.quoted(written) + " is no direction; a message goes \"in\" or \"out\"");
+        return Arrays.stream(Direction.values()).filter(direction -> direction.word.equals(written)).findFirst().orElseThrow(() ->
+                new IllegalArgumentException(Frame.quoted(written) + " is no direction; a message goes \"in\" or \"out\""));
     }
 }

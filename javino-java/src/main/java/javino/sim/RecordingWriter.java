@@ -2,13 +2,12 @@ package javino.sim;
 
 import java.io.IOException;
 import java.io.Writer;
+import java.util.concurrent.TimeUnit;
 
 /**
  * Writes a {@link Recording} as it comes about; what was written is there even if the program is killed. Safe on any thread.
  */
 public final class RecordingWriter implements AutoCloseable {
-    private static final long NANOS_PER_MILLI = 1_000_000L;
-
     private final Writer out;
     private final long startNanos;
     private long latestMillis;
@@ -27,8 +26,8 @@ public final class RecordingWriter implements AutoCloseable {
 
     /** Adds a message at {@code nowNanos}; one that is earlier than the last counts as of the same time. */
     public synchronized void add(long nowNanos, Recording.Direction direction, String message) throws IOException {
-        latestMillis = Math.max(latestMillis, (nowNanos - startNanos) / NANOS_PER_MILLI);
-        line(latestMillis + "\t" + direction.word() + "\t" + RecordingText.write(message));
+        latestMillis = Math.max(latestMillis, TimeUnit.NANOSECONDS.toMillis(nowNanos - startNanos));
+        line(latestMillis + "\t" + direction.word + "\t" + RecordingText.write(message));
     }
 
     @Override
@@ -37,8 +36,7 @@ public final class RecordingWriter implements AutoCloseable {
     }
 
     private void line(String text) throws IOException {
-        out.write(text);
-        out.write('\n');
+        out.write(text + '\n');
         out.flush();
     }
 }

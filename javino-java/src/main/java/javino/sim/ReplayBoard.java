@@ -1,9 +1,10 @@
 package javino.sim;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import javino.Frame;
 import javino.LineClock;
 import javino.PerceptsRequest;
@@ -21,6 +22,8 @@ import javino.Transport;
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
+    /** The rest of a message if it fits into a frame, else as many whole percepts as do, else one that is too long. */
+    private static final Pattern PART = Pattern.compile("(?s).{1,255}\\z|.{0,254};|[^;]+(;|\\z)");
 
     private final List<Recording.Entry> said;
     private final boolean asked;
@@ -82,6 +85,7 @@ public final class ReplayBoard implements SimulatedBoard {
         return Math.max(1, said.size() == 1 ? span : span + span / (said.size() - 1));
     }
 
+    /** When a message is due, counted from the first; numbers go on counting in further rounds. */
     private long offsetMillis(int number) {
         long rounds = number / said.size();
         return rounds * periodMillis() + said.get(number % said.size()).millis() - said.get(0).millis();
@@ -92,21 +96,9 @@ public final class ReplayBoard implements SimulatedBoard {
      * frame is left out.
      */
     private static List<String> parts(String message) {
-        List<String> parts = new ArrayList<>();
-        String rest = message;
-        while (rest.length() > Frame.MAX_PAYLOAD) {
-            int cut = rest.lastIndexOf(';', Frame.MAX_PAYLOAD - 1) + 1;
-            if (cut > 0) {
-                parts.add(rest.substring(0, cut));
-            } else {
-                cut = rest.indexOf(';') + 1;
-            }
-            rest = cut == 0 ? "" : rest.substring(cut);
-        }
-        if (!rest.isEmpty() || parts.isEmpty()) {
-            parts.add(rest);
-        }
-        return parts;
+        List<String> parts = PART.matcher(message).results().map(MatchResult::group).filter(part -> part.length() <= Frame.MAX_PAYLOAD)
+                .toList();
+        return parts.isEmpty() ? List.of("") : parts;
     }
 
     /** One use of the port. */
@@ -114,7 +106,7 @@ public final class ReplayBoard implements SimulatedBoard {
         private final BoardLoop loop;
         private final long openedNanos = clock.nanos();
         private Long firstRequestNanos;
-        private int next; // of what was said: the number of the next; of what is said unasked, it goes on counting in further rounds
+        private int next; // the number of what is said next
 
         Run(Transport line) {
             loop = new BoardLoop(line, Protocol.AUTO, clock);
@@ -133,14 +125,14 @@ public final class ReplayBoard implements SimulatedBoard {
         }
 
         private int millisToWait() {
-            if (asked || isOver()) {
+            if (asked || isOver(next)) {
                 return READ_MILLIS;
             }
             return (int) Math.max(0, Math.min(READ_MILLIS, offsetMillis(next) - millisSince(openedNanos)));
         }
 
-        private boolean isOver() {
-            return !repeated && next >= said.size();
+        private boolean isOver(int number) {
+            return !repeated && number >= said.size();
         }
 
         private long millisSince(long nanos) {
@@ -148,9 +140,13 @@ public final class ReplayBoard implements SimulatedBoard {
         }
 
         private void speak() throws PortException, InterruptedException {
-            while (!isOver() && offsetMillis(next) <= millisSince(openedNanos)) {
-                say(said.get(next++ % said.size()).message());
+            while (!isOver(next) && offsetMillis(next) <= millisSince(openedNanos)) {
+                say(message(next++));
             }
+        }
+
+        private String message(int number) {
+            return said.get(number % said.size()).message();
         }
 
         private void handle(Frame frame) throws PortException, InterruptedException {
@@ -167,28 +163,13 @@ public final class ReplayBoard implements SimulatedBoard {
             if (firstRequestNanos == null) {
                 firstRequestNanos = clock.nanos();
             }
-            if (!inTurn) {
-                long millis = millisSince(firstRequestNanos);
-                return said.get(indexAt(repeated ? millis % periodMillis() : millis)).message();
+            if (inTurn) {
+                return message(isOver(next) ? said.size() - 1 : next++);
             }
-            int number = next;
-            next = repeated ? (next + 1) % said.size() : Math.min(next + 1, said.size() - 1);
-            return said.get(number).message();
-        }
-
-        /** The last of what had been said by then. */
-        private int indexAt(long millis) {
-            int from = 0;
-            int to = said.size();
-            while (to - from > 1) {
-                int middle = (from + to) / 2;
-                if (offsetMillis(middle) <= millis) {
-                    from = middle;
-                } else {
-                    to = middle;
-                }
+            while (!isOver(next + 1) && offsetMillis(next + 1) <= millisSince(firstRequestNanos)) {
+                next++;
             }
-            return from;
+            return message(next);
         }
 
         private void say(String message) throws PortException, InterruptedException {

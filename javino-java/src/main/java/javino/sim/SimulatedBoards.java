@@ -5,9 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.Set;
-import java.util.TreeMap;
-import java.util.concurrent.locks.ReentrantLock;
-import java.util.function.Supplier;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.stream.Collectors;
 import javino.LineSettings;
 import javino.NoSuchPortException;
 import javino.PortException;
@@ -23,9 +22,8 @@ public final class SimulatedBoards {
     /** The scheme of their ports. */
     public static final String SCHEME = "sim";
 
-    private static final ReentrantLock TABLE = new ReentrantLock(); // guards the two below; not held while a board is opened
-    private static final Map<String, BoardSocket> SOCKETS = new TreeMap<>();
-    private static final Set<Class<?>> SERVICES_SEEN = new HashSet<>();
+    private static final Map<String, BoardSocket> SOCKETS = new ConcurrentSkipListMap<>();
+    private static final Set<Class<?>> SERVICES_SEEN = new HashSet<>(); // guarded by this class
 
     private SimulatedBoards() {}
 
@@ -39,7 +37,7 @@ public final class SimulatedBoards {
         if (name.isBlank()) {
             throw new IllegalArgumentException("a simulated board needs a name");
         }
-        BoardSocket other = locked(() -> SOCKETS.putIfAbsent(name, new BoardSocket(portName(name), board)));
+        BoardSocket other = SOCKETS.putIfAbsent(name, new BoardSocket(portName(name), board));
         if (other != null) {
             throw new IllegalStateException("a board " + portName(name) + " is plugged in already; unplug it first");
         }
@@ -51,7 +49,7 @@ public final class SimulatedBoards {
      * @return whether there was a board of that name
      */
     public static boolean unplug(String name) {
-        BoardSocket socket = locked(() -> SOCKETS.remove(name));
+        BoardSocket socket = SOCKETS.remove(name);
         if (socket == null) {
             return false;
         }
@@ -61,23 +59,19 @@ public final class SimulatedBoards {
 
     /** The names of the boards there are, in alphabetical order, without the scheme. */
     public static List<String> names() {
-        return locked(() -> {
-            plugInServices();
-            return List.copyOf(SOCKETS.keySet());
-        });
+        plugInServices();
+        return List.copyOf(SOCKETS.keySet());
     }
 
     /** Whether the program of the board that is plugged in under this name runs, or is about to. */
     static boolean isRunning(String name) {
-        BoardSocket socket = locked(() -> SOCKETS.get(name));
+        BoardSocket socket = SOCKETS.get(name);
         return socket != null && socket.isRunning();
     }
 
     static Transport open(String name, LineSettings line) throws PortException {
-        BoardSocket socket = locked(() -> {
-            plugInServices();
-            return SOCKETS.get(name);
-        });
+        plugInServices();
+        BoardSocket socket = SOCKETS.get(name);
         if (socket == null) {
             throw new NoSuchPortException(portName(name), "there is no simulated board " + portName(name) + "; " + present(names()));
         }
@@ -88,23 +82,14 @@ public final class SimulatedBoards {
         return names.isEmpty()
                 ? "none is plugged in (plug one in with SimulatedBoards.plugIn, or name its class in META-INF/services/"
                         + SimulatedBoard.class.getName() + ")"
-                : "there are: " + String.join(", ", names.stream().map(SimulatedBoards::portName).toList());
+                : names.stream().map(SimulatedBoards::portName).collect(Collectors.joining(", ", "there are: ", ""));
     }
 
     private static String portName(String name) {
         return SCHEME + ':' + name;
     }
 
-    private static <T> T locked(Supplier<T> work) {
-        TABLE.lock();
-        try {
-            return work.get();
-        } finally {
-            TABLE.unlock();
-        }
-    }
-
-    private static void plugInServices() {
+    private static synchronized void plugInServices() {
         for (ServiceLoader.Provider<SimulatedBoard> service : Services.providers(SimulatedBoard.class)) {
             if (SERVICES_SEEN.add(service.type())) {
                 SimulatedBoard board = Services.make(service);

@@ -2,6 +2,7 @@ package javino.tcp;
 
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentMap;
 import java.util.concurrent.ExecutionException;
@@ -18,17 +19,14 @@ final class HostLookup {
 
     private HostLookup() {}
 
-    /** What {@link InetAddress#getAllByName} does. */
-    interface Resolver {
-        InetAddress[] addresses(String host) throws UnknownHostException;
-    }
-
     /**
      * @param limitNanos nanoseconds to wait at most
+     * @param resolver what {@link InetAddress#getAllByName} does with the host
      * @throws UnknownHostException if there is no such host, or its addresses were not found in time; the message is for a person
      * @throws InterruptedException if the thread is interrupted
      */
-    static InetAddress[] addresses(String host, long limitNanos, Resolver resolver) throws UnknownHostException, InterruptedException {
+    static InetAddress[] addresses(String host, long limitNanos, Callable<InetAddress[]> resolver)
+            throws UnknownHostException, InterruptedException {
         try {
             return UNDER_WAY.computeIfAbsent(host, name -> start(name, resolver)).get(limitNanos, TimeUnit.NANOSECONDS);
         } catch (ExecutionException e) {
@@ -39,10 +37,10 @@ final class HostLookup {
         }
     }
 
-    private static Future<InetAddress[]> start(String host, Resolver resolver) {
+    private static Future<InetAddress[]> start(String host, Callable<InetAddress[]> resolver) {
         return BlockingCall.start("look up " + host, () -> {
             try {
-                return resolver.addresses(host);
+                return resolver.call();
             } finally {
                 UNDER_WAY.remove(host); // the next one asks anew
             }

@@ -43,7 +43,7 @@ final class TcpConnector {
         long limit = TimeUnit.MILLISECONDS.toNanos(LIMIT_MILLIS);
         long deadline = System.nanoTime() + limit;
         try {
-            InetAddress[] hosts = HostLookup.addresses(address.host(), limit, InetAddress::getAllByName);
+            InetAddress[] hosts = HostLookup.addresses(address.host(), limit, () -> InetAddress.getAllByName(address.host()));
             IOException first = new UnknownHostException("the host " + address.host() + " has no address");
             for (int i = 0; i < hosts.length; i++) {
                 long left = TimeUnit.NANOSECONDS.toMillis(deadline - System.nanoTime()) / (hosts.length - i);

@@ -76,7 +76,7 @@ class RecordingSpec : FunSpec({
         "javino-recording 1\n9\tin\ta\\x\n" to "robot.rec:2: a backslash in a message stands before",
         "javino-recording 1\n9\tin\ta\\\n" to "robot.rec:2: a backslash in a message stands before",
         "javino-recording 1\n9\tin\ta\\u00g0\n" to "robot.rec:2: \\u in a message stands before four hexadecimal digits",
-        "javino-recording 1\n9\tin\t€\n" to "robot.rec:2: a message carries one byte per character, but one of \"€\" is U+20AC",
+        "javino-recording 1\n9\tin\t€\n" to "robot.rec:2: a message carries one byte per character, but character 1 of \"€\" is U+20AC",
     ).forEach { (text, problem) ->
         test("refused: ${text.lines().last { it.isNotEmpty() || text.isEmpty() }.ifEmpty { "an empty file" }}") {
             shouldThrow<IOException> { read(text) }.message!!.substring(0, problem.length) shouldBe problem

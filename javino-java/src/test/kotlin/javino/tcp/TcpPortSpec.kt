@@ -7,6 +7,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import java.net.InetAddress
 import java.net.UnknownHostException
+import java.util.concurrent.Callable
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
@@ -85,7 +86,7 @@ class TcpPortSpec : FunSpec({
         val asked = AtomicInteger()
         val begun = CompletableFuture<Unit>()
         val answer = CompletableFuture<Array<InetAddress>>()
-        val resolver = HostLookup.Resolver {
+        val resolver = Callable {
             asked.incrementAndGet()
             begun.complete(Unit)
             answer.get()
