@@ -11,11 +11,24 @@ import java.util.BitSet
  * @param seconds how long it lasts, at least 3; after the first minute, or the first third, nothing may grow any more
  */
 class Soak(private val agents: Int, private val seconds: Int) {
-    /** What came of it; heap in bytes after a collection. */
+    /** The figures of a run; heap in bytes after a collection. */
     class Result(
         val heapEarly: Long, val heapLate: Long, val threadsEarly: Int, val threadsLate: Int,
         val answers: Long, val confirmed: Long, val failed: Long, val carriedOut: Long, val twice: Long, val lost: Long,
-    )
+    ) {
+        /** The figures that no run may have, in words; empty: all is well. */
+        val faults: List<String> get() = listOfNotNull(
+            "no action was confirmed".takeIf { confirmed == 0L },
+            "$twice actions were carried out twice".takeIf { twice > 0 },
+            "$lost actions were lost".takeIf { lost > 0 },
+            "more actions were carried out than issued".takeIf { carriedOut > confirmed + failed },
+            "there are more threads than at first".takeIf { threadsLate > threadsEarly + SPARE_THREADS },
+            "the heap has grown".takeIf { heapLate >= heapEarly + heapEarly / 4 + SPARE_HEAP },
+        )
+
+        override fun toString() = "heap ${heapEarly / MB} MB, then ${heapLate / MB} MB; threads $threadsEarly, then $threadsLate; " +
+            "$answers answers; $confirmed actions confirmed, $failed failed, $carriedOut carried out, $twice twice, $lost lost"
+    }
 
     private val boards = (1..agents).map { Account() }
 
@@ -107,5 +120,18 @@ class Soak(private val agents: Int, private val seconds: Int) {
     private companion object {
         const val BAUD = 2_000_000
         const val LIMIT_S = 60
+        const val MB = 1024 * 1024L
+        const val SPARE_HEAP = 8 * MB
+
+        /** The program's own threads come and go. */
+        const val SPARE_THREADS = 2
     }
+}
+
+/** A hundred agents for ten minutes: prints the figures; returns whether none is a fault. */
+fun soak(): Boolean {
+    val result = Soak(agents = 100, seconds = 600).run()
+    println("100 agents at 50 Hz for 600 s: $result")
+    result.faults.forEach(System.err::println)
+    return result.faults.isEmpty()
 }
