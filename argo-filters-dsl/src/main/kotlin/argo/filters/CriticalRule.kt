@@ -1,7 +1,7 @@
 package argo.filters
 
 /**
- * A rule whose percepts must not wait: they are kept whatever the filter's other rules say, are not held back, and an agent perceives them
+ * A rule whose percepts must not wait: they are kept whatever the filter's other rules, are not held back, and an agent perceives them
  * before what else waits for it. It drops nothing.
  *
  * @property rule which percepts they are; it has no rate

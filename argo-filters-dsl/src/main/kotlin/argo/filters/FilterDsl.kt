@@ -3,7 +3,7 @@ package argo.filters
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
 
-/** Marks the receivers of filters in Kotlin, so that a word is only understood in the block that it belongs to. */
+/** Marks the receivers of filters in Kotlin, so that a word compiles only in the block that it belongs to. */
 @DslMarker
 annotation class FilterDsl
 
@@ -20,7 +20,7 @@ annotation class FilterDsl
  *
  * @param name what agents call it
  * @param onSwitch what becomes of beliefs that it hides when an agent changes to it
- * @throws IllegalArgumentException if a predicate, a value or a pattern cannot be read; the message says what is wrong with it
+ * @throws IllegalArgumentException if a predicate, a value or a pattern cannot be read; the message names the fault
  */
 fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
     DropRules().apply(rules).let { PerceptionFilter(name, it.rules, Mode.DROP, onSwitch, it.critical) }
@@ -63,7 +63,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Percepts of [predicate] that meet all [conditions] must not wait: they are kept whatever other rules say, and come before all else. A
+     * Percepts of [predicate] that meet all [conditions] must not wait: they are kept whatever the other rules, and come before all else. A
      * critical rule drops nothing.
      *
      * ```kotlin

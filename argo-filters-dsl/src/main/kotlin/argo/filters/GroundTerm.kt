@@ -4,13 +4,13 @@ package argo.filters
  * A value that a condition compares an argument with: a ground Jason term.
  *
  * Values are equal as Jason's terms are: `36` and `36.0` are one number, the atom `front` and the string `"front"` are two things.
- * `toString` gives text that [of] reads back to an equal value.
+ * `toString` is a text that [of] reads back to an equal value.
  */
 sealed interface GroundTerm {
 
     /** A number. Jason's numbers are doubles. */
     class Number(value: Double) : GroundTerm {
-        /** The number itself; never NaN, and never the negative zero, which Jason does not tell from zero. */
+        /** The number itself; never NaN, and never the negative zero, which Jason does not distinguish from zero. */
         val value: Double = value + 0.0
 
         init {
@@ -96,7 +96,7 @@ sealed interface GroundTerm {
         /**
          * Reads a value as Jason reads a term: `front`, `-3.5`, `"text"`, `pos(1,2)`, `[a,b]`.
          *
-         * @throws IllegalArgumentException if [text] is none; the message says what is wrong with it
+         * @throws IllegalArgumentException if [text] is none; the message names the fault
          */
         fun of(text: String): GroundTerm = requireNotNull(ofOrNull(text)) { explain(text) }
 

@@ -3,7 +3,7 @@ package argo.filters
 /**
  * Reads one ground term out of a region of text, as Jason's parser would.
  *
- * Whatever is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text) gives null,
+ * Whatever is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text) is read as null,
  * and so does anything nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
  */
 internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : TermCursor(text, start, end) {

@@ -1,49 +1,29 @@
 package argo.filters
 
 /** Finds namespace, negation and functor of the literal that begins in [text] at [start]. Never throws, whatever the text. */
-internal class HeadScanner(private val text: CharSequence, start: Int, private val end: Int) {
-    private var namespaceStart = start
-    private var namespaceEnd = start
+internal class HeadScanner(private val text: CharSequence, start: Int, end: Int) {
+    private val first = Syntax.skipBlanks(text, start, end)
+    private val firstEnd = maxOf(first, Syntax.atomEnd(text, first, end))
+    private val separator = Syntax.skipBlanks(text, firstEnd, end)
+    private val hasSeparator = separator + 1 < end && text[separator] == ':' && text[separator + 1] == ':'
+    private val namespaceEnd = if (hasSeparator) firstEnd else first
+    private val literal = if (hasSeparator) Syntax.skipBlanks(text, separator + 2, end) else first
 
     /** Whether `~` stands before the functor. */
-    var negated = false
-        private set
-    var functorStart = start
-        private set
+    val negated: Boolean = literal < end && text[literal] == '~'
+
+    val functorStart: Int = if (negated) Syntax.skipBlanks(text, literal + 1, end) else literal
 
     /** The character after the functor; negative if no literal begins here. */
-    var functorEnd: Int
-        private set
-
-    init {
-        functorStart = Syntax.skipBlanks(text, start, end)
-        functorEnd = Syntax.atomEnd(text, functorStart, end)
-        val next = Syntax.skipBlanks(text, maxOf(functorStart, functorEnd), end)
-        val hasNamespace = next + 1 < end && text[next] == ':' && text[next + 1] == ':'
-        if (hasNamespace) {
-            namespaceStart = functorStart
-            namespaceEnd = maxOf(functorStart, functorEnd)
-            functorStart = Syntax.skipBlanks(text, next + 2, end)
-        }
-        negated = functorStart < end && text[functorStart] == '~'
-        if (negated) functorStart = Syntax.skipBlanks(text, functorStart + 1, end)
-        if (negated || hasNamespace) functorEnd = Syntax.atomEnd(text, functorStart, end)
-        if (functorEnd >= 0 && !isWritable()) functorEnd = NONE
-    }
+    val functorEnd: Int = Syntax.atomEnd(text, functorStart, end).let { if (it >= 0 && isWritable(it)) it else -1 }
 
     /** The namespace's name, the default one where none is written. */
     val namespace: String
-        get() =
-            if (namespaceEnd == namespaceStart) Predicate.DEFAULT_NAMESPACE
-            else Predicate.namespaceOf(text.substring(namespaceStart, namespaceEnd))
+        get() = if (namespaceEnd == first) Predicate.DEFAULT_NAMESPACE else Predicate.namespaceOf(text.substring(first, namespaceEnd))
 
     fun predicate(): Predicate = Predicate(text.substring(functorStart, functorEnd), negated, namespace)
 
     /** Truth values cannot be negated and belong to no namespace. */
-    private fun isWritable() = !Syntax.isTruthValue(text, namespaceStart, namespaceEnd) &&
-        (!negated && namespaceEnd == namespaceStart || !Syntax.isTruthValue(text, functorStart, functorEnd))
-
-    private companion object {
-        const val NONE = -1
-    }
+    private fun isWritable(functorEnd: Int) = !Syntax.isTruthValue(text, first, namespaceEnd) &&
+        (!negated && namespaceEnd == first || !Syntax.isTruthValue(text, functorStart, functorEnd))
 }

@@ -3,7 +3,7 @@ package argo.filters
 /**
  * A perception filter, which decides over percepts by its [rules].
  *
- * Immutable, and safe to share between agents. Two filters are equal if they say the same; the [name] is how a filter is found, not what
+ * Immutable, and safe to share between agents. Two filters are equal if they decide alike; the [name] is how a filter is found, not what
  * it does, and has no part in it.
  *
  * @property name what agents call the filter

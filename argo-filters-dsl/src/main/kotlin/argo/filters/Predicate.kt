@@ -34,7 +34,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         /**
          * Reads a predicate as Jason would: `dist`, `~open`, `house::dist`.
          *
-         * @throws IllegalArgumentException if [text] is no predicate; the message says what is wrong with it
+         * @throws IllegalArgumentException if [text] is no predicate; the message names the fault
          */
         fun of(text: String): Predicate {
             val separator = separator(text)

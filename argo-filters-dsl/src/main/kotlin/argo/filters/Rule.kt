@@ -33,7 +33,7 @@ data class Rule(
  * A percept is held back while the interval has not ended *and* no number has moved as far as its deadband. What is held back is not
  * lost: it is delivered when the interval ends; where only deadbands are given, [SETTLING_MS] after it was first held back.
  *
- * Only an [argo.filters.matching.FilterSession] knows the time, so only there percepts are held back.
+ * Percepts are held back only in an [argo.filters.matching.FilterSession], which has the time.
  *
  * @property everyMs the interval in milliseconds in which at most one percept is let through; null: none
  * @property deadbands by how much numbers must move to be let through at once

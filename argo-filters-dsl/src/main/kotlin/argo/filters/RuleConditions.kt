@@ -21,23 +21,20 @@ open class RuleConditions internal constructor() {
         return AnyArgument(index, this).also(begun::add)
     }
 
-    /** The annotations called [name], of which one must meet what is said of it: `annotation("q") lt 0.5`. */
+    /** The annotations called [name], of which one must meet the test: `annotation("q") lt 0.5`. */
     fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(begun::add)
 
     /** The percept must have an annotation called [name]: `hasAnnotation("urgent")`. */
-    fun hasAnnotation(name: String) {
-        conditions += Condition.Annotation(Predicate.of(name))
-    }
+    fun hasAnnotation(name: String): Unit = annotation(name) {}
 
-    /** One annotation called [name] must meet all that is said: `annotation("q") { gt(0.5); lt(0.9) }`. */
-    fun annotation(name: String, tests: AnnotationTests.() -> Unit) {
-        conditions += Condition.Annotation(Predicate.of(name), AnnotationTests().apply(tests).tests)
-    }
+    /** One annotation called [name] must meet all tests: `annotation("q") { gt(0.5); lt(0.9) }`. */
+    fun annotation(name: String, tests: AnnotationTests.() -> Unit): Unit =
+        add(Condition.Annotation(Predicate.of(name), AnnotationTests().apply(tests).tests))
 
     /**
      * The percept must have [count] arguments: `arity(2)`.
      *
-     * @throws IllegalArgumentException if another number has been said already
+     * @throws IllegalArgumentException if there is another number already
      */
     fun arity(count: Int) {
         require(arity == null || arity == count) { "a rule has one arity, and $arity is it; expected another rule for $count arguments" }
@@ -47,7 +44,7 @@ open class RuleConditions internal constructor() {
     /**
      * Percepts are held back that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate].
      *
-     * @throws IllegalArgumentException if another interval has been said already
+     * @throws IllegalArgumentException if there is another interval already
      */
     fun everyMs(ms: Long) {
         require(everyMs == null || everyMs == ms) { "a rule has one interval, and $everyMs ms is it; expected another rule for $ms ms" }
@@ -55,25 +52,19 @@ open class RuleConditions internal constructor() {
     }
 
     /** Percepts are held back of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
-    fun deadband(width: Number) {
-        deadband(null, width)
-    }
+    fun deadband(width: Number): Unit = deadband(null, width)
 
     internal fun deadband(argument: Int?, width: Number) {
         deadbands += Deadband(argument, width.toDouble())
     }
 
-    internal fun argument(index: Int, test: TermTest) {
-        conditions += Condition.Argument(index, test)
+    internal fun add(condition: Condition) {
+        conditions += condition
     }
 
-    internal fun annotation(name: Predicate, test: TermTest) {
-        conditions += Condition.Annotation(name, listOf(test))
-    }
-
-    /** @throws IllegalArgumentException if there is an argument or annotation of which nothing is said, which would be a condition lost */
+    /** @throws IllegalArgumentException if there is an argument or annotation without a test, which would be a condition lost */
     internal fun rule(predicate: Predicate): Rule {
-        val forgotten = begun.find { !it.isSaid }
+        val forgotten = begun.find { !it.isUsed }
         require(forgotten == null) { "nothing is said of $forgotten in a rule on $predicate; expected a word like eq or gt after it" }
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands)
         return Rule(predicate, conditions.toList(), arity, rate)
@@ -112,11 +103,11 @@ class CriticalConditions internal constructor() : RuleConditions() {
  */
 @FilterDsl
 sealed class AnyTerm {
-    /** Whether something is said of it. */
-    internal var isSaid = false
+    /** Whether it has a test or a deadband. */
+    internal var isUsed = false
 
     private fun must(test: TermTest) {
-        isSaid = true
+        isUsed = true
         add(test)
     }
 
@@ -168,27 +159,27 @@ sealed class AnyTerm {
     }
 }
 
-/** An argument of a rule under construction: what `argument(0)` gives. */
+/** An argument of a rule under construction: the value of `argument(0)`. */
 class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
-    override fun add(test: TermTest) = rule.argument(index, test)
+    override fun add(test: TermTest) = rule.add(Condition.Argument(index, test))
 
     /** Percepts are held back of which this argument has not moved by [width]: `argument(1) deadband 5`; see [Rate]. */
     infix fun deadband(width: Number) {
-        isSaid = true
+        isUsed = true
         rule.deadband(index, width)
     }
 
     override fun toString(): String = "argument($index)"
 }
 
-/** An annotation of a rule under construction: what `annotation("q")` gives. */
+/** An annotation of a rule under construction: the value of `annotation("q")`. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
-    override fun add(test: TermTest) = rule.annotation(name, test)
+    override fun add(test: TermTest) = rule.add(Condition.Annotation(name, listOf(test)))
 
     override fun toString(): String = "annotation(\"$name\")"
 }
 
-/** All that is said of one annotation: `annotation("q") { gt(0.5); lt(0.9) }`. */
+/** All tests of one annotation: `annotation("q") { gt(0.5); lt(0.9) }`. */
 class AnnotationTests internal constructor() : AnyTerm() {
     internal val tests = ArrayList<TermTest>()
 

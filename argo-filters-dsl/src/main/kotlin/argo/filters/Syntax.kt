@@ -122,14 +122,12 @@ internal object Syntax {
         if (start + 1 >= end) return start
         return when (text[start + 1]) {
             '/' -> first(text, start + 2, end) { it == '\n' || it == '\r' }
-            '*' -> blockEnd(text, start + 2, end).let { if (it < 0) start else it }
+            '*' -> {
+                for (i in start + 2 until end - 1) if (text[i] == '*' && text[i + 1] == '/') return i + 2
+                start
+            }
             else -> start
         }
-    }
-
-    private fun blockEnd(text: CharSequence, start: Int, end: Int): Int {
-        for (i in start until end - 1) if (text[i] == '*' && text[i + 1] == '/') return i + 2
-        return -1
     }
 
     /** Whether [word] is what stands in [text] from [start] to [end]. */

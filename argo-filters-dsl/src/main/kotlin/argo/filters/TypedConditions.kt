@@ -22,11 +22,11 @@ infix fun <V> TypedArgument<V>.ne(value: V): Unit = compare(Operator.NE, value)
 /** It is one of [values]: `side isIn listOf("front", "back")`, `cm isIn listOf(0, 255)`. */
 context(rule: TypedRule)
 infix fun <V> TypedArgument<V>.isIn(values: Collection<V>): Unit =
-    rule.conditions.argument(index, TermTest.OneOf(values.map(termOf).toSet()))
+    rule.conditions.add(Condition.Argument(index, TermTest.OneOf(values.map(termOf).toSet())))
 
 /** Its whole text, quotes included, matches the regular expression [pattern]: `side matches "front|left"`; see [TermTest.Matches]. */
 context(rule: TypedRule)
-infix fun TypedArgument<String>.matches(pattern: String): Unit = rule.conditions.argument(index, TermTest.Matches(pattern))
+infix fun TypedArgument<String>.matches(pattern: String): Unit = rule.conditions.add(Condition.Argument(index, TermTest.Matches(pattern)))
 
 /** It is greater than [number]: `cm gt 200`. */
 context(rule: TypedRule)
@@ -64,14 +64,14 @@ fun PerceptType.deadband(width: Number): Unit = rule.conditions.deadband(width)
 context(rule: TypedRule)
 fun PerceptType.hasAnnotation(name: String): Unit = rule.conditions.hasAnnotation(name)
 
-/** The annotations called [name], of which one must meet what is said of it: `annotation("q") lt 0.5`. */
+/** The annotations called [name], of which one must meet the test: `annotation("q") lt 0.5`. */
 context(rule: TypedRule)
 fun PerceptType.annotation(name: String): AnyAnnotation = rule.conditions.annotation(name)
 
-/** One annotation called [name] must meet all that is said: `annotation("q") { gt(0.5); lt(0.9) }`. */
+/** One annotation called [name] must meet all tests: `annotation("q") { gt(0.5); lt(0.9) }`. */
 context(rule: TypedRule)
 fun PerceptType.annotation(name: String, tests: AnnotationTests.() -> Unit): Unit = rule.conditions.annotation(name, tests)
 
 context(rule: TypedRule)
 private fun <V> TypedArgument<V>.compare(operator: Operator, value: V) =
-    rule.conditions.argument(index, TermTest.Compare(operator, termOf(value)))
+    rule.conditions.add(Condition.Argument(index, TermTest.Compare(operator, termOf(value))))

@@ -30,8 +30,8 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     /**
      * The filter called [name], read anew at each call.
      *
-     * @throws FilterNotFoundException if there is none, or more than one provider offers it; the message says where it was looked for and
-     * which filters there are
+     * @throws FilterNotFoundException if there is none, or more than one provider offers it; the message lists the places of the search
+     * and the filters there are
      * @throws FilterException if its text is refused
      * @throws java.io.IOException if its file cannot be read
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made

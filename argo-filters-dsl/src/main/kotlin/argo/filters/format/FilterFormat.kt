@@ -4,15 +4,13 @@ import argo.filters.PerceptionFilter
 import java.io.InputStream
 
 /** The kinds of files that filters are in, in the order in which they are looked for. */
-internal enum class FilterFormat(val extension: String, private val mark: String) {
-    XML(XmlFilters.EXTENSION, "<PerceptionFilter") {
-        override fun read(input: InputStream, source: String, name: String) = XmlFilters.read(input, source, name)
-    },
-    JSON(JsonFilters.EXTENSION, "\"rules\"") {
-        override fun read(input: InputStream, source: String, name: String) = JsonFilters.read(input, source, name)
-    };
-
-    abstract fun read(input: InputStream, source: String, name: String): PerceptionFilter
+internal enum class FilterFormat(
+    val extension: String,
+    private val mark: String,
+    val read: (input: InputStream, source: String, name: String) -> PerceptionFilter,
+) {
+    XML(XmlFilters.EXTENSION, "<PerceptionFilter", XmlFilters::read),
+    JSON(JsonFilters.EXTENSION, "\"rules\"", JsonFilters::read);
 
     /** Whether a file with this text could be a filter. */
     fun isLikely(text: String): Boolean = mark in text

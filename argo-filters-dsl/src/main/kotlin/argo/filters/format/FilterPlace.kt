@@ -20,7 +20,7 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.toPath
 
-/** Somewhere filters may be. `toString` tells a person where. */
+/** Somewhere filters may be. `toString` is its name in messages. */
 internal interface FilterPlace {
     /** The filter called [name], which does not lead out of the place, or null. */
     fun find(name: String): PerceptionFilter?
@@ -49,7 +49,7 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
 
     private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
 
-    /** What [load] gives; what it fails with says why, down to the filter that is refused. */
+    /** The result of [load]; a failure has all its causes in the message, down to the filter that is refused. */
     private fun <T> usable(words: String? = null, load: () -> T): T = try {
         load()
     } catch (broken: Throwable) {

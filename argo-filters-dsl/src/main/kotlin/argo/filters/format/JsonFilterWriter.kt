@@ -89,9 +89,6 @@ internal class JsonFilterWriter {
         val separators = Separators.createDefaultInstance()
             .withObjectFieldValueSpacing(Separators.Spacing.AFTER)
             .withArrayEmptySeparator("")
-        return DefaultPrettyPrinter(separators).apply {
-            indentArraysWith(lines)
-            indentObjectsWith(lines)
-        }
+        return DefaultPrettyPrinter(separators).withArrayIndenter(lines).withObjectIndenter(lines)
     }
 }

@@ -8,7 +8,7 @@ import com.fasterxml.jackson.core.JsonProcessingException
 import com.fasterxml.jackson.core.JsonToken
 import com.fasterxml.jackson.core.StreamReadConstraints
 
-/** Reads a JSON document into values that know where they stand, of two members of one name both. */
+/** Reads a JSON document into values with their positions, and two members of one name as two. */
 internal class JsonTreeReader(text: String, private val source: String) {
     private val parser = FACTORY.createParser(text)
 

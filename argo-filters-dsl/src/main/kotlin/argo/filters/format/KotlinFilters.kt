@@ -83,10 +83,8 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
         is TermTest.Matches -> kotlinString(test.pattern)
     }
 
-    private fun value(value: GroundTerm): String = when (value) {
-        is GroundTerm.Number -> number(value.value)
-        is GroundTerm.Text, is GroundTerm.Sequence, is GroundTerm.Structure -> kotlinString("$value")
-    }
+    private fun value(value: GroundTerm): String =
+        if (value is GroundTerm.Number) number(value.value) else kotlinString("$value")
 
     private fun number(value: Double): String = when (value) {
         Double.POSITIVE_INFINITY -> "Double.POSITIVE_INFINITY"

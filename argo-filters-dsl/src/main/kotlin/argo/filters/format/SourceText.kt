@@ -12,14 +12,10 @@ internal data class Position(val line: Int, val column: Int) : Comparable<Positi
     override fun compareTo(other: Position): Int = compareValuesBy(this, other, Position::line, Position::column)
 }
 
-/** A text that knows where its lines begin. Lines end with LF, CR or both. */
+/** A text with the positions at which its lines begin. Lines end with LF, CR or both. */
 internal class SourceText(val text: String) {
-    private val lineStarts: IntArray = buildList {
-        add(0)
-        for (i in text.indices) {
-            if (text[i] == '\n' || text[i] == '\r' && text.getOrNull(i + 1) != '\n') add(i + 1)
-        }
-    }.toIntArray()
+    private val lineStarts: IntArray = intArrayOf(0) +
+        text.indices.filter { text[it] == '\n' || text[it] == '\r' && text.getOrNull(it + 1) != '\n' }.map { it + 1 }
 
     val end: Position
         get() = position(text.length)

@@ -28,7 +28,7 @@ internal object TestFormat {
     /**
      * The test of a canonical [operator] and the value that is [written].
      *
-     * @throws IllegalArgumentException if the value does not suit the operator; the message says what is expected
+     * @throws IllegalArgumentException if the value does not suit the operator; the message has the expectation
      */
     fun test(operator: String, written: String): TermTest = when (operator) {
         MATCHES -> TermTest.Matches(written)

@@ -44,7 +44,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
     private fun predicate(element: XmlElement): FilterNode {
         attributes(element)
         children(element)
-        return if (element.text.isEmpty() && !isWhole(element)) FilterNode.Refused(element.position) else text(element)
+        return text(element, "the predicate is empty; expected a functor, as in dist or ~open")
     }
 
     private fun argument(element: XmlElement): FilterNode {
@@ -52,7 +52,8 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         children(element)
         val id = required(element, ID, attributes, "expected id=\"0\" for the first argument, id=\"1\" for the second")
         val isDeadband = FilterReader.DEADBAND in attributes && FilterReader.OPERATOR !in attributes && element.text.isEmpty()
-        return FilterNode.Object(element.position, attributes.minus(ID).values + id + if (isDeadband) emptyList() else listOf(value(element)))
+        val value = if (isDeadband) null else value(element)
+        return FilterNode.Object(element.position, attributes.minus(ID).values + listOfNotNull(id, value))
     }
 
     private fun annotation(element: XmlElement): FilterNode {
@@ -80,11 +81,13 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
     }
 
     private fun value(element: XmlElement): Member {
-        val empty = "the <${element.name}> is empty; expected the value to compare with"
-        return Member(FilterReader.VALUE, element.position, if (element.text.isEmpty()) missing(element, empty) else text(element))
+        val value = text(element, "the <${element.name}> is empty; expected the value to compare with")
+        return Member(FilterReader.VALUE, element.position, value)
     }
 
-    private fun text(element: XmlElement) = Scalar(element.textPosition, element.text, isText = true, isBare = true)
+    private fun text(element: XmlElement, empty: String): FilterNode =
+        if (element.text.isEmpty()) missing(element, empty)
+        else Scalar(element.textPosition, element.text, isText = true, isBare = true)
 
     private fun array(parent: XmlElement, name: String, elements: List<XmlElement>, item: (XmlElement) -> FilterNode) =
         Member(name, parent.position, FilterNode.Array(parent.position, elements.map(item)))
@@ -97,11 +100,9 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
 
     /** What is missing in an element that the document breaks off in is no problem of its own. */
     private fun missing(element: XmlElement, problem: String): FilterNode {
-        if (isWhole(element)) report(element.position, problem)
+        if (element.isClosed || tree.problem == null) report(element.position, problem)
         return FilterNode.Refused(element.position)
     }
-
-    private fun isWhole(element: XmlElement) = element.isClosed || tree.problem == null
 
     /** The attributes of [element] by name; those that are not [known] are reported. */
     private fun attributes(element: XmlElement, vararg known: String): Map<String, Member> {

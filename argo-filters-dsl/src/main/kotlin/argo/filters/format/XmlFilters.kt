@@ -28,7 +28,7 @@ object XmlFilters {
 
     /** As the other form, from text that has been decoded. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
-        readFilter(source, name) { XmlFilterTree(XmlTreeReader(input.removePrefix("\uFEFF"), source).read(), it).filter() }
+        readFilter(source, name) { XmlFilterTree(XmlTree(input.removePrefix("\uFEFF"), source), it).filter() }
 
     /**
      * The filter as an XML document with LF line ends, which [read] reads back to an equal filter.

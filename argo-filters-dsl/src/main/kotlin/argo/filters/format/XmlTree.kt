@@ -30,9 +30,6 @@ internal class XmlElement(val name: String, val position: Position, attributes: 
         get() = texts.firstOrNull { it.text.isNotBlank() }?.position ?: position
 }
 
-/** What could be read of a document: its root, if there was one, and why reading ended early, if it did. */
-internal class XmlTree(val root: XmlElement?, val problem: Problem?)
-
 /** A new one for each document, since factories are not safe for several threads at once. */
 internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
     setProperty(XMLInputFactory.SUPPORT_DTD, false)
@@ -43,26 +40,32 @@ internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFact
 }
 
 /**
- * Reads an XML document into elements that know where they stand.
+ * Reads an XML document into elements with their positions.
  *
- * The JDK's parser knows where a tag ends; where it begins is found from there in [document]. A document type declaration is refused before
+ * The JDK's parser reports the end of a tag; its beginning is found from there in [document]. A document type declaration is refused before
  * anything that it declares could be used, so no entity is ever expanded or fetched.
  */
-internal class XmlTreeReader(private val document: String, private val source: String) {
+internal class XmlTree(private val document: String, private val source: String) {
     private val positions = SourceText(document)
     private val open = ArrayDeque<XmlElement>()
-    private var root: XmlElement? = null
 
     /** Where the last tag, comment or processing instruction ends, the character after it. */
     private var markupEnd = 0
 
-    fun read(): XmlTree = try {
-        val reader = xmlInputFactory().createXMLStreamReader(StringReader(document))
-        var problem: Problem? = null
-        while (problem == null && reader.hasNext()) problem = event(reader)
-        XmlTree(root, problem)
+    /** The root element, with what could be read of it; null if there was none. */
+    var root: XmlElement? = null
+        private set
+
+    /** Why reading ended early; null if it did not. */
+    val problem: Problem? = try {
+        read(xmlInputFactory().createXMLStreamReader(StringReader(document)))
     } catch (e: XMLStreamException) {
-        XmlTree(root, notWellFormed(e))
+        notWellFormed(e)
+    }
+
+    private fun read(reader: XMLStreamReader): Problem? {
+        while (reader.hasNext()) event(reader)?.let { return it }
+        return null
     }
 
     private fun event(reader: XMLStreamReader): Problem? {

@@ -16,7 +16,7 @@ import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Term
 
 /**
- * Reads one literal of the shapes that boards send. It gives up on everything that needs more of Jason's grammar: namespaces, variables,
+ * Reads one literal of the shapes that boards send. What needs more of Jason's grammar is read as null: namespaces, variables,
  * operators, comments, words that mean something to Jason.
  */
 internal class LiteralParser(text: String) : TermCursor(text, 0, text.length) {
@@ -91,7 +91,7 @@ internal class LiteralParser(text: String) : TermCursor(text, 0, text.length) {
         const val MAX_DEPTH = 64
         val ATOMS_OF_JASON = setOf("default", "this_ns")
 
-        /** Where Jason's parser says that terms of a one-line text stand. */
+        /** The source position that Jason's parser records for terms of a one-line text. */
         val SOURCE: SourceInfo = ASSyntax.parseLiteral("a").srcInfo
     }
 }

@@ -14,7 +14,7 @@ import jason.asSyntax.Literal
  *
  * Time is the caller's: milliseconds of any clock that never goes back. Not safe for use by several threads at once.
  *
- * @param read the literals that a percept's text stands for, none if it is refused
+ * @param read the literals of a percept's text, none if it is refused
  * @param limit what the agent is to believe of the kept percepts, the first argument; the second are the critical ones
  */
 class MessageSession(

@@ -4,7 +4,7 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.parser.TokenMgrError
 
-/** A percept's text is not a literal; the message says what Jason's parser found. */
+/** A percept's text is not a literal; the message has what Jason's parser found. */
 class PerceptSyntaxException(message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**

@@ -19,13 +19,13 @@ import argo.filters.TermTest
  */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val predicate = rule.predicate
-    private val arity = rule.arity ?: ANY
+    private val arity = rule.arity
     private val compiled = rule.conditions.map(::CompiledCondition).toTypedArray()
     val rate: Rate? = rule.rate
 
     /** Whether the rule is for a percept of its functor that goes on with [tail], and has [head] if it has a namespace or negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
-        if (arity != ANY && TermBounds.arity(tail) != arity) return false
+        if (arity != null && TermBounds.arity(tail) != arity) return false
         if (head == null) return !predicate.negated && predicate.namespace == Predicate.DEFAULT_NAMESPACE
         return head.negated == predicate.negated && head.namespace == predicate.namespace
     }
@@ -37,10 +37,6 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     /** The first condition that the percept does not meet; parameters as of [areMet]. */
     fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Condition =
         rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail) }]
-
-    private companion object {
-        const val ANY = -1
-    }
 }
 
 /** A condition in the form in which it is applied: on an argument, or on annotations. */
@@ -97,10 +93,11 @@ internal class CompiledTest(private val test: TermTest) {
             }
         }
         val number = DecimalReader.plain(text, start, end)
-        return if (number.isNaN()) isMetBy(GroundTermReader(text, start, end).readWhole()) else decides(numbers.any { it == number }, number)
+        if (number.isNaN()) return isMetBy(GroundTermReader(text, start, end).readWhole())
+        return decides(numbers.any { it == number }, number)
     }
 
-    /** Whether [value] meets the test; null stands for a term that is not ground and plain. */
+    /** Whether [value] meets the test; null is a term that is not ground and plain. */
     fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
         test is TermTest.Matches -> test.matches(value.toString())

@@ -6,10 +6,7 @@ import argo.filters.Syntax
 internal object DecimalReader {
     /** Beyond as many digits the quotient of two exact doubles is no longer the nearest double. */
     private const val MAX_DIGITS = 15
-    private val POWERS = DoubleArray(MAX_DIGITS + 1).also { powers ->
-        powers[0] = 1.0
-        for (i in 1..MAX_DIGITS) powers[i] = powers[i - 1] * 10
-    }
+    private val POWERS = DoubleArray(MAX_DIGITS + 1) { "1e$it".toDouble() }
 
     /**
      * The number that fills the text from [start] to [end], blanks after it aside: an optional sign, digits, an optional fraction. NaN for

@@ -1,6 +1,5 @@
 package argo.filters.matching
 
-import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rule
@@ -20,7 +19,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** It is kept back for a while; the one of its kind that was let through last stands for it. */
+        /** It is kept back for a while; the agent perceives the one of its kind that was let through last. */
         HELD_BACK("is held back"),
     }
 
@@ -38,7 +37,10 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
 
         fun of(matcher: PerceptMatcher, percept: PerceptText): Explanation {
             val critical = matcher.criticalRules(percept).firstOrNull()
-            if (critical != null) return critical(matcher, percept, critical)
+            if (critical != null) {
+                val number = matcher.filter.critical.indexOfFirst { it === critical } + 1
+                return kept("$percept", critical.rule, matcher.filter, "critical rule $number meets it: $critical")
+            }
             val met = matcher.rulesMetBy(percept)
             val rule = met.firstOrNull { matcher.filter.mode == Mode.KEEP || it.rate == null }
             val outcome = if (matcher.drops(met)) Outcome.DROPPED else Outcome.KEPT
@@ -46,14 +48,9 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             return Explanation("$percept", outcome, rule?.rule, " by filter ${matcher.filter.name}: $reason")
         }
 
-        private fun critical(matcher: PerceptMatcher, percept: PerceptText, met: CriticalRule): Explanation {
-            val number = matcher.filter.critical.indexOfFirst { it === met } + 1
-            return kept("$percept", met.rule, matcher.filter, "critical rule $number meets it: $met")
-        }
-
         fun heldBack(matcher: PerceptMatcher, percept: PerceptText, hold: Hold<*>, nowMs: Long): Explanation {
             val time = " for another ${hold.dueMs - nowMs} ms by filter ${matcher.filter.name}"
-            val reason = "$time: ${met(matcher, hold.rule)}; ${hold.lastPercept} stands for it"
+            val reason = "$time: ${met(matcher, hold.rule)}; ${hold.last.percept} stands for it"
             return Explanation("$percept", Outcome.HELD_BACK, hold.rule.rule, reason)
         }
 

@@ -75,15 +75,15 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return percepts.distinct().flatMap { percept -> matcher.criticalRules(textOf(percept)).map { CriticalPercept(it, percept) } }
     }
 
-    /** What stands for [percept] in the perception, or null; what holds it back is added to [holds]. */
+    /** What the agent perceives for [percept], or null; what holds it back is added to [holds]. */
     private fun decide(matcher: PerceptMatcher, percept: P, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val found = PerceptText.of(textOf(percept)) ?: return percept
         val met = matcher.rulesMetBy(found)
         if (matcher.criticalRules(found).isEmpty()) {
             val holding = rates.holds(met, found, percept, nowMs)
             if (holding.isNotEmpty()) {
-                holding.forEach { it.begin(nowMs) }
-                return holding.first().also(holds::add).lastPercept
+                holding.forEach { it.last.heldSinceMs = it.last.heldSinceMs ?: nowMs }
+                return holding.first().also(holds::add).last.percept
             }
             if (matcher.drops(met)) return null
         }

@@ -9,7 +9,7 @@ import argo.filters.PerceptionFilter.Mode
  * Decides over percepts by a filter's rules.
  *
  * Immutable; any thread may use it. Rules with a [rate][argo.filters.Rate] depend on time and on earlier percepts, which a [FilterSession]
- * knows; a matcher takes each percept for the first of its kind, which no rate holds back.
+ * records; a matcher takes each percept for the first of its kind, which no rate holds back.
  */
 class PerceptMatcher internal constructor(
     /** What the matcher was compiled from. */

@@ -11,7 +11,7 @@ fun perceptsOf(message: String): List<String> {
     val percepts = ArrayList<String>()
     var start = 0
     while (start < message.length) {
-        val end = balancedEnd(message, start) ?: rawEnd(message, start)
+        val end = balancedEnd(message, start) ?: message.indexOf(';', start).takeIf { it >= 0 } ?: message.length
         message.substring(start, end).trim().let { if (it.isNotEmpty()) percepts += it }
         start = end + 1
     }
@@ -20,8 +20,6 @@ fun perceptsOf(message: String): List<String> {
 
 /** The pieces of [percept] between any `;`, wherever it stands: the second reading of a percept that Jason cannot read. */
 fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
-
-private fun rawEnd(text: String, start: Int): Int = text.indexOf(';', start).let { if (it < 0) text.length else it }
 
 /** Where the percept that begins at [start] ends, or null if its brackets or quotes do not match. */
 private fun balancedEnd(text: String, start: Int): Int? {
@@ -43,13 +41,8 @@ private val OPENING = mapOf(')' to '(', ']' to '[', '}' to '{')
 
 /** The index of the quote that closes the one at [opening], or null if there is none. Strings have escapes, quoted atoms have none. */
 private fun endOfQuoted(text: String, opening: Int): Int? {
+    val quote = text[opening]
     var i = opening + 1
-    while (i < text.length) {
-        when (text[i]) {
-            '\\' -> if (text[opening] == '"') i++
-            text[opening] -> return i
-        }
-        i++
-    }
-    return null
+    while (i < text.length && text[i] != quote) i += if (text[i] == '\\' && quote == '"') 2 else 1
+    return i.takeIf { it < text.length }
 }

@@ -11,14 +11,7 @@ internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<In
 }
 
 /** That a percept is held back by [rule] until [dueMs], and that [last] was let through in its place. */
-internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, private val last: LetThrough<P>) {
-    val lastPercept: P
-        get() = last.percept
-
-    fun begin(nowMs: Long) {
-        if (last.heldSinceMs == null) last.heldSinceMs = nowMs
-    }
-}
+internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
  * What the rates of a filter's rules remember: the percept that each let through last, for each percept up to its numbers.
@@ -40,7 +33,7 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
 
     /**
      * How [percept], which [met] the rules, is held back at [nowMs]; empty if it is not: it is let through or dropped for good. The first
-     * says until when.
+     * has the time until which.
      */
     fun holds(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long): List<Hold<P>> {
         if (met.isEmpty() || met.any { it.rate == null }) return emptyList()
