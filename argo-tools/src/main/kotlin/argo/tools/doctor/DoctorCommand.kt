@@ -13,7 +13,10 @@ import picocli.CommandLine.Option
 /** `doctor`: what stands between this machine and a board. */
 @Command(
     name = "doctor",
-    description = ["Says what stands between this machine and a board, and what to do about it; exit status 1 if there is something. Opens no port."],
+    description = [
+        "Checks this machine for everything that a board needs, and reports remedies. Opens no port.",
+        "Exit status 1 if there is a problem; warnings alone leave it 0.",
+    ],
 )
 internal class DoctorCommand(private val machine: Machine) : ToolCommand() {
     @Suppress("unused") // by picocli

@@ -44,7 +44,7 @@ internal class Examination(private val machine: Machine) {
             serial.isNotEmpty() -> Finding(GOOD, "user ${machine.user} is in the group ${serial.joinToString()}")
             devices.none { it.remedy != null } && devices.isNotEmpty() -> null
             else -> Finding(
-                WARNING, "user ${machine.user} is in none of the groups that serial ports usually belong to (${SERIAL_GROUPS.joinToString()})",
+                PROBLEM, "user ${machine.user} is in none of the groups that serial ports usually belong to (${SERIAL_GROUPS.joinToString()})",
                 "\"sudo usermod -aG dialout \$USER\" (on Arch uucp in place of dialout), then log out and in again",
             )
         }

@@ -11,14 +11,16 @@ internal object ArgoActions {
     /** The actions that need `argo.Arch`. */
     val OF_BOARDS = setOf("port", "limit", "percepts", "act", "age")
 
-    /** The action that [called] means, as in `.argo.port`; null if it is none of ARGO. It need not exist. */
-    fun actionIn(called: String): String? = when {
-        called.startsWith(".argo.") -> called.removePrefix(".argo.")
-        called.startsWith("argo.") -> called.removePrefix("argo.")
-        called.startsWith(".") && called.drop(1) in DOT_NAMES -> called.drop(1)
-        else -> null
+    /** The name in a call of ARGO's actions, as in `.argo.port`, in any case; null for other actions. The action need not [exist][exists]. */
+    fun actionIn(called: String): String? {
+        val name = called.removePrefix(".")
+        return when {
+            name.startsWith("argo.", ignoreCase = true) -> name.substringAfter('.')
+            called != name && name.lowercase() in DOT_NAMES -> name
+            else -> null
+        }
     }
 
-    /** Whether [called] can be called so. */
+    /** Whether Jason finds an internal action under the name [called]. */
     fun exists(called: String): Boolean = called.removePrefix(".argo.").removePrefix(".") in DOT_NAMES || called.removePrefix("argo.") in NAMES
 }

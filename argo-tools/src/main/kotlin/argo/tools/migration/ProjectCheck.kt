@@ -27,9 +27,13 @@ internal class ProjectCheck(private val file: Path, text: String) {
             else -> return
         }
         val name = dottedName(start)
-        if (name.substringAfterLast('.').equals("Argo", ignoreCase = true)) {
-            advices.change(tokens[at].line, "the architecture $name belongs to another version of ARGO", "argo.Arch")
+        val what = when {
+            name == ARCHITECTURE -> return
+            name.equals(ARCHITECTURE, ignoreCase = true) -> "there is no class $name: Java distinguishes upper and lower case"
+            name.substringAfterLast('.').equals("Argo", ignoreCase = true) -> "the architecture $name belongs to another version of ARGO"
+            else -> return
         }
+        advices.change(tokens[at].line, what, ARCHITECTURE)
     }
 
     /** Another version's jar holds classes of the same names, and the first on the class path wins. */
@@ -91,6 +95,7 @@ internal class ProjectCheck(private val file: Path, text: String) {
     }
 
     private companion object {
+        const val ARCHITECTURE = "argo.Arch"
         val OTHER_ARGO = Regex("chon-group[:/](argo)\\b", RegexOption.IGNORE_CASE)
     }
 }

@@ -24,4 +24,5 @@ board("replay:recordings/drive.rec").
     argo.act(ledOff);
     .print("the way is free").
 
-+port(Port, off) <- .print("there is no board at ", Port); .wait(2000); !start.
+// ARGO reopens a port whose board is back.
++port(Port, off) <- .print("there is no board at ", Port).

@@ -5,9 +5,13 @@ import argo.tools.doctor.Finding.Level
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.io.PrintWriter
+import java.io.Writer
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
+import picocli.CommandLine
 
 class ExaminationSpec : FunSpec({
     val board = Device("ttyACM0", isUsb = true, remedy = null, holders = emptyList())
@@ -23,7 +27,8 @@ class ExaminationSpec : FunSpec({
         Triple("no port at all", healthy.copy(devices = Result.success(emptyList())), Level.WARNING to "plug the board in"),
         Triple("only ports of the machine's own", healthy.copy(devices = Result.success(listOf(board.copy(isUsb = false)))), Level.WARNING to "plug the board in"),
         Triple("a board that the user may not open", healthy.copy(devices = Result.success(listOf(board.copy(remedy = "join them")))), Level.PROBLEM to "join them"),
-        Triple("a user in no group for ports", healthy.copy(groups = listOf("ada"), devices = Result.success(listOf(board.copy(remedy = "x")))), Level.WARNING to "usermod -aG dialout"),
+        Triple("a user in no group for ports", healthy.copy(groups = listOf("ada"), devices = Result.success(listOf(board.copy(remedy = "x")))), Level.PROBLEM to "usermod -aG dialout"),
+        Triple("such a user before the board is plugged in", healthy.copy(groups = listOf("ada"), devices = Result.success(emptyList())), Level.PROBLEM to "usermod -aG dialout"),
         Triple("a board that another program holds", healthy.copy(devices = Result.success(listOf(board.copy(holders = listOf("process 7 (minicom)"))))), Level.PROBLEM to "end that program"),
         Triple("ModemManager", healthy.copy(processes = setOf("ModemManager")), Level.WARNING to "systemctl disable --now ModemManager"),
         Triple("brltty", healthy.copy(processes = setOf("brltty")), Level.WARNING to "apt remove brltty"),
@@ -39,6 +44,13 @@ class ExaminationSpec : FunSpec({
     test("Windows is not told of groups, ModemManager and socat") {
         val windows = healthy.copy(system = "Windows 11", groups = null, processes = setOf("ModemManager"), hasSocat = false)
         Examination(windows).findings().filter { it.level != Level.GOOD }.shouldBeEmpty()
+    }
+
+    test("the exit status is 1 for a problem, and 0 with warnings alone") {
+        fun status(machine: Machine) = CommandLine(DoctorCommand(machine)).setOut(PrintWriter(Writer.nullWriter())).execute()
+        status(healthy) shouldBe 0
+        status(healthy.copy(hasSocat = false)) shouldBe 0
+        status(healthy.copy(groups = listOf("ada"), devices = Result.success(listOf(board.copy(isUsb = false, remedy = "x"))))) shouldBe 1
     }
 
     test("the command examines this machine, and opens no port") {

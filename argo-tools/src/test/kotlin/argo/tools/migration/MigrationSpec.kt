@@ -59,6 +59,10 @@ class MigrationSpec : FunSpec({
             "+!s <- .argo.filter(remove)." to ".argo.filter(remove) is a filter written into the plan",
             "+!s <- .argo.sleep(3)." to "there is no internal action .argo.sleep",
             "+!s <- argo.filter(x)." to "there is no internal action argo.filter",
+            "+!s <- argo.Limit(50)." to "there is no internal action argo.Limit",
+            "+!s <- .Port(ttyACM0)." to "there is no internal action .Port",
+            "+!s <- .argo.Percepts(open)." to "there is no internal action .argo.Percepts",
+            "+!s <- Argo.act(front)." to "there is no internal action Argo.act",
             "+port(P,S)[source(interoception)] <- true." to "no belief has source(interoception) here",
             "+port(P,broken) <- true." to "a port is never broken here",
             "+port(ttyUSB0,on) <- true. +!s <- .port(\"/dev/ttyUSB0\")." to "so that ttyUSB0 never matches",
@@ -99,6 +103,14 @@ class MigrationSpec : FunSpec({
         advices[1].what shouldContain "jason.Argo belongs to another version"
         advices[2].what shouldContain "agent eve calls internal actions of ARGO"
         advices("new.mas2j" to "MAS m { agents: bob agentArchClass argo.Arch; }", "bob.asl" to "+!s <- .port(a).").shouldBeEmpty()
+    }
+
+    test("the architecture in the wrong case is found, since Java tells upper from lower case") {
+        val advice = advices("new.mas2j" to "MAS m { agents: bob agentArchClass argo.arch; }").single()
+        advice.must shouldBe true
+        advice.what shouldContain "there is no class argo.arch"
+        advice.remedy shouldBe "argo.Arch"
+        advices("p.jcm" to "mas m { agent b { ag-arch: Argo.Arch } }").single().what shouldContain "there is no class Argo.Arch"
     }
 
     test("projects of JaCaMo and Gradle that bring another version are found") {
