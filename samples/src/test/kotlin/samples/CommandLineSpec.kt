@@ -22,16 +22,16 @@ class CommandLineSpec : FunSpec({
             "collision --fast" to "Unknown option: '--fast'",
             "blink --seconds 0" to "--seconds is at least 1, not 0",
             "collision --seed x" to "'--seed': x is not a whole number",
-            "collision faster" to "there is nothing to do with 'faster' here",
+            "collision faster" to "'faster' is one argument too many",
             "race" to "there is no sample 'race'; there are: collision, blink",
-            "demo --limit far" to "./argo demo --help shows what there is",
+            "demo --limit far" to "./argo demo --help lists the options",
             "" to "name a sample: collision, blink, delegation, two-boards",
         ).forEach { (line, reason) ->
             test("samples $line") {
                 val (status, printed) = Program.run(*line.split(' ').filter { it.isNotEmpty() }.toTypedArray())
                 status shouldBe 2
                 printed shouldContain reason
-                printed shouldContain "--help shows what there is"
+                printed shouldContain "--help lists the options"
             }
         }
     }

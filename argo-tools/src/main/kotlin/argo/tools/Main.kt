@@ -2,28 +2,28 @@ package argo.tools
 
 import argo.tools.command.ExitStatus
 import argo.tools.command.WatchedOutput
+import argo.tools.command.messageOf
 import argo.tools.command.refusingInWords
-import argo.tools.command.saidTo
+import picocli.CommandLine
+import picocli.CommandLine.Help.Ansi
 import java.io.FileDescriptor
 import java.io.FileOutputStream
 import java.io.OutputStream
 import java.io.PrintWriter
 import java.nio.charset.Charset
 import kotlin.system.exitProcess
-import picocli.CommandLine
-import picocli.CommandLine.Help.Ansi
 
 /**
  * Runs the tool that the arguments name, and ends the program with its exit status: 0 done, 1 failed, 2 wrong arguments.
  *
- * The property `argo.command` is what has been typed to run it.
+ * The property `argo.command` is the command that the user has typed.
  */
 fun main(args: Array<String>) {
     val command = System.getProperty("argo.command") ?: "java -jar argo.jar"
     exitProcess(run(args, FileOutputStream(FileDescriptor.out), tools().setCommandName(command)))
 }
 
-/** Runs the tool that [arguments] name with its results going to [target], and returns its exit status. */
+/** Runs the tool that [arguments] name with its results written to [target], and returns its exit status. */
 internal fun run(arguments: Array<String>, target: OutputStream, tools: CommandLine): Int {
     val output = WatchedOutput(target)
     tools.setOut(PrintWriter(output.bufferedWriter(standardCharset()), true))
@@ -34,7 +34,7 @@ internal fun run(arguments: Array<String>, target: OutputStream, tools: CommandL
     return if (status == ExitStatus.DONE) ExitStatus.FAILED else status
 }
 
-/** What the terminal shows text in. */
+/** The character set of the terminal. */
 private fun standardCharset(): Charset {
     val encoding = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding").firstNotNullOfOrNull(System::getProperty)
     return if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()
@@ -45,7 +45,7 @@ internal fun tools(): CommandLine = CommandLine(Tools())
     .refusingInWords("command")
     .setColorScheme(CommandLine.Help.defaultColorScheme(if (System.getenv("TERM") == "dumb") Ansi.OFF else Ansi.AUTO))
     .setExecutionExceptionHandler { failure, command, _ ->
-        val said = saidTo(failure)
-        if (said != null) command.err.println(said) else failure.printStackTrace(command.err)
+        val message = messageOf(failure)
+        if (message != null) command.err.println(message) else failure.printStackTrace(command.err)
         ExitStatus.FAILED
     }

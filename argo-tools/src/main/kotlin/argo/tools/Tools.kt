@@ -19,7 +19,7 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 
-/** The command that holds all others. */
+/** The parent of all commands. */
 @Command(
     name = "argo",
     description = ["Tools for boards, filters and projects of ARGO.", ""],
@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec
         PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class, FilterCommand::class,
         DoctorCommand::class, CheckAgentCommand::class, NewCommand::class, CompletionCommand::class,
     ],
-    footer = ["", "COMMAND --help tells more. Exit status: 0 done, 1 failed, 2 wrong arguments."],
+    footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],
 )
 internal class Tools : Runnable {
     @Spec
@@ -37,24 +37,24 @@ internal class Tools : Runnable {
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
     private var help = false
 
-    @Option(names = ["-V", "--version"], versionHelp = true, description = ["says which version this is"])
+    @Option(names = ["-V", "--version"], versionHelp = true, description = ["prints the version"])
     private var version = false
 
     override fun run(): Unit = spec.refuseWithout("command")
 }
 
-/** The version of the jar that this runs from. */
+/** The version of the running jar. */
 internal class JarVersion : IVersionProvider {
     override fun getVersion() = arrayOf(
         "ARGO ${JarVersion::class.java.`package`.implementationVersion ?: "from a build directory"}, Java ${Runtime.version()}",
     )
 }
 
-/** `completion`: a script that lets a shell complete the tools' words. */
+/** `completion`: a completion script for shells. */
 @Command(
     name = "completion",
     description = [
-        "Prints a script that lets bash or zsh complete the words of these tools:",
+        "Prints a completion script for bash and zsh:",
         "  alias argo='java -jar /path/to/argo.jar'; source <(argo completion)",
     ],
 )

@@ -35,7 +35,7 @@ class JarToolsSpec : FunSpec({
         val refused = JarProgram.run(folder, "-jar", jar, "fly")
         refused.status shouldBe 2
         refused.printed shouldContain "there is no command 'fly'"
-        refused.printed shouldContain "java -jar argo.jar --help shows what there is"
+        refused.printed shouldContain "java -jar argo.jar --help lists the options"
     }
 
     test("an interrupted monitor tells what it has seen") {

@@ -4,8 +4,8 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Lets Ctrl-C end a command in good order: interrupts the thread that made this, and holds up the end of the program until [close], for
- * [LIMIT_S] seconds at most.
+ * Lets a command finish in order after Ctrl-C: interrupts the thread that made this, and delays the end of the program until [close], for
+ * at most [LIMIT_S] seconds.
  */
 internal class Interruption : AutoCloseable {
     private val worker = Thread.currentThread()
@@ -24,7 +24,7 @@ internal class Interruption : AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(hook)
         } catch (_: IllegalStateException) {
-            // the program is ending already
+            // the program already ends
         }
     }
 

@@ -1,26 +1,21 @@
 package argo.tools.board
 
+import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
-import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
+import argo.tools.command.jsonOf
 import argo.tools.command.printable
 import javino.Link
 import javino.Protocol
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
-import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 
-/** A command that says one thing to a board. */
+/** A command that sends one message to a board. */
 @Command
-internal abstract class MessageCommand : ToolCommand() {
+internal abstract class MessageCommand : DataCommand() {
     @Mixin
     protected lateinit var line: LineOptions
-
-    @Option(names = ["--json"], description = ["prints an object of JSON"])
-    protected var json = false
 
     @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE"])
     private lateinit var port: String
@@ -38,20 +33,13 @@ internal abstract class MessageCommand : ToolCommand() {
     protected abstract fun exchange(link: Link)
 }
 
-/** `request`: asks a board and prints its answer. */
-@Command(name = "request", description = ["Sends a request, such as getPercepts, and prints the answer. Opening a port resets most boards."])
+/** `request`: sends a request and prints the answer. */
+@Command(name = "request", description = ["Sends a request, as getPercepts, and prints the answer. Opening a port resets most boards."])
 internal class RequestCommand : MessageCommand() {
     override fun exchange(link: Link) {
         val answer = link.request(message, line.timeoutMs).text()
         if (!json) return out.println(printable(answer))
-        out.println(
-            buildJsonObject {
-                put("port", link.port())
-                put("request", message)
-                put("answer", answer)
-                put("protocol", versionSpoken(link.protocol()))
-            },
-        )
+        out.println(jsonOf("port" to link.port(), "request" to message, "answer" to answer, "protocol" to versionSpoken(link.protocol())))
     }
 }
 
@@ -59,7 +47,7 @@ internal class RequestCommand : MessageCommand() {
 @Command(
     name = "send",
     description = [
-        "Sends a command. A board of version 2 says whether it has acted; one of version 1 says nothing.",
+        "Sends a command. A board of version 2 acknowledges it; one of version 1 does not.",
         "Opening a port resets most boards.",
     ],
 )
@@ -67,14 +55,8 @@ internal class SendCommand : MessageCommand() {
     override fun exchange(link: Link) {
         link.sendAndAwait(message, line.timeoutMs)
         val acted = link.protocol() == Protocol.V2
-        if (!json) return out.println(if (acted) "the board has acted" else "sent; a board of version 1 does not tell whether it acted")
-        out.println(
-            buildJsonObject {
-                put("port", link.port())
-                put("sent", message)
-                put("acted", if (acted) true else null)
-                put("protocol", versionSpoken(link.protocol()))
-            },
-        )
+        if (!json) return out.println(if (acted) "the board has acted" else "sent; a board of version 1 does not report whether it acted")
+        val outcome = if (acted) true else null
+        out.println(jsonOf("port" to link.port(), "sent" to message, "acted" to outcome, "protocol" to versionSpoken(link.protocol())))
     }
 }

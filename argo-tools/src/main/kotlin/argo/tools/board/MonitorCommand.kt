@@ -1,18 +1,13 @@
 package argo.tools.board
 
 import argo.filters.matching.perceptsOf
+import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
-import argo.tools.command.ToolCommand
+import argo.tools.command.jsonOf
 import argo.tools.command.making
 import argo.tools.command.printable
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
-import java.io.IOException
-import java.nio.file.Files
-import java.nio.file.Path
-import java.nio.file.StandardOpenOption
-import java.util.concurrent.TimeUnit
-import java.util.concurrent.locks.LockSupport
 import javino.Link
 import javino.PerceptsRequest
 import javino.PortException
@@ -20,38 +15,45 @@ import javino.PortInterruptedException
 import javino.PortTimeoutException
 import javino.sim.Recording.Direction
 import javino.sim.RecordingWriter
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.LockSupport
 
-/** `monitor`: shows percepts as they come. */
+/** `monitor`: shows percepts as they arrive. */
 @Command(
     name = "monitor",
     description = [
-        "Shows the percepts of a board as they come, and at the end how often each came. Ctrl-C ends it.",
+        "Shows the percepts of a board as they arrive, and at the end the rate of each. Ctrl-C ends it.",
         "Opening a port resets most boards.",
     ],
 )
-internal class MonitorCommand : ToolCommand() {
+internal class MonitorCommand : DataCommand() {
     @Mixin
     private lateinit var line: LineOptions
 
     @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE"])
     private lateinit var port: String
 
-    @Option(names = ["--interval"], paramLabel = "MS", defaultValue = "500", description = ["from one request to the next, milliseconds; 0: as fast as the line allows (\${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--interval"], paramLabel = "MS", defaultValue = "500",
+        description = ["from one request to the next, milliseconds; 0: as fast as the line allows (\${DEFAULT-VALUE})"],
+    )
     private var intervalMs = 0
 
-    @Option(names = ["--mode"], paramLabel = "MODE", defaultValue = "request", description = ["request: asks for percepts; listen: waits for a board that speaks unasked (\${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--mode"], paramLabel = "MODE", defaultValue = "request",
+        description = ["request: requests percepts; listen: for a board that sends them unasked (\${DEFAULT-VALUE})"],
+    )
     private lateinit var mode: String
 
-    @Option(names = ["--record"], paramLabel = "FILE", description = ["writes all messages to a new file, which replay and the port replay:FILE play"])
+    @Option(names = ["--record"], paramLabel = "FILE", description = ["records all messages in a new file, for replay and replay:FILE"])
     private var record: Path? = null
 
     @Option(names = ["--count"], paramLabel = "N", description = ["ends after N messages"])
@@ -60,12 +62,9 @@ internal class MonitorCommand : ToolCommand() {
     @Option(names = ["--seconds"], paramLabel = "S", description = ["ends after S seconds"])
     private var seconds: Int? = null
 
-    @Option(names = ["--json"], description = ["prints an object of JSON a line"])
-    private var json = false
-
     override fun call(): Int {
         if (mode !in listOf("request", "listen")) misuse("--mode is request or listen, not $mode")
-        spec.requireWithin("--interval", intervalMs, 0..MOST_MS, "ms")
+        spec.requireWithin("--interval", intervalMs, 0..MAX_MS, "ms")
         if ((count ?: 1) < 1) misuse("--count is at least 1, not $count")
         if ((seconds ?: 1) < 1) misuse("--seconds is at least 1, not $seconds")
         record?.let(::requireNew) // before the port is opened, which resets the board
@@ -88,27 +87,27 @@ internal class MonitorCommand : ToolCommand() {
         fun untilEnd(): Int {
             val status = try {
                 while (!isOver()) message()
-                if (rates.messages() == 0L) ExitStatus.FAILED else ExitStatus.DONE
+                if (rates.messages == 0L) ExitStatus.FAILED else ExitStatus.DONE
             } catch (_: PortInterruptedException) {
                 ExitStatus.DONE
             } catch (trouble: PortException) {
                 err.println(trouble.message)
                 ExitStatus.FAILED
             } catch (unwritable: IOException) {
-                err.println("$record cannot be written on: ${unwritable.message}")
+                err.println("$record cannot be written: ${unwritable.message}")
                 ExitStatus.FAILED
             }
-            Thread.interrupted() // what is left to do is not to be cut short
+            Thread.interrupted() // the summary is not interrupted
             summary()
             return status
         }
 
         private fun isOver(): Boolean {
-            val limitMs = seconds?.let { it * MS_PER_S }
-            return out.checkError() || rates.messages() >= (count ?: Int.MAX_VALUE) || limitMs != null && ms() >= limitMs
+            val limitMs = seconds?.let { TimeUnit.SECONDS.toMillis(it.toLong()) }
+            return out.checkError() || rates.messages >= (count ?: Int.MAX_VALUE) || limitMs != null && ms() >= limitMs
         }
 
-        private fun ms() = (System.nanoTime() - start) / NANOS_PER_MS
+        private fun ms() = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start)
 
         private fun message() {
             val begun = System.nanoTime()
@@ -119,7 +118,7 @@ internal class MonitorCommand : ToolCommand() {
             } catch (late: PortTimeoutException) {
                 if (mode == "request") show(late)
             }
-            if (mode == "request") waitUntil(begun + intervalMs * NANOS_PER_MS)
+            if (mode == "request") waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
         }
 
         private fun ask(): String {
@@ -129,7 +128,7 @@ internal class MonitorCommand : ToolCommand() {
 
         private fun waitUntil(nanos: Long) {
             while (nanos - System.nanoTime() > 0 && !isOver()) {
-                LockSupport.parkNanos(minOf(nanos - System.nanoTime(), TimeUnit.MILLISECONDS.toNanos(LONGEST_PAUSE_MS)))
+                LockSupport.parkNanos(minOf(nanos - System.nanoTime(), TimeUnit.MILLISECONDS.toNanos(MAX_PAUSE_MS)))
                 if (Thread.currentThread().isInterrupted) throw PortInterruptedException(link.port())
             }
         }
@@ -138,48 +137,42 @@ internal class MonitorCommand : ToolCommand() {
             val ms = ms()
             val percepts = perceptsOf(text)
             rates.count(ms, percepts)
-            if (json) {
-                out.println(buildJsonObject { put("ms", ms); put("percepts", texts(percepts)) })
-            } else {
-                val rate = rates.now()?.let { "${Rates.decimal(it)}/s" } ?: "-"
-                val shown = percepts.joinToString("  ") { if (it in seen) printable(it) else paint.new(printable(it)) }
-                out.println("${paint.aside("${Rates.seconds(ms).padStart(TIME_WIDTH)} s ${rate.padStart(RATE_WIDTH)}")}  ${shown.ifEmpty { "(no percepts)" }}")
-                seen = percepts.toSet()
-            }
+            if (json) return out.println(jsonOf("ms" to ms, "percepts" to percepts))
+            val rate = rates.now()?.let { "${Rates.decimal(it)}/s" } ?: "-"
+            val shown = percepts.joinToString("  ") { if (it in seen) printable(it) else paint.new(printable(it)) }
+            out.println("${paint.aside("${time(ms)} ${rate.padStart(RATE_WIDTH)}")}  ${shown.ifEmpty { "(no percepts)" }}")
+            seen = percepts.toSet()
         }
 
         private fun show(late: PortTimeoutException) {
             unanswered++
-            if (json) out.println(buildJsonObject { put("ms", ms()); put("timeout", late.message) })
-            else out.println("${paint.aside("${Rates.seconds(ms()).padStart(TIME_WIDTH)} s")}  ${paint.doubtful(late.message.orEmpty())}")
+            if (json) return out.println(jsonOf("ms" to ms(), "timeout" to late.message))
+            out.println("${paint.aside(time(ms()))}  ${paint.doubtful(late.message.orEmpty())}")
         }
 
+        private fun time(ms: Long) = "${Rates.seconds(ms).padStart(TIME_WIDTH)} s"
+
         private fun summary() {
-            if (json) return out.println(buildJsonObject { put("summary", summaryOf()) })
+            val version = versionSpoken(link.protocol())
+            val damaged = link.corruptFrames()
+            if (json) return out.println(jsonOf("summary" to summaryOf(version, damaged)))
             out.println()
             rates.summary().forEach { out.println(printable(it)) }
             if (unanswered > 0) out.println(paint.doubtful("$unanswered requests without an answer"))
-            out.println("the board speaks ${versionSpoken(link.protocol())}" + link.corruptFrames().let { if (it > 0) "; $it damaged frames were dropped" else "" })
+            out.println("the board speaks $version" + if (damaged > 0) "; $damaged damaged frames were dropped" else "")
             record?.let { out.println("recorded in $it") }
             out.flush()
         }
 
-        private fun summaryOf(): JsonObject = buildJsonObject {
-            put("messages", rates.messages())
-            put("unanswered", unanswered)
-            put("protocol", versionSpoken(link.protocol()))
-            put("corruptFrames", link.corruptFrames())
-            put("kinds", JsonArray(rates.kinds().map { (kind, count, last) -> buildJsonObject { put("kind", kind); put("count", count); put("last", last) } }))
-        }
+        private fun summaryOf(version: String, damaged: Long) = jsonOf(
+            "messages" to rates.messages, "unanswered" to unanswered, "protocol" to version, "corruptFrames" to damaged,
+            "kinds" to rates.kinds().map { (kind, count, last) -> jsonOf("kind" to kind, "count" to count, "last" to last) },
+        )
     }
 
-    private fun texts(percepts: List<String>) = JsonArray(percepts.map(::JsonPrimitive))
-
     private companion object {
-        const val MOST_MS = 600_000
-        const val MS_PER_S = 1000L
-        const val NANOS_PER_MS = 1_000_000L
-        const val LONGEST_PAUSE_MS = 200L
+        const val MAX_MS = 600_000
+        const val MAX_PAUSE_MS = 200L
         const val TIME_WIDTH = 8
         const val RATE_WIDTH = 7
     }

@@ -1,7 +1,9 @@
 package argo.tools.board
 
+import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
-import argo.tools.command.ToolCommand
+import argo.tools.command.jsonArrayOf
+import argo.tools.command.jsonOf
 import argo.tools.command.printable
 import argo.tools.command.requireWithin
 import javino.Link
@@ -13,40 +15,33 @@ import javino.PortTimeoutException
 import javino.Protocol
 import javino.serial.SerialPortInfo
 import javino.serial.SerialPorts
-import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.util.Optional
 import java.util.OptionalInt
 
-/** `ports`: the serial ports there are. */
+/** `ports`: lists the serial ports. */
 @Command(
     name = "ports",
-    description = ["Lists the serial ports: what is plugged in, who holds it, and with --probe whether a Javino board answers there."],
+    description = ["Lists the serial ports with their devices and owners, and with --probe whether a Javino board answers there."],
 )
-internal class PortsCommand : ToolCommand() {
+internal class PortsCommand : DataCommand() {
     @Parameters(arity = "0..*", paramLabel = "PORT", description = ["these ports in place of all; also pseudo-terminals by their path"])
     private var names: List<String> = emptyList()
 
-    @Option(names = ["--probe"], description = ["asks each port that is free for its percepts. Opening a port resets most boards, and motors may jerk"])
+    @Option(names = ["--probe"], description = ["requests percepts at each free port. Opening it resets most boards; motors may jerk"])
     private var probe = false
 
     @Option(names = ["--baud"], paramLabel = "RATE", defaultValue = "9600", description = ["the rate to probe at (\${DEFAULT-VALUE})"])
     private var baud = 0
 
-    @Option(names = ["--json"], description = ["prints an array of objects of JSON"])
-    private var json = false
-
     override fun call(): Int {
         spec.requireWithin("--baud", baud, LineOptions.BAUDS)
         val rows = ports().map { Row(it, SerialPorts.holders(it.name())) }
         val probed = rows.map { if (probe) it.copy(board = board(it)) else it }
-        if (json) out.println(JsonArray(probed.map(Row::json))) else print(probed)
+        if (json) out.println(jsonArrayOf(probed.map(Row::json))) else print(probed)
         return if (probed.any { it.board?.isMissing == true }) ExitStatus.FAILED else ExitStatus.DONE
     }
 
@@ -56,12 +51,12 @@ internal class PortsCommand : ToolCommand() {
         return names.map { name -> present.find { name == it.name() || name == it.path() } ?: unlisted(name) }
     }
 
-    /** A port that the system does not list: a pseudo-terminal, a simulated board, or none. */
+    /** A port that the system does not list: a pseudo-terminal, a simulated board, or a missing one. */
     private fun unlisted(name: String) =
         SerialPortInfo(name, name, Optional.empty(), Optional.empty(), OptionalInt.empty(), OptionalInt.empty(), Optional.empty())
 
     private fun board(row: Row): Board {
-        if (row.holders.isNotEmpty()) return Board("not asked, since it is in use", answers = null)
+        if (row.holders.isNotEmpty()) return Board("not probed, because it is in use", answers = null)
         val settings = LinkSettings.defaults().withBaud(baud).withProtocol(Protocol.AUTO)
         return try {
             Link.open(row.info.name(), settings, "argo ports").use { link ->
@@ -79,10 +74,10 @@ internal class PortsCommand : ToolCommand() {
 
     private fun print(rows: List<Row>) {
         if (rows.isEmpty()) return out.println("there are no serial ports; is the board plugged in, with a cable that carries data?")
-        val table = rows.map { row -> listOf(row.info.name(), row.usb ?: "-", row.info.serialNumber().orElse("-"), row.product, row.holders.joinToString().ifEmpty { "-" }) + listOfNotNull(row.board?.said) }
         val head = listOf("PORT", "USB", "SERIAL", "PRODUCT", "HELD BY") + if (probe) listOf("BOARD") else emptyList()
-        val widths = head.indices.map { column -> (table + listOf(head)).maxOf { printable(it[column]).length } }
-        (listOf(head) + table).forEach { line -> out.println(line.mapIndexed { column, text -> printable(text).padEnd(widths[column]) }.joinToString("  ").trimEnd()) }
+        val table = (listOf(head) + rows.map(Row::cells)).map { line -> line.map(::printable) }
+        val widths = head.indices.map { column -> table.maxOf { it[column].length } }
+        table.forEach { line -> out.println(line.mapIndexed { column, text -> text.padEnd(widths[column]) }.joinToString("  ").trimEnd()) }
     }
 
     private companion object {
@@ -91,28 +86,29 @@ internal class PortsCommand : ToolCommand() {
 }
 
 /**
- * What asking a port for percepts brought.
+ * The result of probing a port, in words.
  *
- * @property answers null: not known
+ * @property answers null: unknown
  */
-private data class Board(val said: String, val answers: Boolean?, val isMissing: Boolean = false)
+private data class Board(val result: String, val answers: Boolean?, val isMissing: Boolean = false)
 
 private data class Row(val info: SerialPortInfo, val holders: List<String>, val board: Board? = null) {
-    val usb: String? = if (info.vendorId().isPresent && info.productId().isPresent) "%04x:%04x".format(info.vendorId().asInt, info.productId().asInt) else null
+    private val usb: String? = if (info.vendorId().isEmpty || info.productId().isEmpty) null
+    else "%04x:%04x".format(info.vendorId().asInt, info.productId().asInt)
 
-    val product: String = listOfNotNull(info.product().orElse(null), info.manufacturer().orElse(null)?.let { "($it)" }).joinToString(" ").ifEmpty { "-" }
+    /** The row of the table. */
+    fun cells(): List<String> {
+        val product = listOfNotNull(info.product().orElse(null), info.manufacturer().orElse(null)?.let { "($it)" }).joinToString(" ")
+        val cells = listOf(info.name(), usb.orEmpty(), info.serialNumber().orElse(""), product, holders.joinToString())
+        return cells.map { it.ifEmpty { "-" } } + listOfNotNull(board?.result)
+    }
 
-    fun json(): JsonObject = buildJsonObject {
-        put("port", info.name())
-        put("path", info.path())
-        put("usb", usb)
-        put("serial", info.serialNumber().orElse(null))
-        put("product", info.product().orElse(null))
-        put("manufacturer", info.manufacturer().orElse(null))
-        put("heldBy", JsonArray(holders.map(::JsonPrimitive)))
-        if (board != null) {
-            put("board", board.said)
-            put("answers", board.answers)
-        }
+    fun json(): JsonObject {
+        val members = mapOf(
+            "port" to info.name(), "path" to info.path(), "usb" to usb, "serial" to info.serialNumber().orElse(null),
+            "product" to info.product().orElse(null), "manufacturer" to info.manufacturer().orElse(null), "heldBy" to holders,
+        )
+        val probed = board?.let { mapOf("board" to it.result, "answers" to it.answers) }.orEmpty()
+        return jsonOf(*(members + probed).toList().toTypedArray())
     }
 }

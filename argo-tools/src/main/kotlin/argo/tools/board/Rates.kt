@@ -3,21 +3,24 @@ package argo.tools.board
 import java.util.Locale
 
 /**
- * How often messages and the percepts in them come. Times are milliseconds since monitoring began.
+ * The rates of messages and of the percepts in them. Times are milliseconds since monitoring began.
  *
- * Percepts that differ in numbers only are one kind. A board that makes up new kinds for ever fills [MOST_KINDS], and no more.
+ * Percepts that differ in numbers only are one kind. At most [MAX_KINDS] kinds are counted singly.
  */
 internal class Rates {
     private val kinds = LinkedHashMap<String, Kind>()
     private val recent = ArrayDeque<Long>()
-    private var messages = 0L
+
+    /** The number of messages. */
+    var messages = 0L
+        private set
     private var others = 0L
     private var firstMs = 0L
     private var lastMs = 0L
 
     private class Kind(var count: Long, var last: String)
 
-    /** Counts a message that came at [ms]. */
+    /** Counts a message that arrived at [ms]. */
     fun count(ms: Long, percepts: List<String>) {
         if (messages++ == 0L) firstMs = ms
         lastMs = ms
@@ -28,15 +31,15 @@ internal class Rates {
 
     private fun count(percept: String) {
         val name = kindOf(percept)
-        val kind = kinds[name] ?: if (kinds.size < MOST_KINDS) Kind(0, percept).also { kinds[name] = it } else null
+        val kind = kinds[name] ?: if (kinds.size < MAX_KINDS) Kind(0, percept).also { kinds[name] = it } else null
         if (kind == null) others++ else kind.count++
         kind?.last = percept
     }
 
-    /** Messages a second, over the last few; null before the second. */
+    /** Messages a second over the last [RECENT]; null before the second. */
     fun now(): Double? = perSecond(recent.size.toLong(), recent.firstOrNull() ?: 0, recent.lastOrNull() ?: 0)
 
-    /** One line for the messages, and one for each kind of percepts. */
+    /** A line for the messages, and one for each kind of percepts. */
     fun summary(): List<String> {
         val total = "$messages messages in ${seconds(lastMs - firstMs)} s" + rate(messages)
         val rows = kinds.map { (name, kind) -> "  $name: ${kind.count}${rate(kind.count)}, last ${kind.last}" }
@@ -45,17 +48,14 @@ internal class Rates {
 
     private fun rate(count: Long) = perSecond(count, firstMs, lastMs)?.let { ", ${decimal(it)} a second" }.orEmpty()
 
-    /** The kinds there have been, with how often each came and the last of it. */
+    /** The kinds, with the count and the last percept of each. */
     fun kinds(): List<Triple<String, Long, String>> = kinds.map { (name, kind) -> Triple(name, kind.count, kind.last) }
-
-    /** How many messages there have been. */
-    fun messages(): Long = messages
 
     private fun perSecond(count: Long, fromMs: Long, toMs: Long): Double? =
         if (count < 2 || toMs <= fromMs) null else (count - 1) * MS_PER_S / (toMs - fromMs)
 
     companion object {
-        const val MOST_KINDS = 200
+        const val MAX_KINDS = 200
         private const val RECENT = 10
         private const val MS_PER_S = 1000.0
         private val NUMBER_ARGUMENT = Regex("""(?<=[(,\[])\s*-?\d+(\.\d+)?([eE][+-]?\d+)?\s*(?=[,)\]])""")

@@ -20,22 +20,22 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
-/** `replay`: a recording as a board. */
+/** `replay`: serves a recording as a board. */
 @Command(
     name = "replay",
     description = [
-        "Serves a recording as a board on a pseudo-terminal, whose name it prints, until Ctrl-C, and shows the commands that come.",
+        "Serves a recording as a board on a pseudo-terminal until Ctrl-C; prints its name and the received commands.",
         "An agent, and these tools, can also open the port replay:FILE, without this command.",
     ],
 )
 internal class ReplayCommand : ToolCommand() {
-    @Parameters(index = "0", paramLabel = "FILE", description = ["what monitor --record wrote"])
+    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording made by monitor --record"])
     private lateinit var file: Path
 
-    @Option(names = ["--loop"], description = ["begins anew when the recording is over"])
+    @Option(names = ["--loop"], description = ["restarts at the end of the recording"])
     private var loop = false
 
-    @Option(names = ["--in-turn"], description = ["answers the first request with the first answer and so on, whatever the time"])
+    @Option(names = ["--in-turn"], description = ["answers the first request with the first answer and so on, ignoring times"])
     private var inTurn = false
 
     override fun call(): Int {
@@ -43,7 +43,10 @@ internal class ReplayCommand : ToolCommand() {
         val recording = Recording.read(file)
         val board = board(recording)
         if (!PseudoTerminals.available()) {
-            throw ToolException("there is no socat, which makes pseudo-terminals: \"sudo apt install socat\" or \"brew install socat\"; the port replay:$file needs none")
+            throw ToolException(
+                "there is no socat, which makes pseudo-terminals: \"sudo apt install socat\" or \"brew install socat\"; " +
+                    "the port replay:$file needs none",
+            )
         }
         return Interruption().use { PseudoTerminals.open().use { serve(it, board, waits = !recording.isOfRequests && !inTurn) } }
     }
@@ -64,16 +67,16 @@ internal class ReplayCommand : ToolCommand() {
             if (waits) awaitListener(pair)
             Transports.open(pair.board().path, LineSettings.defaults()).use(board::run)
         } catch (_: PortInterruptedException) {
-            Thread.interrupted() // the terminals are still to be taken away
+            Thread.interrupted() // the terminals are still to be removed
         } catch (_: InterruptedException) {
             // as above
         } catch (gone: PortException) {
-            if (!Thread.interrupted()) throw ToolException("the pseudo-terminal has gone: ${gone.message}")
+            if (!Thread.interrupted()) throw ToolException("the pseudo-terminal is lost: ${gone.message}")
         }
         return ExitStatus.DONE
     }
 
-    /** Who speaks unasked speaks to nobody until the far end is open; where nobody can tell, it begins at once. */
+    /** A board that sends unasked starts when the far end is open, or at once where the system does not reveal that. */
     private fun awaitListener(pair: PseudoTerminals) {
         if (!Files.isDirectory(Path.of("/proc/self/fd"))) return
         while (SerialPorts.holders(pair.computer().path).none { "socat" !in it }) TimeUnit.MILLISECONDS.sleep(POLL_MS)

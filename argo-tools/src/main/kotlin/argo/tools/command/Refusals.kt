@@ -10,9 +10,9 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Has the commands of this line tell a person what is wrong with their arguments, and where the help is, and end with exit status 2.
+ * Makes the commands of this line report wrong arguments in words, refer to the help, and end with exit status 2.
  *
- * @param kind what the commands are, in one word: `command`, `sample`
+ * @param kind the commands' kind in one word: `command`, `sample`
  */
 fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
@@ -22,7 +22,7 @@ fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .setParameterExceptionHandler { wrong, _ ->
         val refused = wrong.commandLine
         refused.err.println(reason(wrong, kind))
-        refused.err.println("${refused.commandSpec.qualifiedName()} --help shows what there is")
+        refused.err.println("${refused.commandSpec.qualifiedName()} --help lists the options")
         ExitCode.USAGE
     }
 
@@ -32,7 +32,7 @@ private fun <N> wholeNumber(text: String, read: (String) -> N?): N =
 private fun file(name: String): Path = try {
     Path.of(name)
 } catch (_: InvalidPathException) {
-    throw TypeConversionException("'$name' has characters that no file's name has here; if it is there, the locale (LC_ALL or LANG) is to be one of UTF-8")
+    throw TypeConversionException("'$name' has characters that no file name has here; if it exists, set a UTF-8 locale (LC_ALL or LANG)")
 }
 
 private fun reason(wrong: ParameterException, kind: String): String? {
@@ -40,18 +40,18 @@ private fun reason(wrong: ParameterException, kind: String): String? {
     val commands = wrong.commandLine.subcommands.keys
     return when {
         surplus == null -> wrong.message
-        commands.isEmpty() -> "there is nothing to do with '$surplus' here"
+        commands.isEmpty() -> "'$surplus' is one argument too many"
         else -> "there is no $kind '$surplus'; there are: ${commands.joinToString()}"
     }
 }
 
-/** Ends this command, whose arguments cannot be used because of [reason]. */
+/** Ends this command, because its arguments are wrong for [reason]. */
 fun CommandSpec.refuse(reason: String): Nothing = throw ParameterException(commandLine(), reason)
 
-/** Refuses a [value] of [option] that is not in [range]; [unit] is what stands behind the range in words. */
+/** Refuses a [value] of [option] outside [range]; [unit] is appended to the range in the message. */
 fun CommandSpec.requireWithin(option: String, value: Int, range: IntRange, unit: String = "") {
     if (value !in range) refuse("$option is from ${range.first} to ${range.last}${if (unit.isEmpty()) "" else " $unit"}, not $value")
 }
 
-/** Refuses a call without one of this command's own commands, each of which is a [kind]. */
+/** Refuses a call without one of the subcommands, each of which is a [kind]. */
 fun CommandSpec.refuseWithout(kind: String): Nothing = refuse("name a $kind: ${subcommands().keys.joinToString()}")

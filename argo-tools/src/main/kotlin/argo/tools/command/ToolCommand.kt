@@ -7,7 +7,7 @@ import picocli.CommandLine.Spec
 import java.io.PrintWriter
 import java.util.concurrent.Callable
 
-/** What the tools have in common. */
+/** The base of all tools. */
 @Command
 internal abstract class ToolCommand : Callable<Int> {
     @Spec
@@ -16,20 +16,27 @@ internal abstract class ToolCommand : Callable<Int> {
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
     private var help = false
 
-    /** Where results go. */
+    /** The output for results. */
     protected val out: PrintWriter get() = spec.commandLine().out
 
-    /** Where troubles go. */
+    /** The output for errors. */
     protected val err: PrintWriter get() = spec.commandLine().err
 
-    /** Colours, on a terminal that wants them: not where `NO_COLOR` is set, or it knows none. */
+    /** Colours; none if `NO_COLOR` is set, or on a terminal without colours. */
     protected val paint: Paint get() = Paint(spec.commandLine().colorScheme.ansi().enabled())
 
-    /** Wrong arguments: ends the command with exit status 2. */
+    /** Ends the command, because its arguments are wrong, with exit status 2. */
     protected fun misuse(reason: String): Nothing = spec.refuse(reason)
 }
 
-/** Colours text, or leaves it. */
+/** A tool whose results are data. */
+@Command
+internal abstract class DataCommand : ToolCommand() {
+    @Option(names = ["--json"], description = ["prints JSON"])
+    protected var json = false
+}
+
+/** Colours text if [enabled]. */
 internal class Paint(private val enabled: Boolean) {
     fun good(text: String) = paint("32", text)
 
@@ -44,6 +51,6 @@ internal class Paint(private val enabled: Boolean) {
     private fun paint(code: String, text: String) = if (enabled) "\u001B[${code}m$text\u001B[0m" else text
 }
 
-/** [text] from a board or a file, for a terminal: control characters, which could command it, become `\u001B`. */
+/** [text] from a board or a file, safe for a terminal: control characters, which could command it, become `\u001B`. */
 internal fun printable(text: String): String =
     if (text.none(Char::isISOControl)) text else text.map { if (it.isISOControl()) "\\u%04X".format(it.code) else "$it" }.joinToString("")

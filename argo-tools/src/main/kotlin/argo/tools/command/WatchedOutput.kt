@@ -4,13 +4,13 @@ import java.io.FilterOutputStream
 import java.io.IOException
 import java.io.OutputStream
 
-/** Remembers why nothing could be written to [target], which neither a [java.io.PrintWriter] on it nor `System.out` would tell. */
+/** Records why a write to [target] failed, which neither a [java.io.PrintWriter] on it nor `System.out` reports. */
 internal class WatchedOutput(private val target: OutputStream) : FilterOutputStream(target) {
-    /** Why it could not be written to, the first time; null: it always could. */
+    /** The first failure; null without one. */
     var trouble: IOException? = null
         private set
 
-    /** Whether that was only since nobody reads on, as in `monitor PORT | head`; systems say so in their own words, of which this is one. */
+    /** Whether it failed because the reader has gone, as in `monitor PORT | head`; the system's message contains "pipe". */
     val hasReaderGone: Boolean get() = trouble?.message.orEmpty().contains("pipe", ignoreCase = true)
 
     override fun write(byte: Int) = watched { target.write(byte) }

@@ -1,16 +1,14 @@
 package argo.tools.doctor
 
+import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
-import argo.tools.command.ToolCommand
-import argo.tools.doctor.Finding.Level
+import argo.tools.command.jsonArrayOf
+import argo.tools.command.jsonOf
 import argo.tools.command.printable
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
+import argo.tools.doctor.Finding.Level
 import picocli.CommandLine.Command
-import picocli.CommandLine.Option
 
-/** `doctor`: what stands between this machine and a board. */
+/** `doctor`: checks the machine for everything that a board needs. */
 @Command(
     name = "doctor",
     description = [
@@ -18,16 +16,13 @@ import picocli.CommandLine.Option
         "Exit status 1 if there is a problem; warnings alone leave it 0.",
     ],
 )
-internal class DoctorCommand(private val machine: Machine) : ToolCommand() {
+internal class DoctorCommand(private val machine: Machine) : DataCommand() {
     @Suppress("unused") // by picocli
     constructor() : this(ThisMachine)
 
-    @Option(names = ["--json"], description = ["prints an array of objects of JSON"])
-    private var json = false
-
     override fun call(): Int {
         val findings = Examination(machine).findings()
-        if (json) out.println(JsonArray(findings.map(::json))) else findings.forEach(::print)
+        if (json) out.println(jsonArrayOf(findings.map(::json))) else findings.forEach(::print)
         return if (findings.any { it.level == Level.PROBLEM }) ExitStatus.FAILED else ExitStatus.DONE
     }
 
@@ -41,9 +36,6 @@ internal class DoctorCommand(private val machine: Machine) : ToolCommand() {
         finding.remedy?.let { out.println("        " + printable(it)) }
     }
 
-    private fun json(finding: Finding) = buildJsonObject {
-        put("level", finding.level.name.lowercase())
-        put("what", finding.what)
-        put("remedy", finding.remedy)
-    }
+    private fun json(finding: Finding) =
+        jsonOf("level" to finding.level.name.lowercase(), "what" to finding.what, "remedy" to finding.remedy)
 }

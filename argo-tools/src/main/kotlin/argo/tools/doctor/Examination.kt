@@ -4,22 +4,27 @@ import argo.tools.doctor.Finding.Level.GOOD
 import argo.tools.doctor.Finding.Level.PROBLEM
 import argo.tools.doctor.Finding.Level.WARNING
 
-/** Looks at everything that has kept somebody from a board. */
+/** Checks everything that has kept users from their boards. */
 internal class Examination(private val machine: Machine) {
     private val linux = machine.system.startsWith("Linux")
     private val windows = machine.system.startsWith("Windows")
 
     fun findings(): List<Finding> = listOf(java()) + boards() + listOfNotNull(modemManager(), brltty(), socat())
 
-    private fun java(): Finding = when {
-        machine.java < LEAST_JAVA ->
-            Finding(PROBLEM, "Java is ${machine.javaInFull}", "ARGO needs 17 or newer: https://adoptium.net")
-        machine.java < NEW_JASON_JAVA -> Finding(GOOD, "Java is ${machine.javaInFull}: enough for Jason 3.2.1; Jason 3.3.0 needs 21")
-        else -> Finding(GOOD, "Java is ${machine.javaInFull}: enough for Jason 3.2.1 and 3.3.0")
+    private fun java(): Finding {
+        val found = "Java is ${machine.javaInFull}"
+        return when {
+            machine.java < MIN_JAVA -> Finding(PROBLEM, found, "ARGO needs 17 or newer: https://adoptium.net")
+            machine.java < MIN_NEW_JASON_JAVA -> Finding(GOOD, "$found: enough for Jason 3.2.1; Jason 3.3.0 needs 21")
+            else -> Finding(GOOD, "$found: enough for Jason 3.2.1 and 3.3.0")
+        }
     }
 
     private fun boards(): List<Finding> = machine.ports().fold(
-        onSuccess = { devices -> listOf(Finding(GOOD, "the serial driver's native library runs")) + listOfNotNull(presence(devices), group(devices)) + devices.flatMap(::device) },
+        onSuccess = { devices ->
+            val driver = Finding(GOOD, "the serial driver's native library runs")
+            listOfNotNull(driver, presence(devices), group(devices)) + devices.flatMap(::device)
+        },
         onFailure = { listOf(Finding(PROBLEM, "the serial driver does not run: ${it.message}", "see the message")) },
     )
 
@@ -31,53 +36,58 @@ internal class Examination(private val machine: Machine) {
 
     private fun noBoard(): String = "plug the board in, with a cable that carries data and not only power" + when {
         windows -> "; if the Device Manager shows it with a question mark, it needs a driver (CH340, CP210x, FTDI)"
-        linux -> "; \"sudo dmesg | tail\" says whether the machine sees it"
+        linux -> "; \"sudo dmesg | tail\" shows whether the machine detects it"
         else -> ""
     }
 
-    /** A login is as old as its groups: who has just been added to one is in it from the next login on. */
+    /** The groups are those of the login: a change takes effect with the next one. */
     private fun group(devices: List<Device>): Finding? {
         val groups = machine.groups
         if (!linux || groups == null || machine.user == "root") return null
         val serial = groups.filter { it in SERIAL_GROUPS }
         return when {
             serial.isNotEmpty() -> Finding(GOOD, "user ${machine.user} is in the group ${serial.joinToString()}")
-            devices.none { it.remedy != null } && devices.isNotEmpty() -> null
+            devices.isNotEmpty() && devices.all { it.remedy == null } -> null
             else -> Finding(
-                PROBLEM, "user ${machine.user} is in none of the groups that serial ports usually belong to (${SERIAL_GROUPS.joinToString()})",
+                PROBLEM, "user ${machine.user} is in none of the groups that usually own serial ports (${SERIAL_GROUPS.joinToString()})",
                 "\"sudo usermod -aG dialout \$USER\" (on Arch uucp in place of dialout), then log out and in again",
             )
         }
     }
 
     private fun device(device: Device): List<Finding> {
-        val permission = if (device.remedy == null) null else Finding(if (device.isUsb) PROBLEM else WARNING, "user ${machine.user} may not open ${device.name}", device.remedy)
-        val holder = if (device.holders.isEmpty()) null else Finding(
-            if (device.isUsb) PROBLEM else WARNING, "${device.name} is held by ${device.holders.joinToString(" and ")}", "end that program, or close the port there (the Serial Monitor, say)",
-        )
-        val free = if (permission == null && holder == null) Finding(GOOD, "${device.name} can be opened, as far as can be told without doing it") else null
-        return listOfNotNull(permission, holder, free)
+        val level = if (device.isUsb) PROBLEM else WARNING
+        val permission = device.remedy?.let { Finding(level, "user ${machine.user} may not open ${device.name}", it) }
+        val holder = device.holders.takeIf { it.isNotEmpty() }?.let {
+            val what = "${device.name} is held by ${it.joinToString(" and ")}"
+            Finding(level, what, "end that program, or close the port there (as in the Serial Monitor)")
+        }
+        val free = Finding(GOOD, "${device.name} is free, and its permissions allow opening it")
+        return listOfNotNull(permission, holder).ifEmpty { listOf(free) }
     }
 
     private fun modemManager(): Finding? = if (!linux || "ModemManager" !in machine.processes) null else Finding(
-        WARNING, "ModemManager is running: it opens new serial ports and writes modem commands to boards for some seconds after they are plugged in",
+        WARNING, "ModemManager is running: it opens new serial ports and writes modem commands to boards for some seconds",
         "\"sudo systemctl disable --now ModemManager\", or a udev rule with ENV{ID_MM_DEVICE_IGNORE}=\"1\" for the board",
     )
 
     private fun brltty(): Finding? = if (!linux || "brltty" !in machine.processes) null else Finding(
         WARNING, "brltty is running: it takes USB serial chips such as the CH340 for braille displays, and their port disappears",
-        "if nobody reads braille here: \"sudo apt remove brltty\"",
+        "if nobody needs braille here: \"sudo apt remove brltty\"",
     )
 
     private fun socat(): Finding? = when {
         windows -> null
-        machine.hasSocat -> Finding(GOOD, "socat is there, for the command replay and for tests")
-        else -> Finding(WARNING, "there is no socat, which the command replay and some tests need", if (linux) "\"sudo apt install socat\"" else "\"brew install socat\"")
+        machine.hasSocat -> Finding(GOOD, "socat is installed, for the command replay and for tests")
+        else -> Finding(
+            WARNING, "there is no socat, which the command replay and some tests need",
+            if (linux) "\"sudo apt install socat\"" else "\"brew install socat\"",
+        )
     }
 
     private companion object {
-        const val LEAST_JAVA = 17
-        const val NEW_JASON_JAVA = 21
+        const val MIN_JAVA = 17
+        const val MIN_NEW_JASON_JAVA = 21
         val SERIAL_GROUPS = listOf("dialout", "uucp")
     }
 }

@@ -1,19 +1,18 @@
 package argo.tools.doctor
 
 /**
- * One thing that was looked at.
+ * The result of one check.
  *
- * @property remedy what to do about it; null: nothing
+ * @property remedy null: none is needed
  */
 internal data class Finding(val level: Level, val what: String, val remedy: String? = null) {
-    /** How it stands. */
     enum class Level {
         GOOD,
 
-        /** It stands in the way of something that not everybody wants. */
+        /** Something may fail that not everybody needs. */
         WARNING,
 
-        /** It stands in the way of boards. */
+        /** Boards will not work. */
         PROBLEM,
     }
 }

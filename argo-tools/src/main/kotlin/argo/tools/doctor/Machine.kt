@@ -6,9 +6,9 @@ import javino.sim.PseudoTerminals
 import java.io.IOException
 import java.util.concurrent.TimeUnit
 
-/** What can be known of the machine that this runs on. */
+/** The facts about a machine that matter for boards. */
 internal interface Machine {
-    /** As Java calls the operating system: `Linux`, `Mac OS X`, `Windows 11`. */
+    /** The operating system, as Java names it: `Linux`, `Mac OS X`, `Windows 11`. */
     val system: String
 
     /** Java's feature version, such as 17. */
@@ -19,28 +19,28 @@ internal interface Machine {
 
     val user: String
 
-    /** The user's groups in this login; null where that cannot be told. */
+    /** The user's groups in this login; null if unknown. */
     val groups: List<String>?
 
-    /** The names of the programs that run, without their folders. */
+    /** The names of the running programs, without folders. */
     val processes: Set<String>
 
     val hasSocat: Boolean
 
-    /** The serial devices; the failure says why the driver cannot run. */
+    /** The serial devices, or the reason why the driver cannot run. */
     fun ports(): Result<List<Device>>
 }
 
 /**
  * A serial device.
  *
- * @property isUsb whether it is known to be on USB, as boards are
- * @property remedy what this user can do to be allowed to open it; null: nothing is needed
- * @property holders the programs that have it open
+ * @property isUsb whether it is on USB, as boards are
+ * @property remedy how this user gets permission to open it; null: it has permission
+ * @property holders the programs that hold it open
  */
 internal data class Device(val name: String, val isUsb: Boolean, val remedy: String?, val holders: List<String>)
 
-/** The machine itself. */
+/** The machine that this program runs on. */
 internal object ThisMachine : Machine {
     private const val COMMAND_LIMIT_S = 10L
 
@@ -48,7 +48,7 @@ internal object ThisMachine : Machine {
     override val java: Int get() = Runtime.version().feature()
     override val javaInFull: String get() = "${Runtime.version()} (${System.getProperty("java.home")})"
     override val user: String get() = System.getProperty("user.name", "")
-    override val groups: List<String>? get() = said("id", "-Gn")?.split(Regex("\\s+"))
+    override val groups: List<String>? get() = output("id", "-Gn")?.split(Regex("\\s+"))
     override val hasSocat: Boolean get() = PseudoTerminals.available()
 
     override val processes: Set<String>
@@ -58,15 +58,16 @@ internal object ThisMachine : Machine {
     override fun ports(): Result<List<Device>> = try {
         Result.success(
             SerialPorts.list().map { port ->
-                Device(port.name(), port.vendorId().isPresent, SerialPorts.permissionRemedy(port.name()).orElse(null), SerialPorts.holders(port.name()))
+                val name = port.name()
+                Device(name, port.vendorId().isPresent, SerialPorts.permissionRemedy(name).orElse(null), SerialPorts.holders(name))
             },
         )
     } catch (trouble: PortException) {
         Result.failure(trouble)
     }
 
-    /** What a program prints; null if there is none, or it fails. */
-    private fun said(vararg command: String): String? = try {
+    /** The output of a program; null if it does not exist or fails. */
+    private fun output(vararg command: String): String? = try {
         val process = ProcessBuilder(*command).redirectError(ProcessBuilder.Redirect.DISCARD).start()
         val text = process.inputStream.bufferedReader().readText().trim()
         text.takeIf { process.waitFor(COMMAND_LIMIT_S, TimeUnit.SECONDS) && process.exitValue() == 0 }

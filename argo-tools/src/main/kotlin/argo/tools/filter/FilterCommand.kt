@@ -6,7 +6,7 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 
-/** `filter`: what there is to do with files of perception filters. */
+/** `filter`: the commands for files of perception filters. */
 @Command(
     name = "filter",
     description = ["Checks, explains and converts files of perception filters."],

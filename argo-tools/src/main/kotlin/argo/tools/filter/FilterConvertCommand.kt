@@ -9,15 +9,15 @@ import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.making
 import argo.tools.command.requireNew
-import java.nio.file.Path
-import java.nio.file.StandardOpenOption
-import kotlin.io.path.writeText
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import kotlin.io.path.writeText
 
-/** `filter convert`: a filter in another form. */
-@Command(name = "convert", description = ["Writes the filter of a file in another form. The two are one filter to an agent; comments are not kept."])
+/** `filter convert`: writes a filter in another form. */
+@Command(name = "convert", description = ["Writes the filter of a file in another form. The result equals the original, without comments."])
 internal class FilterConvertCommand : ToolCommand() {
     @Parameters(index = "0", paramLabel = "FILE", description = ["XML or JSON"])
     private lateinit var file: Path
@@ -25,7 +25,7 @@ internal class FilterConvertCommand : ToolCommand() {
     @Option(names = ["--to"], required = true, paramLabel = "FORM", description = ["xml, json or kotlin"])
     private lateinit var form: String
 
-    @Option(names = ["-o", "--out"], paramLabel = "FILE", description = ["writes a new file rather than the terminal"])
+    @Option(names = ["-o", "--out"], paramLabel = "FILE", description = ["writes to a new file instead of the terminal"])
     private var target: Path? = null
 
     override fun call(): Int {
@@ -43,6 +43,7 @@ internal class FilterConvertCommand : ToolCommand() {
     }
 
     private companion object {
-        val FORMS: Map<String, (PerceptionFilter) -> String> = mapOf("xml" to XmlFilters::write, "json" to JsonFilters::write, "kotlin" to KotlinFilters::write)
+        val FORMS: Map<String, (PerceptionFilter) -> String> =
+            mapOf("xml" to XmlFilters::write, "json" to JsonFilters::write, "kotlin" to KotlinFilters::write)
     }
 }

@@ -5,21 +5,22 @@ import argo.filters.format.JsonFilters
 import argo.filters.format.XmlFilters
 import argo.tools.command.ToolException
 import argo.tools.command.requireFile
+import java.io.InputStream
 import java.nio.file.Path
 import kotlin.io.path.inputStream
 
 /**
- * Reads the filter in [file], whose name says whether it is XML or JSON.
+ * Reads the filter in [file]; the suffix of the name selects XML or JSON.
  *
  * @throws argo.filters.FilterException if it is refused
  */
 internal fun filterIn(file: Path): PerceptionFilter {
-    val name = file.toString()
-    return when {
-        name.endsWith(".xml") -> existing(file).inputStream().use { XmlFilters.read(it, name) }
-        name.endsWith(".json") -> existing(file).inputStream().use { JsonFilters.read(it, name) }
+    val name = "$file"
+    val read = when {
+        name.endsWith(".xml") -> { input: InputStream -> XmlFilters.read(input, name) }
+        name.endsWith(".json") -> { input: InputStream -> JsonFilters.read(input, name) }
         else -> throw ToolException("$file is no filter file: their names end in .xml or .json")
     }
+    requireFile(file)
+    return file.inputStream().use(read)
 }
-
-private fun existing(file: Path): Path = file.also(::requireFile)

@@ -1,17 +1,15 @@
 package argo.tools.migration
 
 /**
- * Something in a program that is otherwise here.
+ * A difference between this version of ARGO and the one that a program was written for.
  *
- * @property file its path
  * @property line counted from 1
- * @property must whether the program does not do what it did until this is changed
- * @property what what is different
- * @property remedy what to do
+ * @property must whether the program behaves differently until this is changed
+ * @property what the difference
  */
 internal data class Advice(val file: String, val line: Int, val must: Boolean, val what: String, val remedy: String)
 
-/** Collects what is to be said of one file. */
+/** Collects the advices on one file. */
 internal class Advices(private val file: String) {
     private val collected = ArrayList<Advice>()
 

@@ -1,8 +1,12 @@
 package argo.tools.migration
 
 import java.nio.file.Path
+import kotlin.math.roundToLong
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.minutes
+import kotlin.time.Duration.Companion.nanoseconds
 
-/** What would be otherwise in an agent's program. */
+/** Checks an agent's program. */
 internal class AgentCheck(private val file: Path, private val text: String) {
     private val advices = Advices("$file")
     private val tokens = if (text.any(::isForeign)) emptyList() else tokensOf(text)
@@ -15,7 +19,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
     /** Whether it needs `argo.Arch`. */
     val needsArch: Boolean = calls.any { ArgoActions.actionIn(it.name) in ArgoActions.OF_BOARDS }
 
-    /** All that is to be said. */
+    /** All advices. */
     fun advices(): List<Advice> {
         program()
         calls.forEach { call -> ArgoActions.actionIn(call.name)?.let { action(it, call) } }
@@ -25,15 +29,17 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         return advices.all
     }
 
-    /** What Jason would not even read, and what need not be looked into further. */
+    /** Finds text that Jason cannot parse, which needs no further checks. */
     private fun program() {
         val foreign = text.indexOfFirst(::isForeign)
         val last = tokens.lastOrNull()
         if (foreign >= 0) {
             val line = 1 + text.take(foreign).count { it == '\n' }
-            advices.change(line, "this is no program of AgentSpeak: it holds the character U+${"%04X".format(text[foreign].code)}, as no text does", "text in UTF-8 can be checked")
+            val code = "U+%04X".format(text[foreign].code)
+            advices.change(line, "this is no program of AgentSpeak: it contains the control character $code", "use text in UTF-8")
         } else if (last != null && !last.isSymbol('.') && !last.isSymbol('}')) {
-            advices.change(last.line, "no program of AgentSpeak ends so: a belief, a goal and a plan end with a full stop", "see whether the file is whole, and what it should be")
+            val what = "no program of AgentSpeak ends like this: a belief, a goal and a plan end with a full stop"
+            advices.change(last.line, what, "check whether the file is complete, and of the right kind")
         }
     }
 
@@ -41,7 +47,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         if (!ArgoActions.exists(call.name)) {
             advices.change(
                 call.line, "there is no internal action ${call.name}: Jason would take it for an action of the environment",
-                "there are ${ArgoActions.NAMES.joinToString { "argo.$it" }}",
+                "the actions are ${ArgoActions.NAMES.joinToString { "argo.$it" }}",
             )
             return
         }
@@ -58,24 +64,27 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         val port = call.arguments.firstOrNull() ?: return arity(call, "the port")
         val options = call.arguments.getOrNull(1)
         if (call.arguments.size > 2) return arity(call, "the port and a list of options")
+        val what = "the second argument of ${call.name} is a list of options here"
         if (options?.singleOrNull()?.text in TRUTH_VALUES) {
-            advices.change(call.line, "the second argument of ${call.name} is a list of options here, not ${options?.single()?.text}", "leave it out: an agent of ARGO sleeps when there is nothing to do and wakes for its percepts")
-        } else if (options != null && options.firstOrNull()?.let { it.isSymbol('[') || it.isVariable } != true) {
-            advices.change(call.line, "the second argument of ${call.name} is a list of options here", "such as [baud(115200), timeout(1000)]")
+            val remedy = "remove it: an agent of ARGO sleeps while idle and wakes for its percepts"
+            advices.change(call.line, "$what, not ${options?.single()?.text}", remedy)
+        } else if (options != null && !mayBeList(options)) {
+            advices.change(call.line, what, "such as [baud(115200), timeout(1000)]")
         }
         val name = port.singleOrNull()
-        when {
-            name == null -> advices.change(call.line, "${port.joinToString("") { it.text }} is not a term that Jason reads as a port", "put it in quotes")
-            name.isVariable && PORT_LIKE.matches(name.text) -> advices.note(
-                call.line, "${name.text} is a variable to Jason; its name is taken for the port as long as it has no value", "\"${name.text}\" in quotes means the same and is never something else",
-            )
+        if (name == null) {
+            advices.change(call.line, "${port.joinToString("") { it.text }} is not a term that Jason reads as a port", "put it in quotes")
+        } else if (name.isVariable && PORT_LIKE.matches(name.text)) {
+            val unbound = "${name.text} is a variable to Jason; while it is unbound, its name stands for the port"
+            advices.note(call.line, unbound, "write \"${name.text}\", with quotes")
         }
     }
 
     private fun severalPorts() {
         val named = ports.filter { !it.isVariable && it.text != "none" }.distinctBy { nameOf(it) }
         named.drop(1).forEach {
-            advices.note(it.line, "${it.text} is another port than ${named.first().text} before: ports stay open here, and the agent goes back to one without resetting its board", "argo.port(none) closes all of them")
+            val what = "${it.text} is another port than ${named.first().text} before: both stay open here, and switching resets no board"
+            advices.note(it.line, what, "argo.port(none) closes all ports")
         }
     }
 
@@ -84,36 +93,48 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         val written = argument.joinToString("") { it.text }
         val ms = written.toDoubleOrNull() ?: return
         when {
-            ms < 0 || ms != Math.rint(ms) -> advices.change(call.line, "the interval of ${call.name} is a whole number of milliseconds from 0, not $written", "0 means as fast as the line allows")
-            ms >= NANOSECONDS_MEANT -> advices.change(call.line, "${call.name}($written) is in milliseconds: one perception in ${Math.round(ms / MS_PER_MINUTE)} minutes", "if nanoseconds were meant: ${call.name}(${Math.round(ms / NANOS_PER_MS)})")
-            ms >= SLOW_MS -> advices.note(
-                call.line, "${call.name}($written): one perception in $written ms. Some versions of ARGO took the number for nanoseconds, so that it had no effect",
-                "if the agent relied on being faster, a smaller number; 0 is as fast as the line allows",
+            ms < 0 || ms != Math.rint(ms) -> advices.change(
+                call.line, "the interval of ${call.name} is a whole number of milliseconds from 0, not $written",
+                "0 means as fast as the line allows",
+            )
+            ms >= MIN_NANOSECONDS -> {
+                val minutes = (ms.milliseconds / 1.minutes).roundToLong()
+                val fromNanos = (ms.nanoseconds / 1.milliseconds).roundToLong()
+                val what = "${call.name}($written) is in milliseconds: one perception in $minutes minutes"
+                advices.change(call.line, what, "for nanoseconds write ${call.name}($fromNanos)")
+            }
+            ms >= MIN_SLOW_MS -> advices.note(
+                call.line, "${call.name}($written): one perception in $written ms. Some versions of ARGO read nanoseconds, without effect",
+                "write a smaller number if the agent must be faster; 0 is as fast as the line allows",
             )
         }
     }
 
     private fun percepts(call: Call) {
         val word = call.arguments.singleOrNull()?.singleOrNull() ?: return arity(call, "open, block or close")
-        if (!word.isVariable && word.text !in listOf("open", "block", "close")) advices.change(call.line, "perception is set to open, block or close, not ${word.text}", "open and block it with these words")
+        if (!word.isVariable && word.text !in PERCEPTS) {
+            advices.change(call.line, "perception is set to open, block or close, not ${word.text}", "use one of these words")
+        }
     }
 
     private fun act(call: Call) {
         val options = call.arguments.getOrNull(1)
-        val areOptions = options == null || options.firstOrNull()?.let { it.isSymbol('[') || it.isVariable } == true
-        if (call.arguments.size !in 1..2 || !areOptions) return arity(call, "one literal, as in ${call.name}(speed(120)), and a list of options if there are any")
+        if (call.arguments.size !in 1..2 || options != null && !mayBeList(options)) {
+            return arity(call, "one literal, as in ${call.name}(speed(120)), and optionally a list of options")
+        }
         val command = call.arguments.first()
         val string = command.singleOrNull()?.takeIf { it.kind == Token.Kind.STRING && it.text.startsWith('"') } ?: return
-        advices.note(call.line, "the string ${string.text} is sent without its quotes here; some versions of ARGO sent them too", "if the board expects quotes, a structure with a string in it: say(${string.text})")
+        val what = "the string ${string.text} is sent without its quotes here; some versions of ARGO sent them too"
+        advices.note(call.line, what, "if the board expects quotes, write a structure with a string: say(${string.text})")
     }
 
     private fun filter(call: Call) {
         val first = call.arguments.firstOrNull()?.singleOrNull()
         val form = first?.text
         when {
-            form in FILTER_FORMS && (call.arguments.size > 1 || form == "remove") -> advices.change(
-                call.line, "${call.name}($form${if (call.arguments.size > 1) ", …" else ""}) is a filter written into the plan, which is not known here",
-                if (form == "remove") "argo.change_filter(none)" else "write it as a file (docs/filters.md), and change to it with argo.change_filter(NAME)",
+            form == "remove" -> advices.change(call.line, "${call.name}(remove) $IN_PLAN", "argo.change_filter(none)")
+            form in FILTER_FORMS && call.arguments.size > 1 -> advices.change(
+                call.line, "${call.name}($form, …) $IN_PLAN", "write a filter file (docs/filters.md), and call argo.change_filter(NAME)",
             )
             call.arguments.size != 1 -> arity(call, "the name of a filter")
             first != null && !first.isVariable && form != "none" -> filters += nameOf(first) to call.line
@@ -128,34 +149,41 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         if (port == null || port.isVariable || port.kind == Token.Kind.NUMBER) return
         val same = ports.filter { !it.isVariable && shortName(it) == shortName(port) }
         if (same.isNotEmpty() && same.none { it.text == port.text }) {
-            advices.change(call.line, "the belief names the port as argo.port was given it, ${same.first().text}, so that ${port.text} never matches", "write ${same.first().text} in both places, or a variable here")
+            val what = "the belief has the name passed to argo.port, ${same.first().text}, so that ${port.text} never matches"
+            advices.change(call.line, what, "write ${same.first().text} in both places, or a variable here")
         }
     }
 
     private fun source(call: Call) {
         val source = call.arguments.singleOrNull()?.singleOrNull()?.text
-        if (source in BODY_SOURCES) advices.change(call.line, "no belief has source($source) here: what a board says, and the states of ports, have source(percept)", "source(percept), or no annotation")
+        if (source !in BODY_SOURCES) return
+        val what = "no belief has source($source) here: percepts of a board, and the states of ports, have source(percept)"
+        advices.change(call.line, what, "source(percept), or no annotation")
     }
 
     private fun arity(call: Call, expected: String) =
-        advices.change(call.line, "${call.name} is given ${call.arguments.size} arguments", "it takes $expected")
+        advices.change(call.line, "${call.name} has ${call.arguments.size} arguments", "it takes $expected")
 
     private companion object {
         val TRUTH_VALUES = setOf("true", "false")
         val STATUSES = listOf("on", "off", "timeout")
-        val FILTER_FORMS = setOf("only", "except", "value", "remove")
+        val PERCEPTS = setOf("open", "block", "close")
+        val FILTER_FORMS = setOf("only", "except", "value")
+        const val IN_PLAN = "is a filter written into the plan, which is unknown here"
         val BODY_SOURCES = setOf("interoception", "proprioception", "exteroception")
         val PORT_LIKE = Regex("COM\\d+|[Tt][Tt][Yy]\\w+")
-        const val NANOSECONDS_MEANT = 1_000_000.0
-        const val NANOS_PER_MS = 1_000_000.0
-        const val MS_PER_MINUTE = 60_000.0
-        const val SLOW_MS = 200.0
+
+        /** From this interval on nanoseconds were meant. */
+        const val MIN_NANOSECONDS = 1_000_000.0
+        const val MIN_SLOW_MS = 200.0
 
         const val BLANKS = "\t\n\u000B\u000C\r"
 
         fun isForeign(character: Char): Boolean = character < ' ' && character !in BLANKS
 
-        /** What an atom or a string names. */
+        fun mayBeList(argument: List<Token>) = argument.firstOrNull()?.let { it.isSymbol('[') || it.isVariable } == true
+
+        /** The text of an atom or a string without quotes. */
         fun nameOf(token: Token): String = token.text.removeSurrounding("\"").removeSurrounding("'")
 
         fun shortName(token: Token): String = nameOf(token).substringAfterLast('/')

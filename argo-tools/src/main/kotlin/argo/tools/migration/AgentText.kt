@@ -3,9 +3,9 @@ package argo.tools.migration
 /**
  * A piece of AgentSpeak or of a project file.
  *
- * @property text as it is written; of a string with its quotes
+ * @property text as in the file; a string with its quotes
  * @property line counted from 1
- * @property start where it begins in the file, in characters
+ * @property start its offset in the file, in characters
  */
 internal data class Token(val kind: Kind, val text: String, val line: Int, val start: Int) {
     enum class Kind { WORD, NUMBER, STRING, SYMBOL }
@@ -18,8 +18,8 @@ internal data class Token(val kind: Kind, val text: String, val line: Int, val s
 }
 
 /**
- * The tokens of [text] without its comments. Tolerant: whatever it does not know is a symbol, a string without an end ends with its line, a
- * comment without one with the text.
+ * The tokens of [text] without its comments. Tolerant: unknown characters are symbols, an open string ends with its line, an open comment
+ * with the text.
  */
 internal fun tokensOf(text: String): List<Token> {
     val tokens = ArrayList<Token>()
@@ -32,22 +32,22 @@ internal fun tokensOf(text: String): List<Token> {
     return tokens
 }
 
-private val KINDS = listOf("word" to Token.Kind.WORD, "number" to Token.Kind.NUMBER, "string" to Token.Kind.STRING, "symbol" to Token.Kind.SYMBOL)
+private val KINDS = Token.Kind.entries.map { it.name.lowercase() to it }
 private val TOKEN = Regex(
     """//[^\n]*|/\*(?:(?!\*/)[\s\S])*+(?:\*/)?|(?<string>"(?:\\.|[^"\\\n])*+"?|'(?:\\.|[^'\\\n])*+'?)""" +
         """|(?<word>[\p{L}_][\p{L}\p{N}_]*)|(?<number>\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|\s+|(?<symbol>[\s\S])""",
 )
 
 /**
- * Something that is called with arguments: `.argo.port(P,[baud(9600)])`, `port(P,on)`.
+ * A name with arguments: `.argo.port(P,[baud(9600)])`, `port(P,on)`.
  *
  * @property name with all its dots: `.argo.port`
- * @property line where it begins, counted from 1
+ * @property line its first, counted from 1
  * @property arguments the tokens of each
  */
 internal data class Call(val name: String, val line: Int, val arguments: List<List<Token>>)
 
-/** All calls in [tokens], also those in the arguments of others. */
+/** All calls in [tokens], including those in arguments of others. */
 internal fun callsIn(tokens: List<Token>): List<Call> = tokens.indices.mapNotNull { open ->
     if (!tokens[open].isSymbol('(')) return@mapNotNull null
     val first = nameStart(tokens, open)
@@ -55,7 +55,7 @@ internal fun callsIn(tokens: List<Token>): List<Call> = tokens.indices.mapNotNul
     else Call(tokens.subList(first, open).joinToString("") { it.text }, tokens[first].line, arguments(tokens, open))
 }
 
-/** Where the name begins that ends in front of [open]: words and dots without blanks between them. */
+/** The index of the first token of the name in front of [open]: words and dots without blanks between them. */
 private fun nameStart(tokens: List<Token>, open: Int): Int {
     var first = open
     while (first > 0) {

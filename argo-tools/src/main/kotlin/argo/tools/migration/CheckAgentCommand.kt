@@ -1,35 +1,30 @@
 package argo.tools.migration
 
+import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
-import argo.tools.command.ToolCommand
+import argo.tools.command.jsonArrayOf
+import argo.tools.command.jsonOf
 import argo.tools.command.printable
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
 import picocli.CommandLine.Command
-import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
 
-/** `check-agent`: reads programs for other versions of ARGO. */
+/** `check-agent`: checks programs for other versions of ARGO. */
 @Command(
     name = "check-agent",
     description = [
-        "Reads programs that were written for other versions of ARGO and says what would be otherwise here: file, line, what, and what to do.",
+        "Reports what behaves differently when a program for another ARGO version runs on this one, with file, line and remedy.",
         "Exit status 1 if something must change; notes alone leave it 0.",
     ],
 )
-internal class CheckAgentCommand : ToolCommand() {
-    @Parameters(arity = "1..*", paramLabel = "FILE", description = [".asl, .mas2j, .jcm, Gradle and XML filter files, or folders with them"])
+internal class CheckAgentCommand : DataCommand() {
+    @Parameters(arity = "1..*", paramLabel = "FILE", description = [".asl, .mas2j, .jcm, Gradle and XML filter files, or their folders"])
     private lateinit var files: List<Path>
-
-    @Option(names = ["--json"], description = ["prints an array of objects of JSON"])
-    private var json = false
 
     override fun call(): Int {
         val migration = Migration(files)
         val advices = migration.advices()
-        if (json) out.println(JsonArray(advices.map(::json))) else print(advices, migration.count)
+        if (json) out.println(jsonArrayOf(advices.map(::json))) else print(advices, migration.count)
         return if (advices.any { it.must }) ExitStatus.FAILED else ExitStatus.DONE
     }
 
@@ -40,14 +35,9 @@ internal class CheckAgentCommand : ToolCommand() {
             out.println("    ${printable(advice.remedy)}")
         }
         val changes = advices.count { it.must }
-        out.println("$files files read: $changes things must change, ${advices.size - changes} to know of")
+        out.println("$files files read: $changes things must change, ${advices.size - changes} notes")
     }
 
-    private fun json(advice: Advice) = buildJsonObject {
-        put("file", advice.file)
-        put("line", advice.line)
-        put("must", advice.must)
-        put("what", advice.what)
-        put("remedy", advice.remedy)
-    }
+    private fun json(advice: Advice) =
+        jsonOf("file" to advice.file, "line" to advice.line, "must" to advice.must, "what" to advice.what, "remedy" to advice.remedy)
 }

@@ -9,28 +9,32 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
-/** Reads programs that were written for other versions of ARGO. */
+/** Checks programs for other versions of ARGO. */
 internal class Migration(files: List<Path>) {
     private val files = files.flatMap(::expanded).distinct()
     private val kotlinFilters = kotlinFiltersIn(files.filter { it.isDirectory() } + Path.of("src"))
 
-    /** What is to be said of all files, file by file in the order of the lines; none if a folder holds nothing to be checked. */
+    /** The advices on all files, file by file in the order of the lines. */
     fun advices(): List<Advice> {
         val agents = files.filter { it.extension == "asl" }.map { it to AgentCheck(it, textOf(it)) }
         val needArch = agents.filter { it.second.needsArch }.map { it.first.name }.toSet()
-        val ofAgents = agents.flatMap { (file, check) -> check.advices() + filtersOf(file, check) }
+        val ofAgents = agents.flatMap { (file, check) -> check.advices() + missingFilters(file, check) }
         val ofProjects = files.filter { it.extension in PROJECTS }.flatMap { ProjectCheck(it, textOf(it)).advices(needArch) }
-        val ofFilters = (files.filter { it.extension == "xml" } + agents.flatMap { (file, check) -> check.filters.mapNotNull { filterFile(file, it.first) }.filter { it.extension == "xml" } })
-            .distinctBy { it.toAbsolutePath().normalize() }.flatMap { FilterFileCheck(it).advices() }
+        val changedTo = agents.flatMap { (file, check) -> check.filters.mapNotNull { filterFile(file, it.first) } }
+        val ofFilters = (files + changedTo).filter { it.extension == "xml" }.distinctBy { it.toAbsolutePath().normalize() }
+            .flatMap { FilterFileCheck(it).advices() }
         return ofAgents + ofProjects + ofFilters
     }
 
-    /** How many files were read. */
+    /** The number of files read. */
     val count: Int get() = files.size
 
-    private fun filtersOf(file: Path, check: AgentCheck): List<Advice> = check.filters.filter { it.first !in kotlinFilters && filterFile(file, it.first) == null }.map { (name, line) ->
-        Advice("$file", line, false, "there is no file of the filter $name beside the agent or in the working directory, nor in filters/ there, and no Kotlin source that makes it", "fine if it comes on the class path; else put it there")
-    }
+    private fun missingFilters(file: Path, check: AgentCheck): List<Advice> =
+        check.filters.filter { it.first !in kotlinFilters && filterFile(file, it.first) == null }.map { (name, line) ->
+            val what = "there is no file of the filter $name beside the agent or in the working directory, nor in filters/ there, " +
+                "and no Kotlin source that makes it"
+            Advice("$file", line, false, what, "no change is needed if it is on the class path; else put it there")
+        }
 
     private fun filterFile(asl: Path, name: String): Path? {
         val folders = listOf(asl.toAbsolutePath().parent, Path.of("").toAbsolutePath()).flatMap { listOf(it, it.resolve("filters")) }
@@ -41,11 +45,11 @@ internal class Migration(files: List<Path>) {
     private fun expanded(file: Path): List<Path> = when {
         file.isDirectory() -> sourcesIn(file, KNOWN)
         !Files.exists(file) -> throw ToolException("there is no file $file")
-        file.extension !in KNOWN -> throw ToolException("$file is none of the files that can be checked: ${KNOWN.joinToString { ".$it" }}")
+        file.extension !in KNOWN -> throw ToolException("$file cannot be checked; files that can: ${KNOWN.joinToString { ".$it" }}")
         else -> listOf(file)
     }
 
-    /** Programs are in UTF-8, and old ones in ISO 8859-1; what matters here is ASCII. */
+    /** Programs are in UTF-8, old ones in ISO 8859-1; the checks need ASCII only. */
     private fun textOf(file: Path): String = try {
         file.readBytes().toString(Charsets.UTF_8)
     } catch (unreadable: IOException) {

@@ -3,20 +3,18 @@ package argo.tools.migration
 import java.nio.file.Path
 import kotlin.io.path.name
 
-/** What would be otherwise in a project file: `.mas2j`, `.jcm`, or one of Gradle. */
+/** Checks a project file: `.mas2j`, `.jcm`, or one of Gradle. */
 internal class ProjectCheck(private val file: Path, text: String) {
     private val advices = Advices("$file")
     private val tokens = tokensOf(text)
 
-    /** The project file of Jason says which agents have which architecture; others do not say it so that it can be relied on. */
-    private val isJasonProject = file.name.endsWith(".mas2j")
-
-    /** All that is to be said. [needArch] are the names of the `.asl` files whose agents need `argo.Arch`. */
+    /** All advices. [needArch] are the names of the `.asl` files whose agents need `argo.Arch`. */
     fun advices(needArch: Set<String>): List<Advice> {
         tokens.indices.forEach(::architecture)
         tokens.indices.forEach(::otherArgo)
         tokens.indices.forEach(::infrastructure)
-        if (isJasonProject) agents().forEach { withoutArch(it, needArch) }
+        // only the project file of Jason names the architecture of each agent reliably
+        if (file.name.endsWith(".mas2j")) agents().forEach { withoutArch(it, needArch) }
         return advices.all
     }
 
@@ -40,12 +38,14 @@ internal class ProjectCheck(private val file: Path, text: String) {
     private fun otherArgo(at: Int) {
         val text = tokens[at].text
         if (tokens[at].kind != Token.Kind.STRING || !OTHER_ARGO.containsMatchIn(text)) return
-        advices.change(tokens[at].line, "$text brings another version of ARGO, with classes of the same names", "take it out, and put argo.jar into lib/")
+        val what = "$text brings another version of ARGO, with classes of the same names"
+        advices.change(tokens[at].line, what, "remove it, and put argo.jar into lib/")
     }
 
     private fun infrastructure(at: Int) {
         if (words(at, "infrastructure", ":", "Centralised")) {
-            advices.note(tokens[at].line, "Jason calls this infrastructure Local now, and reads the old name with a message", "infrastructure: Local")
+            val what = "the name of this infrastructure is Local now; Jason reads the old one with a message"
+            advices.note(tokens[at].line, what, "infrastructure: Local")
         }
     }
 
@@ -72,17 +72,18 @@ internal class ProjectCheck(private val file: Path, text: String) {
         val name = entry.firstOrNull()?.takeIf { it.kind == Token.Kind.WORD } ?: return null
         val extension = entry.indices.firstOrNull { entry[it].text == "asl" && it >= 2 && entry[it - 1].isSymbol('.') }
         val asl = extension?.let { entry[it - 2].text + ".asl" }
-            ?: entry.firstOrNull { it.kind == Token.Kind.STRING && it.text.trim('"').endsWith(".asl") }?.text?.trim('"')?.substringAfterLast('/')
+            ?: entry.filter { it.kind == Token.Kind.STRING }.map { it.text.trim('"') }.find { it.endsWith(".asl") }?.substringAfterLast('/')
             ?: "${name.text}.asl"
         return Agent(name.text, name.line, asl, entry.any { it.text == "agentArchClass" })
     }
 
     private fun withoutArch(agent: Agent, needArch: Set<String>) {
         if (agent.hasArch || agent.asl !in needArch) return
-        advices.change(agent.line, "agent ${agent.name} calls internal actions of ARGO, and has no architecture for them", "${agent.name} agentArchClass argo.Arch;")
+        val what = "agent ${agent.name} calls internal actions of ARGO, and has no architecture for them"
+        advices.change(agent.line, what, "${agent.name} agentArchClass $ARCHITECTURE;")
     }
 
-    private fun words(at: Int, vararg expected: String) = at + expected.size <= tokens.size && expected.indices.all { tokens[at + it].text == expected[it] }
+    private fun words(at: Int, vararg expected: String) = expected.indices.all { tokens.getOrNull(at + it)?.text == expected[it] }
 
     private fun dottedName(start: Int): String {
         val name = StringBuilder()

@@ -7,7 +7,7 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
-/** The files below [folder] with one of these [extensions], sorted; not what builds make, and nothing hidden. */
+/** The files below [folder] with one of these [extensions], sorted; without hidden files and outputs of builds. */
 internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = Files.walk(folder).use { found ->
     found.filter { it.extension in extensions && Files.isRegularFile(it) && !isBuilt(folder.relativize(it)) }.sorted().toList()
 }
@@ -15,7 +15,8 @@ internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = File
 private fun isBuilt(path: Path) = path.any { it.name in setOf("build", "target", "bin") || it.name.startsWith(".") }
 
 /** The names of the filters that Kotlin sources below [folders] make. */
-internal fun kotlinFiltersIn(folders: List<Path>): Set<String> = folders.filter { it.isDirectory() }.flatMap { sourcesIn(it, setOf("kt")) }.distinct()
+internal fun kotlinFiltersIn(folders: List<Path>): Set<String> = folders.filter { it.isDirectory() }
+    .flatMap { sourcesIn(it, setOf("kt")) }.distinct()
     .flatMap { source -> FILTER_MADE.findAll(source.readBytes().toString(Charsets.UTF_8)).map { it.groupValues[1] } }.toSet()
 
 private val FILTER_MADE = Regex("""\b(?:dropFilter|keepFilter)\(\s*(?:name\s*=\s*)?"([^"]+)"""")

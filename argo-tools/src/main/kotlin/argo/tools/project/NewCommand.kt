@@ -16,22 +16,22 @@ import kotlin.io.path.isRegularFile
 import kotlin.io.path.toPath
 import kotlin.io.path.writeText
 
-/** `new`: a project to begin with. */
+/** `new`: makes a new project. */
 @Command(
     name = "new",
     description = [
-        "Makes a Jason project in a folder of its name: an agent, a filter in Kotlin, an Arduino sketch, tests that pass, builds for Gradle and Maven.",
-        "It runs without a board. Nothing that is there is overwritten.",
+        "Makes a Jason project in a folder of its name: agent, filter in Kotlin, Arduino sketch, tests, builds for Gradle and Maven.",
+        "It runs without a board. Existing files are not overwritten.",
     ],
 )
 internal class NewCommand : ToolCommand() {
     @Parameters(index = "0", paramLabel = "NAME", description = ["the project's name: letters, digits, - and _"])
     private lateinit var name: String
 
-    @Option(names = ["--in"], paramLabel = "FOLDER", description = ["where its folder is made (the working directory)"])
+    @Option(names = ["--in"], paramLabel = "FOLDER", description = ["the parent folder (the working directory)"])
     private var parent: Path = Path.of("")
 
-    @Option(names = ["--argo-jar"], paramLabel = "FILE", description = ["argo.jar, if this does not run from it"])
+    @Option(names = ["--argo-jar"], paramLabel = "FILE", description = ["argo.jar, if this program does not run from it"])
     private var argoJar: Path? = null
 
     @Option(names = ["--testkit-jar"], paramLabel = "FILE", description = ["argo-testkit.jar, if it is not beside argo.jar"])
@@ -40,16 +40,19 @@ internal class NewCommand : ToolCommand() {
     override fun call(): Int {
         ProjectName.problem(name)?.let { misuse(it) }
         val argo = existing(argoJar ?: ownJar())
-        val testKit = testKitJar?.let(::existing) ?: listOf(TEST_KIT, "argo-testkit-$VERSION.jar").map(argo::resolveSibling).find { it.isRegularFile() }
+        val testKit = testKitJar?.let(::existing)
+            ?: listOf(TEST_KIT, "argo-testkit-$VERSION.jar").map(argo::resolveSibling).find { it.isRegularFile() }
         val target = parent.resolve(name)
         requireNew(target)
         make(target, argo, testKit)
-        out.println("made $target: \"cd $target\", then \"gradle\" or \"mvn compile exec:exec\" runs it; README.md tells more")
-        if (testKit == null) err.println("there is no $TEST_KIT beside argo.jar, so the project has a test of its filter and none of its agent; --testkit-jar says where it is")
+        out.println("made $target: \"cd $target\", then \"gradle\" or \"mvn compile exec:exec\" runs it; see README.md")
+        if (testKit == null) {
+            err.println("there is no $TEST_KIT beside argo.jar, so the project has no test of its agent; give it with --testkit-jar FILE")
+        }
         return ExitStatus.DONE
     }
 
-    /** Makes all of it under another name first, so that a disk that is full leaves no half project. */
+    /** Makes the project under another name first, so that a full disk leaves no partial one. */
     private fun make(target: Path, argo: Path, testKit: Path?) {
         val draft = making(parent.toAbsolutePath().resolve(".$name-${ProcessHandle.current().pid()}")) { Files.createDirectory(it) }
         try {
@@ -69,13 +72,13 @@ internal class NewCommand : ToolCommand() {
 
     private fun ownJar(): Path {
         val own = NewCommand::class.java.protectionDomain.codeSource.location.toURI().toPath()
-        return own.takeIf { it.isRegularFile() } ?: misuse("this does not run from argo.jar; --argo-jar says where it is")
+        return own.takeIf { it.isRegularFile() } ?: misuse("this program does not run from argo.jar; give it with --argo-jar FILE")
     }
 
     private companion object {
         const val TEST_KIT = "argo-testkit.jar"
 
-        /** As the build calls it. */
+        /** The version in the names of the build. */
         const val VERSION = "0.1.0"
     }
 }

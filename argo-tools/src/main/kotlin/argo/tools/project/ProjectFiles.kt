@@ -28,7 +28,7 @@ internal fun projectFiles(project: ProjectName, withTestKit: Boolean): Map<Strin
     return texts + ("src/main/resources/META-INF/services/argo.filters.FilterProvider" to "RobotFilters\n")
 }
 
-/** The versions that a new project is made for: the twin of gradle/libs.versions.toml. */
+/** The versions for a new project, equal to those in gradle/libs.versions.toml. */
 internal const val JASON_VERSION = "3.2.1"
 internal const val KOTLIN_VERSION = "2.4.10"
 internal const val KOTEST_VERSION = "6.2.4"
@@ -36,4 +36,4 @@ internal const val KOTEST_VERSION = "6.2.4"
 private val PLACEHOLDER = Regex("@([A-Z_]+)@")
 
 private fun template(name: String): String =
-    checkNotNull(ProjectName::class.java.getResourceAsStream(name)) { "the template $name is not in this jar" }.use { it.readBytes().toString(Charsets.UTF_8) }
+    checkNotNull(ProjectName::class.java.getResource(name)) { "the template $name is not in this jar" }.readText()

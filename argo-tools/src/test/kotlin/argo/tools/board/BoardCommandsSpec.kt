@@ -24,7 +24,9 @@ import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 
 class BoardCommandsSpec : FunSpec({
-    val pairs: EnabledOrReasonIf = { if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal") }
+    val pairs: EnabledOrReasonIf = {
+        if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal")
+    }
 
     test("request prints the answer, and what could command a terminal as text") {
         board { it.whenAsked("getPercepts").answer("dist(f,3);say(\"\u001B[2J\");") }.with { port ->
@@ -56,7 +58,7 @@ class BoardCommandsSpec : FunSpec({
 
     test("send says what is known of the outcome") {
         board { it.whenAsked("ledOn") }.with { port ->
-            argo("send", port, "ledOn", "--boot", "0").out shouldContain "does not tell whether it acted"
+            argo("send", port, "ledOn", "--boot", "0").out shouldContain "does not report whether it acted"
         }
         board { it.version2().whenAsked("fly").refuse().also { _ -> it.whenAsked("ledOn") } }.with { port ->
             argo("send", port, "ledOn", "--protocol", "2") shouldBe Said(0, "the board has acted\n", "")
@@ -101,8 +103,10 @@ class BoardCommandsSpec : FunSpec({
 
     test("monitor prints JSON lines, the summary last") {
         board { it.whenAsked("getPercepts").answer("dist(f,3);") }.with { port ->
-            val lines = argo("monitor", port, "--count", "2", "--interval", "0", "--json").out.trim().lines().map { Json.parseToJsonElement(it).jsonObject }
-            lines.dropLast(1).map { it.getValue("percepts").jsonArray.single().jsonPrimitive.content } shouldContainExactly listOf("dist(f,3)", "dist(f,3)")
+            val printed = argo("monitor", port, "--count", "2", "--interval", "0", "--json").out
+            val lines = printed.trim().lines().map { Json.parseToJsonElement(it).jsonObject }
+            val percepts = lines.dropLast(1).map { it.getValue("percepts").jsonArray.single().jsonPrimitive.content }
+            percepts shouldContainExactly listOf("dist(f,3)", "dist(f,3)")
             lines.last().getValue("summary").jsonObject.getValue("messages").jsonPrimitive.content shouldBe "2"
         }
     }
@@ -113,7 +117,7 @@ class BoardCommandsSpec : FunSpec({
             argo("monitor", port, "--count", "2", "--interval", "0", "--record", "$file").status shouldBe 0
             val again = argo("monitor", port, "--count", "1", "--record", "$file")
             again.status shouldBe 1
-            again.err shouldContain "$file is there already, and is not overwritten"
+            again.err shouldContain "$file exists already, and is not overwritten"
         }
         val recording = Recording.read(file)
         recording.received().map { it.message() } shouldContainExactly listOf("dist(f,3);", "dist(f,4);")
@@ -154,7 +158,7 @@ class BoardCommandsSpec : FunSpec({
                 val said = argo("ports", pair.computer().path, "--probe")
                 withClue(said) {
                     said.out shouldContain "process ${holder.pid()} ("
-                    said.out shouldContain "not asked, since it is in use"
+                    said.out shouldContain "not probed, because it is in use"
                 }
             } finally {
                 holder.destroyForcibly()

@@ -14,12 +14,16 @@ import java.util.concurrent.TimeUnit
 import kotlin.io.path.exists
 import kotlin.io.path.writeText
 
-/** What Ctrl-C does to commands that run until it comes. The signal here is SIGTERM, since a build in the background ignores the other one. */
+/** The effect of Ctrl-C on commands that run until then. The signal here is SIGTERM, because a build in the background ignores SIGINT. */
 class InterruptionSpec : FunSpec({
     val folder = tempdir().toPath()
     val board = folder.resolve("board.rec").apply { writeText("javino-recording 1\n0\tout\tgetPercepts\n0\tin\tdist(f,1);\n") }
-    val signals: EnabledOrReasonIf = { if (System.getProperty("os.name").startsWith("Windows")) Enabled.disabled("Windows has no signals") else Enabled.enabled }
-    val pairs: EnabledOrReasonIf = { if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal") }
+    val signals: EnabledOrReasonIf = {
+        if (System.getProperty("os.name").startsWith("Windows")) Enabled.disabled("Windows has no signals") else Enabled.enabled
+    }
+    val pairs: EnabledOrReasonIf = {
+        if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal")
+    }
 
     test("a monitoring that is interrupted ends with its summary and a whole recording").config(enabledOrReasonIf = signals) {
         val recorded = folder.resolve("mine.rec")

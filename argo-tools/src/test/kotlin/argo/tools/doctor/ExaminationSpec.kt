@@ -17,19 +17,24 @@ class ExaminationSpec : FunSpec({
     val board = Device("ttyACM0", isUsb = true, remedy = null, holders = emptyList())
     val healthy = Patient(groups = listOf("ada", "dialout"), devices = Result.success(listOf(board)))
 
-    test("a machine with nothing amiss has nothing to be done") {
+    test("a healthy machine needs no remedies") {
         Examination(healthy).findings().filter { it.level != Level.GOOD || it.remedy != null }.shouldBeEmpty()
     }
 
+    fun with(vararg devices: Device) = healthy.copy(devices = Result.success(devices.asList()))
+    fun inNoGroup(vararg devices: Device) = with(*devices).copy(groups = listOf("ada"))
+    val brokenDriver = healthy.copy(devices = Result.failure(Exception("no library")))
+    val held = board.copy(holders = listOf("process 7 (minicom)"))
+
     listOf(
         Triple("a Java that is too old", healthy.copy(java = 11), Level.PROBLEM to "ARGO needs 17 or newer"),
-        Triple("a driver that does not run", healthy.copy(devices = Result.failure(Exception("no library"))), Level.PROBLEM to "see the message"),
-        Triple("no port at all", healthy.copy(devices = Result.success(emptyList())), Level.WARNING to "plug the board in"),
-        Triple("only ports of the machine's own", healthy.copy(devices = Result.success(listOf(board.copy(isUsb = false)))), Level.WARNING to "plug the board in"),
-        Triple("a board that the user may not open", healthy.copy(devices = Result.success(listOf(board.copy(remedy = "join them")))), Level.PROBLEM to "join them"),
-        Triple("a user in no group for ports", healthy.copy(groups = listOf("ada"), devices = Result.success(listOf(board.copy(remedy = "x")))), Level.PROBLEM to "usermod -aG dialout"),
-        Triple("such a user before the board is plugged in", healthy.copy(groups = listOf("ada"), devices = Result.success(emptyList())), Level.PROBLEM to "usermod -aG dialout"),
-        Triple("a board that another program holds", healthy.copy(devices = Result.success(listOf(board.copy(holders = listOf("process 7 (minicom)"))))), Level.PROBLEM to "end that program"),
+        Triple("a driver that does not run", brokenDriver, Level.PROBLEM to "see the message"),
+        Triple("no port at all", with(), Level.WARNING to "plug the board in"),
+        Triple("only ports of the machine's own", with(board.copy(isUsb = false)), Level.WARNING to "plug the board in"),
+        Triple("a board that the user may not open", with(board.copy(remedy = "join them")), Level.PROBLEM to "join them"),
+        Triple("a user in no group for ports", inNoGroup(board.copy(remedy = "x")), Level.PROBLEM to "usermod -aG dialout"),
+        Triple("such a user before the board is plugged in", inNoGroup(), Level.PROBLEM to "usermod -aG dialout"),
+        Triple("a board that another program holds", with(held), Level.PROBLEM to "end that program"),
         Triple("ModemManager", healthy.copy(processes = setOf("ModemManager")), Level.WARNING to "systemctl disable --now ModemManager"),
         Triple("brltty", healthy.copy(processes = setOf("brltty")), Level.WARNING to "apt remove brltty"),
         Triple("no socat", healthy.copy(hasSocat = false), Level.WARNING to "apt install socat"),
@@ -41,7 +46,7 @@ class ExaminationSpec : FunSpec({
         }
     }
 
-    test("Windows is not told of groups, ModemManager and socat") {
+    test("Windows has no groups, ModemManager and socat") {
         val windows = healthy.copy(system = "Windows 11", groups = null, processes = setOf("ModemManager"), hasSocat = false)
         Examination(windows).findings().filter { it.level != Level.GOOD }.shouldBeEmpty()
     }
@@ -50,7 +55,7 @@ class ExaminationSpec : FunSpec({
         fun status(machine: Machine) = CommandLine(DoctorCommand(machine)).setOut(PrintWriter(Writer.nullWriter())).execute()
         status(healthy) shouldBe 0
         status(healthy.copy(hasSocat = false)) shouldBe 0
-        status(healthy.copy(groups = listOf("ada"), devices = Result.success(listOf(board.copy(isUsb = false, remedy = "x"))))) shouldBe 1
+        status(inNoGroup(board.copy(isUsb = false, remedy = "x"))) shouldBe 1
     }
 
     test("the command examines this machine, and opens no port") {

@@ -19,7 +19,8 @@ class FilterCommandsSpec : FunSpec({
     fun file(name: String, text: String) = folder.resolve(name).apply { writeText(text) }.path
     val front = file(
         "front.xml",
-        """<PerceptionFilter onSwitch="freeze"><filter everyMs="100"><predicate>temp</predicate></filter><filter arity="2"><predicate>dist</predicate><parameter operator="NE" id="0">f</parameter></filter></PerceptionFilter>""",
+        """<PerceptionFilter onSwitch="freeze"><filter everyMs="100"><predicate>temp</predicate></filter>""" +
+            """<filter arity="2"><predicate>dist</predicate><parameter operator="NE" id="0">f</parameter></filter></PerceptionFilter>""",
     )
     val broken = file("broken.xml", "<PerceptionFilter>\n<filter><predicate>Dist</predicate></filter>\n<rule/></PerceptionFilter>")
 
@@ -49,7 +50,8 @@ class FilterCommandsSpec : FunSpec({
     test("explain names the rule that decides, for percepts and whole messages") {
         val said = argo("filter", "explain", front, "dist(b,3);dist(f,3);", "light(1)")
         said.status shouldBe 0
-        said.out.lines()[0] shouldBe "dist(b,3) is dropped by filter front: rule 2 meets it: dist where there are 2 arguments and argument 0 is not f"
+        said.out.lines()[0] shouldBe
+            "dist(b,3) is dropped by filter front: rule 2 meets it: dist where there are 2 arguments and argument 0 is not f"
         said.out.lines()[1] shouldContain "dist(f,3) is kept"
         said.out.lines()[2] shouldContain "light(1) is kept"
         val json = Json.parseToJsonElement(argo("filter", "explain", front, "dist(b,3)", "--json").out).jsonArray.single().jsonObject
@@ -69,7 +71,7 @@ class FilterCommandsSpec : FunSpec({
         val there = file("there.json", "mine")
         val said = argo("filter", "convert", front, "--to", "json", "--out", there)
         said.status shouldBe 1
-        said.err shouldContain "is there already, and is not overwritten"
+        said.err shouldContain "exists already, and is not overwritten"
         java.io.File(there).readText() shouldBe "mine"
         val refused = argo("filter", "convert", broken, "--to", "kotlin")
         refused.status shouldBe 1

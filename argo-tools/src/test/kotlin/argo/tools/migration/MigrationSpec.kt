@@ -30,10 +30,10 @@ class MigrationSpec : FunSpec({
     }
     fun advices(vararg files: Pair<String, String>) = Migration(listOf(folder(*files))).advices()
 
-    /** What is said of one line of an agent. */
+    /** The advices on one line of an agent. */
     fun of(line: String) = advices("a.asl" to line)
 
-    context("what does the same here is not spoken of") {
+    context("without differences there are no advices") {
         listOf(
             "+!s : serialPort(P) <- .argo.port(P); .argo.limit(20); .argo.percepts(open).",
             "+!s <- .port(ttyACM0); .limit(50); .percepts(block); .act(front); .filter(none).",
@@ -44,17 +44,17 @@ class MigrationSpec : FunSpec({
         ).forEach { line -> test(line) { of(line).shouldBeEmpty() } }
     }
 
-    context("what must change is told with the line") {
+    context("what must change is reported with the line") {
         listOf(
             "+!s <- .argo.port(ttyACM0, true)." to "the second argument of .argo.port is a list of options here, not true",
-            "+!s <- .port(a, b, c)." to ".port is given 3 arguments",
-            "+!s <- .port()." to ".port is given 0 arguments",
+            "+!s <- .port(a, b, c)." to ".port has 3 arguments",
+            "+!s <- .port()." to ".port has 0 arguments",
             "+!s <- .port(/dev/ttyACM0)." to "/dev/ttyACM0 is not a term that Jason reads as a port",
             "+!s <- .argo.limit(1000000000)." to ".argo.limit(1000000000) is in milliseconds: one perception in 16667 minutes",
             "+!s <- .limit(0.5)." to "is a whole number of milliseconds from 0, not 0.5",
             "+!s <- .limit(-1)." to "is a whole number of milliseconds from 0, not -1",
             "+!s <- .percepts(opened)." to "perception is set to open, block or close, not opened",
-            "+!s <- .act(move, 3)." to ".act is given 2 arguments",
+            "+!s <- .act(move, 3)." to ".act has 2 arguments",
             "+!s <- .argo.filter(only, led(X), X = on)." to ".argo.filter(only, …) is a filter written into the plan",
             "+!s <- .argo.filter(remove)." to ".argo.filter(remove) is a filter written into the plan",
             "+!s <- .argo.sleep(3)." to "there is no internal action .argo.sleep",
@@ -94,9 +94,10 @@ class MigrationSpec : FunSpec({
         }
     }
 
-    test("project files name the architecture, and whom it is missing") {
+    test("a wrong or missing architecture in a project file is reported") {
         val advices = advices(
-            "old.mas2j" to "MAS old {\n infrastructure: Centralised\n agents:\n  bob agentArchClass jason.Argo;\n  eve x/talker.asl;\n  max;\n aslSourcePath: \"src\";\n}",
+            "old.mas2j" to "MAS old {\n infrastructure: Centralised\n agents:\n  bob agentArchClass jason.Argo;\n  eve x/talker.asl;\n  max;\n" +
+                " aslSourcePath: \"src\";\n}",
             "src/bob.asl" to "+!s <- .port(a).", "src/talker.asl" to "+!s <- .act(a).", "src/max.asl" to "+!s <- .filter(none).",
         )
         advices.map { it.line to it.must } shouldBe listOf(2 to false, 4 to true, 5 to true)
@@ -115,17 +116,20 @@ class MigrationSpec : FunSpec({
 
     test("projects of JaCaMo and Gradle that bring another version are found") {
         val advices = advices(
-            "p.jcm" to "mas hello {\n agent bob: a.asl {\n  ag-arch: jason.Argo\n }\n uses package: argo \"com.github.chon-group:argo-jcm:1.1\"\n}",
+            "p.jcm" to "mas hello {\n agent bob: a.asl {\n  ag-arch: jason.Argo\n }\n" +
+                " uses package: argo \"com.github.chon-group:argo-jcm:1.1\"\n}",
             "build.gradle" to "// com.github.chon-group:Argo\nimplementation 'com.github.chon-group:Argo:1.0'",
         )
         advices.map { it.line } shouldBe listOf(2, 3, 5)
-        advices("p.jcm" to "mas m { agent b { ag-arch: argo.Arch } uses package: mailer \"com.github.chon-group:mailer:1\" }").shouldBeEmpty()
+        val other = "mas m { agent b { ag-arch: argo.Arch } uses package: mailer \"com.github.chon-group:mailer:1\" }"
+        advices("p.jcm" to other).shouldBeEmpty()
     }
 
     test("filter files are read, those that an agent changes to and those that are given") {
         val advices = advices(
             "a.asl" to "+!s <- .change_filter(front).",
-            "filters/front.xml" to "<PerceptionFilter>\n<filter><predicate>d</predicate>\n<parameter operator=\"NE\" id=\"0\">f</parameter></filter>\n" +
+            "filters/front.xml" to "<PerceptionFilter>\n<filter><predicate>d</predicate>\n" +
+                "<parameter operator=\"NE\" id=\"0\">f</parameter></filter>\n" +
                 "<filter><predicate>d</predicate><anotation name=\"q\" operator=\"E\">fr.*</anotation></filter></PerceptionFilter>",
             "other.xml" to "<project/>",
         )
@@ -135,8 +139,8 @@ class MigrationSpec : FunSpec({
 
     test("no text makes a check throw") {
         val parts = Arb.element(
-            ".argo.port(", ".limit(", "percepts(", ".act(", ".filter(", "port(", "source(", "a", "X", "true", "9", "-", ",", ")", "[", "]", "(", "\"s\"", "'", ";", ".",
-            "\n", "agents:", "agentArchClass", "ag-arch:", "infrastructure:", "{", "}", "only", "on", "Centralised",
+            ".argo.port(", ".limit(", "percepts(", ".act(", ".filter(", "port(", "source(", "a", "X", "true", "9", "-", ",", ")", "[", "]",
+            "(", "\"s\"", "'", ";", ".", "\n", "agents:", "agentArchClass", "ag-arch:", "infrastructure:", "{", "}", "only", "on", "Centralised",
         )
         checkAll(Arb.list(parts, 0..30)) {
             val text = it.joinToString("")
@@ -145,12 +149,12 @@ class MigrationSpec : FunSpec({
         }
     }
 
-    context("what Jason would not read as a program is told before all else") {
+    context("text that Jason cannot parse is reported alone") {
         listOf(
-            "\u0000\u0001ELF" to "a.asl:1 this is no program of AgentSpeak: it holds the character U+0000, as no text does",
-            "+!s.\n+!s <- .act(x).\u001B" to "a.asl:2 this is no program of AgentSpeak: it holds the character U+001B",
-            "<html>\n</html>\n" to "a.asl:2 no program of AgentSpeak ends so",
-            "+!s <- .print(x).\n\n+!t <- .print(" to "a.asl:3 no program of AgentSpeak ends so",
+            "\u0000\u0001ELF" to "a.asl:1 this is no program of AgentSpeak: it contains the control character U+0000",
+            "+!s.\n+!s <- .act(x).\u001B" to "a.asl:2 this is no program of AgentSpeak: it contains the control character U+001B",
+            "<html>\n</html>\n" to "a.asl:2 no program of AgentSpeak ends like this",
+            "+!s <- .print(x).\n\n+!t <- .print(" to "a.asl:3 no program of AgentSpeak ends like this",
         ).forEach { (text, what) ->
             test(what) {
                 val advice = advices("a.asl" to text).single()
@@ -158,12 +162,15 @@ class MigrationSpec : FunSpec({
                 "${Path.of(advice.file).name}:${advice.line} ${advice.what}" shouldContain what
             }
         }
-        listOf("", "// nothing yet\n", "{ include(\"b.asl\") }", "!s. // and so on\n").forEach { text -> test("not \"${text.trim()}\"") { advices("a.asl" to text).shouldBeEmpty() } }
+        listOf("", "// nothing yet\n", "{ include(\"b.asl\") }", "!s. // and so on\n").forEach { text ->
+            test("not \"${text.trim()}\"") { advices("a.asl" to text).shouldBeEmpty() }
+        }
     }
 
     test("filters that the project makes in Kotlin, or has as JSON, are there") {
         val agent = "+!s <- .change_filter(front); .change_filter(byDay); .change_filter(\"night.json\")."
-        val project = arrayOf("src/agt/a.asl" to agent, "src/main/kotlin/F.kt" to "val f = keepFilter(\n  \"front\") { }", "src/agt/filters/night.json" to "{}")
+        val source = "val f = keepFilter(\n  \"front\") { }"
+        val project = arrayOf("src/agt/a.asl" to agent, "src/main/kotlin/F.kt" to source, "src/agt/filters/night.json" to "{}")
         advices(*project).single().what shouldContain "there is no file of the filter byDay"
         advices(*project, "src/agt/byDay.json" to "{}").shouldBeEmpty()
         advices(*project, "build/F.kt" to "dropFilter(\"byDay\") { }").single().what shouldContain "byDay"
@@ -174,11 +181,12 @@ class MigrationSpec : FunSpec({
         val said = argo("check-agent", "$bad")
         said.status shouldBe 1
         said.out shouldContain "a.asl:1: must change: there is no internal action .argo.sleep"
-        said.out shouldContain "1 files read: 1 things must change, 0 to know of"
+        said.out shouldContain "1 files read: 1 things must change, 0 notes"
         val json = Json.parseToJsonElement(argo("check-agent", "$bad/a.asl", "--json").out).jsonArray.single().jsonObject
         json.getValue("must").jsonPrimitive.content shouldBe "true"
         argo("check-agent", "${folder("a.asl" to "+!s <- .port(COM5).")}").status shouldBe 0
-        argo("check-agent", "${folder("a.asl" to "+!s : argo.age(dist(f,_), Ms) & Ms < 200 <- argo.act(stop, [urgent, timeout(200)]).")}").status shouldBe 0
+        val good = "+!s : argo.age(dist(f,_), Ms) & Ms < 200 <- argo.act(stop, [urgent, timeout(200)])."
+        argo("check-agent", "${folder("a.asl" to good)}").status shouldBe 0
         argo("check-agent", "$bad/none.asl").err shouldBe "there is no file $bad/none.asl\n"
         argo("check-agent", "$bad/../").status shouldBe 1
     }
@@ -186,7 +194,8 @@ class MigrationSpec : FunSpec({
     test("the actions that are known are those there are") {
         val sources = Path.of("../argo-arch/src/main/kotlin/argo")
         val actions = sources.useDirectoryEntries("*.kt") { files ->
-            files.filter { it.name[0].isLowerCase() && "open class ${it.name.removeSuffix(".kt")} " in it.readText() }.map { it.name.removeSuffix(".kt") }.toSet()
+            files.map { it.name.removeSuffix(".kt") to it.readText() }
+                .filter { (name, text) -> name[0].isLowerCase() && "open class $name " in text }.map { it.first }.toSet()
         }
         ArgoActions.NAMES shouldBe actions
         val dotForms = Path.of("../argo-arch/src/stdlib/kotlin/jason/stdlib/DotForms.kt").readText()

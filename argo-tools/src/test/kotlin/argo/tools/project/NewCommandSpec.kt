@@ -6,7 +6,6 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
-import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -37,31 +36,31 @@ class NewCommandSpec : FunSpec({
         project.resolve("pom.xml").readText() shouldContain "argo-testkit.jar"
     }
 
-    test("a new project has nothing that would be otherwise here") {
+    test("a new project passes check-agent") {
         new("spotless").status shouldBe 0
-        argo("check-agent", "$folder/spotless") shouldBe Said(0, "5 files read: 0 things must change, 0 to know of\n", "")
+        argo("check-agent", "$folder/spotless") shouldBe Said(0, "5 files read: 0 things must change, 0 notes\n", "")
     }
 
     test("nothing that is there is overwritten, and no half project is left") {
         val there = folder.resolve("there").createDirectory().resolve("file").apply { writeText("mine") }
         val said = new("there")
         said.status shouldBe 1
-        said.err shouldContain "is there already, and is not overwritten"
+        said.err shouldContain "exists already, and is not overwritten"
         there.readText() shouldBe "mine"
         folder.resolve("there").listDirectoryEntries().map { it.name } shouldBe listOf("file")
         folder.listDirectoryEntries(".*").shouldBeEmpty()
     }
 
-    test("without the test kit there is no test of the agent, and that is said") {
+    test("without the test kit there is no test of the agent, which is reported") {
         val said = new("plain")
         said.status shouldBe 0
         said.err shouldContain "there is no argo-testkit.jar beside argo.jar"
         val project = folder.resolve("plain")
-        project.resolve("src/test/kotlin").listDirectoryEntries().map { it.name } shouldContainExactlyInAnyOrder listOf("RobotFiltersSpec.kt")
+        project.resolve("src/test/kotlin").listDirectoryEntries().map { it.name } shouldBe listOf("RobotFiltersSpec.kt")
         project.resolve("pom.xml").readText() shouldNotContain "argo-testkit.jar</systemPath>"
     }
 
-    test("a jar or a folder that is not there is told") {
+    test("a missing jar or folder is reported") {
         argo("new", "x", "--in", "$folder", "--argo-jar", "no.jar").err shouldContain "there is no file no.jar"
         argo("new", "x", "--in", "$folder/none", "--argo-jar", "$jar").err shouldBe "there is no folder $folder/none\n"
         argo("new", "x", "--in", "$jar", "--argo-jar", "$jar").err shouldBe "$jar is no folder\n"
@@ -70,7 +69,8 @@ class NewCommandSpec : FunSpec({
     }
 
     test("names that a file system, Jason or Arduino could not have are refused") {
-        listOf("", ".", "..", "a/b", "a b", "-a", "7up", "é", "x".repeat(61), "CON", "lpt1", "agents", "a.b").filter { ProjectName.problem(it) == null }.shouldBeEmpty()
+        val refused = listOf("", ".", "..", "a/b", "a b", "-a", "7up", "é", "x".repeat(61), "CON", "lpt1", "agents", "a.b")
+        refused.filter { ProjectName.problem(it) == null }.shouldBeEmpty()
         listOf("a", "my-robot", "Robot_2", "console").mapNotNull(ProjectName::problem).shouldBeEmpty()
     }
 

@@ -1,0 +1,23 @@
+package argo.tools.command
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/** An object of JSON with [members], whose values are null, truth values, numbers, JSON, lists of these, or else become text. */
+internal fun jsonOf(vararg members: Pair<String, Any?>): JsonObject =
+    JsonObject(members.associate { (name, value) -> name to element(value) })
+
+/** An array of JSON of [values], which are as those of [jsonOf]. */
+internal fun jsonArrayOf(values: List<Any?>): JsonArray = JsonArray(values.map(::element))
+
+private fun element(value: Any?): JsonElement = when (value) {
+    null -> JsonNull
+    is JsonElement -> value
+    is Boolean -> JsonPrimitive(value)
+    is Number -> JsonPrimitive(value)
+    is List<*> -> jsonArrayOf(value)
+    else -> JsonPrimitive("$value")
+}
