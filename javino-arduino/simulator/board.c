@@ -198,9 +198,26 @@ static avr_cycle_count_t feed(avr_t *avr, avr_cycle_count_t when, void *context)
     b->feeding = b->in_begin != b->in_end;
     if (!b->feeding)
         return 0;
+    if (b->receiver_full)
+        return when + byte_cycles(b) / 8;
     avr_raise_irq(avr_io_getirq(b->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_INPUT), b->in[b->in_begin]);
     b->in_begin = (b->in_begin + 1) % sizeof b->in;
     return when + byte_cycles(b);
+}
+
+/* simavr's receiver hands bytes on somewhat more slowly than the line brings them, and drops what does not fit its queue. */
+static void receiver_full(avr_irq_t *irq, uint32_t value, void *context)
+{
+    (void)irq;
+    (void)value;
+    ((board *)context)->receiver_full = true;
+}
+
+static void receiver_ready(avr_irq_t *irq, uint32_t value, void *context)
+{
+    (void)irq;
+    (void)value;
+    ((board *)context)->receiver_full = false;
 }
 
 unsigned board_room(const board *board)
@@ -310,6 +327,8 @@ bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_si
     board->avr->sleep = no_sleep;
     avr_ioctl(board->avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
     avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), written, board);
+    avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUT_XOFF), receiver_full, board);
+    avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUT_XON), receiver_ready, board);
     for (port = 0; port < 3; port++) {
         uint32_t name = AVR_IOCTL_IOPORT_GETIRQ(PORTS[port].letter);
         avr_irq_register_notify(avr_io_getirq(board->avr, name, IOPORT_IRQ_REG_PORT), port_written, board);
@@ -342,5 +361,5 @@ void board_reset(board *board)
     avr_reset(board->avr);
     board->avr->cycle = now;
     board->in_begin = board->in_end = board->out_begin = board->out_end = 0;
-    board->feeding = board->sending = false;
+    board->feeding = board->sending = board->receiver_full = false;
 }

@@ -41,6 +41,7 @@ struct board {
     unsigned in_begin;
     unsigned in_end;
     bool feeding;
+    bool receiver_full; /* simavr takes no more bytes for now */
     uint8_t out[4096];
     unsigned out_begin;
     unsigned out_end;

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The sketches on the simulated ATmega328P, end to end over a pseudo-terminal. Prints what it measures."""
+import os
 import random
+import select
 import sys
 import time
 
@@ -148,6 +150,18 @@ def sketches_for_earlier_libraries_run():
         board.line.ready()
         board.line.write(frame1(b"lampOn"))
         equal(board.line.ask(), "light(511);lamp(1);")
+
+
+def a_burst_arrives_whole():
+    with Board("Bytes") as board:
+        time.sleep(0.5)
+        for burst in (100, 5000, 20000):
+            board.line.write(b"x" * burst + b"\n")
+            data, end = b"", time.monotonic() + 20
+            while not data.endswith(b"\n") and time.monotonic() < end:
+                if select.select([board.line.fd], [], [], 0.1)[0]:
+                    data += os.read(board.line.fd, 100)
+            equal(data.strip(), str(burst).encode())
 
 
 # ---- figures ----
@@ -329,6 +343,7 @@ CASES = [
     opening_the_line_resets_the_board_and_readiness_is_an_answer,
     messages_of_255_bytes_go_both_ways,
     sketches_for_earlier_libraries_run,
+    a_burst_arrives_whole,
     requests_that_the_line_has_time_for_are_answered,
     version_2_carries_out_no_wrong_action_on_a_damaged_line,
     version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line,
