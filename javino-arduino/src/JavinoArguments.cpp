@@ -1,7 +1,5 @@
 #include "JavinoArguments.h"
 
-#include <stdlib.h>
-
 #include "javino_literal.h"
 
 namespace {
@@ -34,6 +32,47 @@ private:
   bool quoted_;
 };
 
+/** Reads the digits of a number that begin here. */
+class Digits {
+public:
+  Digits(const char *text, const char *end) : next_(text), end_(end) {}
+
+  bool take(char c) { return next_ < end_ && *next_ == c && next_++; }
+
+  bool takeSign() {
+    bool negative = take('-');
+    if (!negative)
+      take('+');
+    return negative;
+  }
+
+  /** Appends the digits to a value. @return how many there are */
+  uint8_t append(double *value) {
+    uint8_t n = 0;
+    for (; next_ < end_ && *next_ >= '0' && *next_ <= '9'; n++)
+      *value = *value * 10 + (*next_++ - '0');
+    return n;
+  }
+
+  bool atEnd() const { return next_ == end_; }
+
+private:
+  const char *next_;
+  const char *end_;
+};
+
+bool isFinite(double value) {
+  return value - value == 0;
+}
+
+/** Ten to this power, or infinity. */
+double powerOfTen(double exponent) {
+  double power = 1;
+  for (; exponent >= 1 && isFinite(power); exponent--)
+    power *= 10;
+  return power;
+}
+
 }  // namespace
 
 uint8_t JavinoArguments::count() const {
@@ -59,11 +98,28 @@ long JavinoArguments::number(uint8_t index, long otherwise) const {
 }
 
 double JavinoArguments::decimal(uint8_t index, double otherwise) const {
-  char digits[32];
-  char *end;
-  size_t bytes = copy(index, digits, sizeof digits);
-  double value = strtod(digits, &end);
-  return bytes && bytes < sizeof digits && *end == 0 ? value : otherwise;
+  const char *text;
+  uint8_t bytes = javino_argument(literal_, length_, index, &text);
+  if (!bytes)
+    return otherwise;
+  Digits digits(text, text + bytes);
+  double value = 0;
+  double exponent = 0;
+  uint8_t decimals = 0;
+  bool negative = digits.takeSign();
+  bool whole = digits.append(&value) && (!digits.take('.') || (decimals = digits.append(&value)));
+  if (whole && (digits.take('e') || digits.take('E'))) {
+    bool smaller = digits.takeSign();
+    whole = digits.append(&exponent);
+    if (smaller)
+      exponent = -exponent;
+  }
+  exponent -= decimals;
+  if (value != 0)
+    value = exponent < 0 ? value / powerOfTen(-exponent) : value * powerOfTen(exponent);
+  if (!whole || !digits.atEnd() || !isFinite(value))
+    return otherwise;
+  return negative ? -value : value;
 }
 
 bool JavinoArguments::is(uint8_t index, const char *text) const {

@@ -21,7 +21,10 @@ public:
   /** The whole number, or otherwise where there is none. */
   long number(uint8_t index, long otherwise = 0) const;
 
-  /** The number with decimals, or otherwise where there is none. */
+  /**
+   * The number, which may have decimals and an exponent, or otherwise where there is none: never an infinity or what is no
+   * number. A string is none.
+   */
   double decimal(uint8_t index, double otherwise = 0) const;
 
   /** Whether the argument is this atom or string. */

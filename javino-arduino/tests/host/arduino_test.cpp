@@ -376,6 +376,33 @@ TEST_CASE("the lost link is reported") {
   CHECK(lost == 2);
 }
 
+TEST_CASE("numbers with decimals are read, and nothing else") {
+  auto decimal = [](const std::string &text) {
+    const std::string literal = "f(" + text + ")";
+    return JavinoArguments(literal.data(), static_cast<uint8_t>(literal.size())).decimal(0, -77);
+  };
+  CHECK(decimal("0") == 0);
+  CHECK(decimal("3.25") == 3.25);
+  CHECK(decimal("-3.25") == -3.25);
+  CHECK(decimal("+7") == 7);
+  CHECK(decimal("1.0E10") == 1e10);
+  CHECK(decimal("1e+3") == 1000);
+  CHECK(decimal("25e-2") == 0.25);
+  CHECK(decimal("0.1") == 0.1);
+  CHECK(decimal("48.137154321") == 48.137154321);
+  CHECK(decimal("123456789012345678901234567890") == doctest::Approx(123456789012345678901234567890.0));
+  CHECK(decimal("0e400") == 0);
+  CHECK(decimal("1e-400") == 0);
+  for (const std::string &bad :
+       {std::string("nan"), std::string("NAN"), std::string("inf"), std::string("infinity"), std::string("0x10"), std::string("1e400"),
+        std::string("-1e400"), std::string("1e99999"), std::string("\"3.5\""), std::string("1\0x", 3), std::string("1\0", 2), std::string("x"),
+        std::string("+"), std::string("-"), std::string("."), std::string("5."), std::string(".5"), std::string("1e"), std::string("1e+"),
+        std::string("1.e5"), std::string("1.5.5"), std::string("--1"), std::string("1 2"), std::string(250, '9') + "e99"}) {
+    INFO(bad);
+    CHECK(decimal(bad) == -77);
+  }
+}
+
 TEST_CASE("actions beyond the memory are reported, and those before them still work") {
   JavinoSized<JAVINO_MEMORY_MIN + 5 * 3 * sizeof(void *)> javino;
   Serial.in.clear();
