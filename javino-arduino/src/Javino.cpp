@@ -6,25 +6,24 @@
 static const uint8_t MESSAGES_PER_RUN = 8;
 
 JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size)
-    : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), waiting_(false) {
+    : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), waiting_(false), busy_(false), mute_(false) {
   javino_board_init(&board_, memory, size, write, this);
 }
 
-uint16_t JavinoBoard::clock() {
-  return static_cast<uint16_t>(millis());
-}
-
-void JavinoBoard::readSerial() {
-  uint16_t now = clock();
-  while (javino_link_ready(&board_.link, now) && stream_.available() > 0)
+uint16_t JavinoBoard::receive() {
+  uint16_t now = static_cast<uint16_t>(millis());
+  while (javino_link_ready(&board_.link) && stream_.available() > 0)
     javino_link_receive(&board_.link, static_cast<uint8_t>(stream_.read()), now);
+  return now;
 }
 
 void JavinoBoard::write(void *board, uint8_t byte) {
   JavinoBoard *self = static_cast<JavinoBoard *>(board);
-  self->stream_.write(byte);
+  /* A port on USB waits for each byte that nobody takes. */
+  if (!self->mute_)
+    self->mute_ = self->stream_.write(byte) == 0;
   /* The port's receive buffer is short, and a write may have waited. */
-  self->readSerial();
+  self->receive();
 }
 
 void JavinoBoard::supervise(JavinoBoard &board) {
@@ -32,23 +31,40 @@ void JavinoBoard::supervise(JavinoBoard &board) {
     board.lost_();
 }
 
-javino_event JavinoBoard::next() {
-  readSerial();
-  javino_event event = javino_link_poll(&board_.link, clock());
+void JavinoBoard::next() {
+  mute_ = false;
+  javino_board_poll(&board_, receive());
   if (supervise_)
     supervise_(*this);
-  return event;
 }
 
 bool JavinoBoard::availableMsg() {
+  receive();
+  if (busy_)
+    return false;
   waiting_ = false;
-  return next() != JAVINO_NOTHING;
+  busy_ = true;
+  next();
+  busy_ = false;
+  return board_.link.event != JAVINO_NOTHING;
 }
 
 void JavinoBoard::run() {
+  receive();
+  if (busy_)
+    return;
+  busy_ = true;
+  handle();
+  busy_ = false;
+}
+
+void JavinoBoard::handle() {
   for (uint8_t i = 0; i < MESSAGES_PER_RUN; i++) {
-    if (!waiting_ && next() == JAVINO_NOTHING)
-      return;
+    if (!waiting_) {
+      next();
+      if (board_.link.event == JAVINO_NOTHING)
+        return;
+    }
     if (board_.link.event == JAVINO_REQUEST) {
       if (perceive_)
         perceive_();
@@ -68,9 +84,8 @@ void JavinoBoard::run() {
 bool JavinoBoard::carryOutAction() {
   const javino_frame &frame = board_.link.frame;
   javino_follows follows = JAVINO_FOLLOWS_HEADER;
-  readSerial();
   if (frame.version == 1)
-    follows = javino_decoder_follows(&board_.link.decoder, clock());
+    follows = javino_decoder_follows(&board_.link.decoder, receive());
   JavinoActions::Outcome outcome =
       act.carryOut(reinterpret_cast<const char *>(frame.payload), frame.length, follows == JAVINO_FOLLOWS_HEADER);
   waiting_ = outcome == JavinoActions::UNCERTAIN && follows == JAVINO_FOLLOWS_UNKNOWN;

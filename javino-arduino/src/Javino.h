@@ -37,6 +37,9 @@
 #endif
 #endif
 
+/** An action whose outcome is reported later, see JavinoBoard::later(). */
+typedef javino_later JavinoLater;
+
 /**
  * A board on a line. Use Javino, or JavinoSized for another amount of memory.
  *
@@ -63,7 +66,7 @@ public:
   }
 
   /** Takes what has arrived. run() and availableMsg() do so too, so a sketch without serialEvent() works. */
-  void readSerial();
+  void readSerial() { receive(); }
 
   /** @name Callbacks */
   ///@{
@@ -71,6 +74,9 @@ public:
   /**
    * Handles what has arrived: answers requests for percepts, carries out actions, reports a lost link. An
    * action that the board does not know is refused or, in version 1, ignored. Call it in every loop().
+   *
+   * Within a callback it only takes what has arrived, so that nothing is lost in a callback that takes long; requests
+   * and actions wait until the callback has returned, `stop` too. See later().
    */
   void run();
 
@@ -97,8 +103,27 @@ public:
   bool onAction(const char *name, Callback function) { return act.add(name, function); }
 
   /**
+   * Within an action's function: its outcome is reported later, with done(). The function returns at once, what it
+   * returns is of no account, and the board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the
+   * outcome, for 2 to 5 s, and sends no other action meanwhile, not an urgent one either; what must be stopped on the
+   * way had better be reported as carried out when it begins, and its end with a percept.
+   *
+   * @return what to hand to done(). In version 1, which has no outcomes, a value with which that does nothing
+   */
+  JavinoLater later() { return javino_link_later(&board_.link); }
+
+  /**
+   * Reports the outcome of an action of which later() was called.
+   *
+   * @param carried_out  false if it could not be carried out
+   * @return whether it was reported; not if another action has come since, since then nobody waits for this one
+   */
+  bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
+
+  /**
    * Has the function called when nothing valid has arrived for so long, so that motors stop when the computer
-   * has died. Called once, and again only after something has arrived.
+   * has died. Called once, and again only after something has arrived. What has arrived while loop() was busy counts
+   * as having come at the beginning of that time. A loop() that never returns is a watchdog's to notice.
    *
    * @param ms  milliseconds; 0: never
    */
@@ -151,7 +176,7 @@ public:
   /** @name Messages one by one, in place of run() */
   ///@{
 
-  /** Looks for the next message. The one before is over: an action counts as carried out. */
+  /** Looks for the next message. The one before is over: an action counts as carried out. Within a callback as run(). */
   bool availableMsg();
 
   /** The message's text: an action, or getPercepts for a request. Empty if there is none. Uses the heap. */
@@ -165,7 +190,7 @@ public:
   bool requestAction(const String &text) const { return requestAction(text.c_str()); }
 
   /** Refuses the message: the action is unknown or malformed. */
-  void refuse() { javino_link_finish(&board_.link, false, clock()); }
+  void refuse() { javino_link_finish(&board_.link, false); }
 
   /**
    * Sends a message, at once or as an answer: percepts, each with a `;` after it. It goes out as it is, whatever
@@ -206,10 +231,11 @@ private:
   static void write(void *board, uint8_t byte);
   static void supervise(JavinoBoard &board);
 
-  /** What the core reckons time by. */
-  static JAVINO_OUTLINE uint16_t clock();
+  /** Takes what has arrived. @return when, by the core's clock */
+  uint16_t receive();
 
-  javino_event next();
+  void next();
+  void handle();
   bool carryOutAction();
 
   void term(bool value) { javino_percept_text(&board_, value ? "true" : "false"); }
@@ -239,7 +265,9 @@ private:
   void (*supervise_)(JavinoBoard &); /* A sketch that does not supervise its link is spared the code. */
   Callback lost_;                    /* Set together with supervise_, and so is the time. */
   unsigned long silence_ms_;
-  bool waiting_;
+  bool waiting_; /* The action in hand waits for what follows it. */
+  bool busy_;    /* run() or availableMsg() is under way. */
+  bool mute_;    /* The port takes nothing more of this message. */
   javino_board board_;
 };
 

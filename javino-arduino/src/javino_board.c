@@ -4,17 +4,19 @@
 
 #include "javino_literal.h"
 
-void javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context)
+bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context)
 {
     memset(board, 0, sizeof *board);
     board->memory = size;
     javino_link_init(&board->link, memory, size - JAVINO_TEXT_MIN, write, context);
+    return size >= JAVINO_MEMORY_MIN;
 }
 
 void *javino_board_take(javino_board *board, uint16_t size)
 {
     javino_decoder *d = &board->link.decoder;
-    if (board->room || d->size < d->end + size + JAVINO_MEMORY_MIN - JAVINO_TEXT_MIN)
+    uint16_t used = d->end + (JAVINO_MEMORY_MIN - JAVINO_TEXT_MIN);
+    if (board->room || d->size < used || size > d->size - used)
         return NULL;
     d->size -= size;
     board->memory -= size;
@@ -48,21 +50,26 @@ JAVINO_OUTLINE void javino_board_clear(javino_board *board)
     board->link.decoder.size = board->memory - JAVINO_TEXT_MIN;
 }
 
-/* Lays the text behind the bytes received, where it has more room there, and keeps these out of it. While nobody
- * has asked it gets the least, since what has to arrive then is the request. */
+/* Lays the text where it has more room, if there is such a place, and keeps bytes received out of it. Besides a request
+ * that is behind the bytes received. Otherwise the longest frame has to find room. */
 static JAVINO_OUTLINE void place_text(javino_board *b)
 {
     javino_decoder *d = &b->link.decoder;
     char *place = (char *)d->bytes;
     uint16_t base = b->memory - JAVINO_TEXT_MIN;
-    if (b->link.event == JAVINO_REQUEST) {
+    uint16_t room;
+    if (base > JAVINO_WINDOW)
+        base = JAVINO_WINDOW;
+    if (b->link.event == JAVINO_REQUEST || base < d->end)
         base = d->end;
-        if (base + JAVINO_MAX_PAYLOAD < b->memory)
-            base = b->memory - JAVINO_MAX_PAYLOAD;
-    }
-    if (base >= d->size && b->room)
+    room = b->memory - base;
+    /* In version 1 a message is one frame; while an answer is written, bytes arrive. */
+    if (room > JAVINO_MAX_PAYLOAD && (JAVINO_TEXT_MAX == 255 || b->link.event == JAVINO_REQUEST || b->link.frame.version != 2))
+        room = JAVINO_MAX_PAYLOAD;
+    if (room <= b->room)
         return;
-    b->room = (uint8_t)(b->memory - base);
+    base = b->memory - room;
+    b->room = (javino_room)room;
     d->size = base;
     place += base;
     if (b->length)
@@ -70,15 +77,20 @@ static JAVINO_OUTLINE void place_text(javino_board *b)
     b->text = place;
 }
 
-/* Sends what there is ahead of the rest. */
-static bool make_room(javino_board *b)
+/* Sends as much as one frame holds ahead of the rest: in version 1 whole percepts. */
+static JAVINO_OUTLINE bool send_ahead(javino_board *b)
 {
-    bool fragments = b->link.frame.version == 2;
-    uint8_t n = fragments ? b->length : b->whole;
-    if (b->link.event != JAVINO_REQUEST || n == 0)
+    javino_room n = b->whole;
+    b->open = b->link.frame.version == 2;
+    if (b->open)
+        n = b->length;
+#if JAVINO_TEXT_MAX > 255
+    if (n > JAVINO_MAX_PAYLOAD)
+        n = JAVINO_MAX_PAYLOAD;
+#endif
+    if (n == 0)
         return false;
-    javino_link_send(&b->link, fragments ? JAVINO_MORE : 0, b->text, n);
-    b->open = fragments;
+    javino_link_send(&b->link, b->open ? JAVINO_MORE : 0, b->text, (uint8_t)n);
     b->length -= n;
     b->whole = 0;
     memmove(b->text, b->text + n, b->length);
@@ -94,13 +106,13 @@ bool javino_percept_begin(javino_board *board, const char *functor)
     return true;
 }
 
-void javino_percept_put(javino_board *board, char c)
+JAVINO_OUTLINE void javino_percept_put(javino_board *board, char c)
 {
     javino_board *b = board;
     if (b->length == b->room)
         place_text(b);
-    if (b->length == b->room)
-        b->overlong |= !make_room(b);
+    if (b->length == b->room && (b->link.event != JAVINO_REQUEST || !send_ahead(b)))
+        b->overlong = true;
     if (!b->overlong)
         b->text[b->length++] = c;
 }
@@ -165,10 +177,31 @@ bool javino_percept_end(javino_board *board)
 
 void javino_board_answer(javino_board *board)
 {
-    if (board->length || board->open || !board->link.answered)
-        javino_link_send(&board->link, 0, board->text, board->length);
-    board->open = false;
-    javino_board_clear(board);
+    javino_board *b = board;
+#if JAVINO_TEXT_MAX > 255
+    while (b->length > JAVINO_MAX_PAYLOAD)
+        send_ahead(b);
+#endif
+    if (b->length || b->open || !b->link.answered)
+        javino_link_send(&b->link, 0, b->text, (uint8_t)b->length);
+    b->open = false;
+    javino_board_clear(b);
+}
+
+javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
+{
+    javino_board *b = board;
+    if (b->open)
+        javino_board_answer(b);
+    if (b->link.event == JAVINO_REQUEST)
+        javino_board_clear(b);
+    javino_link_poll(&b->link, now_ms);
+#if JAVINO_TEXT_MAX > 255
+    /* What has waited for version 2 may be too long for version 1. */
+    if (b->link.frame.version != 2 && b->room > JAVINO_MAX_PAYLOAD)
+        javino_board_clear(b);
+#endif
+    return b->link.event;
 }
 
 /* In parts of whole percepts. */

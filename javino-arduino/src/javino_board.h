@@ -4,7 +4,8 @@
  *
  * An answer is one message: percepts with a `;` after each. It is built in the memory that the link receives
  * into, behind what has been received. What does not fit goes out ahead, in version 2 as fragments of the
- * message, in version 1 as messages of whole percepts.
+ * message, in version 1 as messages of whole percepts. Percepts that nobody has asked for wait in all memory but
+ * JAVINO_WINDOW bytes, so that the longest frame still arrives; in version 1 they are one message of 255 bytes at most.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -22,13 +23,30 @@ extern "C" {
 /** The least memory, in bytes, that a board works with. */
 #define JAVINO_MEMORY_MIN 160
 
+/**
+ * Bytes of text at most: those of one frame, or in version 2 as many as the memory holds. The former takes less flash.
+ */
+#ifndef JAVINO_TEXT_MAX
+#ifdef __AVR__
+#define JAVINO_TEXT_MAX 255
+#else
+#define JAVINO_TEXT_MAX 65535
+#endif
+#endif
+
+#if JAVINO_TEXT_MAX > 255
+typedef uint16_t javino_room;
+#else
+typedef uint8_t javino_room;
+#endif
+
 /** A board. The members are private but for link, on which javino_link_receive and so on are called. */
 typedef struct {
     char *text;
     uint16_t memory; /* bytes */
-    uint8_t room;    /* bytes for text; 0: none has been begun */
-    uint8_t length;  /* bytes of text */
-    uint8_t whole;   /* bytes of whole percepts in it */
+    javino_room room;   /* bytes for text; 0: none has been begun */
+    javino_room length; /* bytes of text */
+    javino_room whole;  /* bytes of whole percepts in it */
     bool overlong;   /* the percept that is being written does not fit */
     bool open;       /* fragments have gone out, but not the last */
     javino_link link;
@@ -42,8 +60,9 @@ typedef struct {
  *                 not received; what is above serves long answers and what arrives meanwhile.
  * @param write    as for javino_link_init
  * @param context  handed to write
+ * @return false if the size is less than JAVINO_MEMORY_MIN; then do not use the board
  */
-void javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context);
+bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context);
 
 /**
  * Takes bytes away from the end of the memory.
@@ -51,6 +70,12 @@ void javino_board_init(javino_board *board, void *memory, uint16_t size, javino_
  * @return the bytes, or NULL if too few would be left or percepts are being written
  */
 void *javino_board_take(javino_board *board, uint16_t size);
+
+/**
+ * As javino_link_poll. A message that was begun and not sent is ended if a part of it has gone out; otherwise it waits
+ * for the next answer as percepts do that nobody has asked for, or is forgotten where it does not fit there.
+ */
+javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
 /** @return whether the request in hand asks for percepts of this functor. Without a request: true. */
 bool javino_board_wants(const javino_board *board, const char *functor, size_t length);
@@ -77,8 +102,8 @@ void javino_percept_term(javino_board *board, const char *text);
 /**
  * Ends a percept.
  *
- * @return whether it will be sent. Not if it is longer than a frame of version 1, or if no request is in hand
- *         and the memory is full.
+ * @return whether it will be sent. Not if in version 1 it is longer than 255 bytes, or if no request is in hand and
+ *         there is no more room.
  */
 bool javino_percept_end(javino_board *board);
 

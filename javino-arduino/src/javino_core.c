@@ -13,6 +13,12 @@
  * the same sequence number with an action of its own. */
 #define REPEAT_MS 3000
 
+/* An outcome that is not known yet: the action goes on. */
+#define PENDING JAVINO_MORE
+
+/* A frame that began behind so many bytes of whole frames is not inside the text of a damaged one. */
+#define SETTLED JAVINO_MAX_PAYLOAD
+
 /* ---- Hex and CRC ---- */
 
 static uint8_t digit_value(uint8_t c)
@@ -35,12 +41,12 @@ JAVINO_OUTLINE uint16_t javino_crc16(uint16_t crc, uint8_t byte)
 
 /* ---- Decoder ---- */
 
-/* Whether more than so many milliseconds have passed. Not if was is in the future: a byte may have come while
- * the caller's now was growing old. */
-static JAVINO_OUTLINE bool passed(uint16_t now, uint16_t was, uint16_t ms)
+/* The milliseconds that have passed; none if was is in the future: a byte may have come while the caller's now was growing
+ * old. */
+static uint16_t elapsed(uint16_t now, uint16_t was)
 {
     now -= was;
-    return now > ms && now < 0x8000u;
+    return now < 0x8000u ? now : 0;
 }
 
 /* Prepares a decoder that is all zero. */
@@ -51,26 +57,30 @@ static JAVINO_OUTLINE void set_up(javino_decoder *decoder, uint8_t *bytes, uint1
     decoder->timeout_ms = timeout_ms;
 }
 
-void javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
+bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
 {
     memset(decoder, 0, sizeof *decoder);
     set_up(decoder, bytes, size, timeout_ms);
+    return size >= 2 * HEADER;
 }
 
-/* Notes a silence after the last byte. While a frame is in hand there can be a second one; then the first
- * counts, since what lies before it has been waiting longer. */
-static JAVINO_OUTLINE void note_silence(javino_decoder *d, uint16_t now_ms)
+/* Without room there may be bytes that have not been handed in, and when they came is not known. While a frame is in
+ * hand there can be a second silence; then the first counts, since what lies before it has been waiting longer. */
+JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms)
 {
-    if (!d->gap && passed(now_ms, d->last_ms, d->timeout_ms)) {
+    javino_decoder *d = decoder;
+    uint16_t silence;
+    if (d->end >= d->size)
+        d->last_ms = now_ms;
+    silence = elapsed(now_ms, d->last_ms);
+    if (d->end == d->held && silence > d->timeout_ms / 4)
+        d->settled = SETTLED;
+    if (!d->gap && silence > d->timeout_ms)
         d->gap = d->end;
-        if (!d->end)
-            d->read.clean = true;
-    }
 }
 
-bool javino_decoder_ready(javino_decoder *decoder, uint16_t now_ms)
+bool javino_decoder_ready(const javino_decoder *decoder)
 {
-    note_silence(decoder, now_ms);
     return decoder->end < decoder->size;
 }
 
@@ -116,8 +126,11 @@ static JAVINO_OUTLINE javino_follows read_on(javino_decoder *d, const uint8_t *p
     uint16_t stop = d->gap ? d->gap : d->end;
     while (d->position < HEADER || (!d->held && d->position < d->whole)) {
         uint16_t next = d->held + d->position;
-        if (d->position >= HEADER && d->whole > d->size - HEADER)
+        if (d->position >= HEADER && (d->whole > d->size - HEADER || (d->gap && d->whole > stop)))
             return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with what follows it. */
+        if (d->work == 0)
+            return JAVINO_FOLLOWS_UNKNOWN;
+        d->work--;
         if (next == stop)
             return !d->gap ? JAVINO_FOLLOWS_UNKNOWN : d->position ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_HEADER;
         if (!read_byte(d, p[next]))
@@ -127,29 +140,30 @@ static JAVINO_OUTLINE javino_follows read_on(javino_decoder *d, const uint8_t *p
     return JAVINO_FOLLOWS_HEADER;
 }
 
-JAVINO_OUTLINE bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame *frame)
+/* As javino_decoder_next, as long as there is work left. */
+static JAVINO_OUTLINE bool look(javino_decoder *d, uint16_t now_ms, javino_frame *frame)
 {
-    javino_decoder *d = decoder;
     const uint8_t *p = d->bytes;
     javino_follows read;
-    note_silence(d, now_ms);
+    javino_decoder_idle(d, now_ms);
     while ((read = read_on(d, p)) != JAVINO_FOLLOWS_UNKNOWN) {
         uint16_t step = d->held;
-        if (read == JAVINO_FOLLOWS_HEADER && !step)
-            break;
-        d->held = 0;
-        d->read.clean = read == JAVINO_FOLLOWS_HEADER;
+        uint16_t settled = d->settled + step;
         if (read == JAVINO_FOLLOWS_OTHER) {
-            d->position = 0;
+            d->position = settled = 0;
             step = 1;
+        } else if (!step) {
+            break;
         }
-        p += step;
+        d->held = 0;
         d->end -= step;
+        p += step;
         if (d->gap) {
             d->gap -= step;
             if (!d->gap)
-                d->read.clean = true;
+                settled = SETTLED;
         }
+        d->settled = settled > SETTLED ? SETTLED : (uint8_t)settled;
     }
     if (p != d->bytes)
         memmove(d->bytes, p, d->end);
@@ -158,14 +172,25 @@ JAVINO_OUTLINE bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms
     d->held = d->whole;
     d->position = 0;
     d->read.payload = d->bytes + FRONT(d->read.version);
+    d->read.clean = d->settled == SETTLED;
     *frame = d->read;
     return true;
 }
 
+bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame *frame)
+{
+    decoder->work = JAVINO_WORK;
+    return look(decoder, now_ms, frame);
+}
+
 javino_follows javino_decoder_follows(javino_decoder *decoder, uint16_t now_ms)
 {
-    javino_follows read = read_on(decoder, decoder->bytes);
-    if (read == JAVINO_FOLLOWS_UNKNOWN && passed(now_ms, decoder->last_ms, decoder->timeout_ms / 16))
+    javino_follows read;
+    if (!decoder->held)
+        return JAVINO_FOLLOWS_UNKNOWN;
+    decoder->work = JAVINO_WORK;
+    read = read_on(decoder, decoder->bytes);
+    if (read == JAVINO_FOLLOWS_UNKNOWN && elapsed(now_ms, decoder->last_ms) > decoder->timeout_ms / 16)
         return decoder->position ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_HEADER;
     return read;
 }
@@ -224,9 +249,9 @@ void javino_link_timeout(javino_link *link, uint16_t timeout_ms)
     link->decoder.timeout_ms = timeout_ms;
 }
 
-bool javino_link_ready(javino_link *link, uint16_t now_ms)
+bool javino_link_ready(const javino_link *link)
 {
-    return javino_decoder_ready(&link->decoder, now_ms);
+    return javino_decoder_ready(&link->decoder);
 }
 
 void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms)
@@ -234,9 +259,9 @@ void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms)
     javino_decoder_put(&link->decoder, byte, now_ms);
 }
 
-static void send_frame(javino_link *l, uint8_t control, const char *text, uint8_t length)
+static JAVINO_OUTLINE void send_frame(javino_link *l, uint8_t version, uint8_t control, const char *text, uint8_t length)
 {
-    javino_encoder_begin(&l->encoder, l->frame.version, control, length);
+    javino_encoder_begin(&l->encoder, version, control, length);
     while (length--)
         javino_encoder_put(&l->encoder, (uint8_t)*text++);
     javino_encoder_end(&l->encoder);
@@ -245,14 +270,25 @@ static void send_frame(javino_link *l, uint8_t control, const char *text, uint8_
 JAVINO_OUTLINE void javino_link_send(javino_link *link, uint8_t flags, const char *text, uint8_t length)
 {
     link->answered = true;
-    send_frame(link, flags | link->sequence, text, length);
+    send_frame(link, link->frame.version, flags | link->sequence, text, length);
     link->sequence = (link->sequence + 1) & JAVINO_SEQUENCE;
 }
 
-static void acknowledge(javino_link *l, uint8_t outcome)
+/* Reports the outcome of the action with this control byte, if the far end wants to know and it is known. */
+static JAVINO_OUTLINE void acknowledge(javino_link *l, uint8_t control, uint8_t outcome)
 {
-    if (l->frame.control & JAVINO_ACK_WANTED)
-        send_frame(l, outcome | (l->frame.control & JAVINO_SEQUENCE), NULL, 0);
+    if (control & JAVINO_ACK_WANTED && outcome != PENDING)
+        send_frame(l, 2, outcome | (control & JAVINO_SEQUENCE), NULL, 0);
+}
+
+/* Remembers the frame in hand and its outcome, for when it is repeated. */
+static JAVINO_OUTLINE void settle(javino_link *l, uint8_t outcome)
+{
+    l->acted_crc = l->frame.crc;
+    l->acted_control = l->frame.control;
+    l->acted_outcome = outcome;
+    l->untimed = true;
+    acknowledge(l, l->frame.control, outcome);
 }
 
 static bool is_request(const javino_frame *f)
@@ -262,56 +298,93 @@ static bool is_request(const javino_frame *f)
 }
 
 /* What the frame that has just arrived means to the program. */
-static javino_event meaning(javino_link *l)
+static JAVINO_OUTLINE javino_event meaning(javino_link *l)
 {
     const javino_frame *f = &l->frame;
     if (f->control & (JAVINO_ACK | JAVINO_REFUSAL))
         return JAVINO_NOTHING;
     if (f->version == 2) {
-        bool fragment = l->fragments;
         l->version2 = true;
-        l->fragments = f->control & JAVINO_MORE;
-        if (fragment || l->fragments) {
-            /* No message to a board is that long, and a part of one must not be taken for an action. */
-            acknowledge(l, JAVINO_REFUSAL);
+        if (l->acted_outcome && f->crc == l->acted_crc && !((f->control ^ l->acted_control) & JAVINO_SEQUENCE)) {
+            acknowledge(l, f->control, l->acted_outcome);
             return JAVINO_NOTHING;
+        }
+        if (f->clean) {
+            /* The parts of a message count on. No message to a board is that long, and a part of one must not be taken
+             * for an action. */
+            bool part = l->part & JAVINO_MORE && (uint8_t)((uint8_t)(f->control - l->part) << 4) == 0x10;
+            l->part = f->control;
+            if (part || f->control & JAVINO_MORE) {
+                settle(l, JAVINO_REFUSAL);
+                return JAVINO_NOTHING;
+            }
         }
     }
     if (is_request(f))
         return JAVINO_REQUEST;
-    if (f->version == 1)
-        /* Among the ruins of a version 2 frame, what looks like version 1 may have been its payload. */
-        return l->version2 && !f->clean ? JAVINO_NOTHING : JAVINO_ACTION;
-    if (!l->acted_outcome || f->crc != l->acted_crc || ((f->control ^ l->acted_control) & JAVINO_SEQUENCE))
-        return JAVINO_ACTION;
-    acknowledge(l, l->acted_outcome);
-    return JAVINO_NOTHING;
+    /* Among the ruins of a version 2 frame, what looks like a frame may have been its text. */
+    return l->version2 && !f->clean ? JAVINO_NOTHING : JAVINO_ACTION;
 }
 
-JAVINO_OUTLINE void javino_link_finish(javino_link *link, bool done, uint16_t now_ms)
+/* Ends the message in hand with this outcome. */
+static JAVINO_OUTLINE void finish(javino_link *l, uint8_t outcome)
 {
-    uint8_t outcome = done ? JAVINO_ACK : JAVINO_REFUSAL;
-    if (link->event == JAVINO_NOTHING)
+    bool action = l->event == JAVINO_ACTION;
+    bool any = l->event != JAVINO_NOTHING;
+    l->event = JAVINO_NOTHING;
+    if (!any || l->frame.version != 2)
         return;
-    if (link->event == JAVINO_ACTION && link->frame.version == 2) {
-        link->acted_ms = now_ms;
-        link->acted_crc = link->frame.crc;
-        link->acted_control = link->frame.control;
-        link->acted_outcome = outcome;
-    }
-    link->event = JAVINO_NOTHING;
-    acknowledge(link, outcome);
+    if (action)
+        settle(l, outcome);
+    else
+        acknowledge(l, l->frame.control, outcome);
+}
+
+void javino_link_finish(javino_link *link, bool done)
+{
+    finish(link, done ? JAVINO_ACK : JAVINO_REFUSAL);
+}
+
+javino_later javino_link_later(javino_link *link)
+{
+    if (link->event != JAVINO_ACTION || link->frame.version != 2)
+        return 0;
+    finish(link, PENDING);
+    if (++link->later == 0)
+        link->later++;
+    return link->later;
+}
+
+bool javino_link_done(javino_link *link, javino_later later, bool done)
+{
+    if (link->acted_outcome != PENDING || later != link->later)
+        return false;
+    link->acted_outcome = done ? JAVINO_ACK : JAVINO_REFUSAL;
+    link->untimed = true;
+    acknowledge(link, link->acted_control, link->acted_outcome);
+    return true;
 }
 
 javino_event javino_link_poll(javino_link *link, uint16_t now_ms)
 {
-    javino_link_finish(link, true, now_ms);
-    if (passed(now_ms, link->acted_ms, REPEAT_MS))
-        link->acted_outcome = 0;
-    while (link->event == JAVINO_NOTHING && javino_decoder_next(&link->decoder, now_ms, &link->frame)) {
+    javino_decoder *d = &link->decoder;
+    bool all_handed_in = d->end < d->size;
+    finish(link, JAVINO_ACK);
+    d->work = JAVINO_WORK;
+    while (link->event == JAVINO_NOTHING && look(d, now_ms, &link->frame)) {
         link->heard = true;
         link->answered = false;
         link->event = meaning(link);
+    }
+    link->drained = false;
+    if (all_handed_in && d->work && link->event == JAVINO_NOTHING) {
+        link->drained = true;
+        /* A repetition may have waited as long as the program was busy, so what waited has been read first. */
+        if (link->untimed)
+            link->acted_ms = now_ms;
+        else if (elapsed(now_ms, link->acted_ms) > REPEAT_MS)
+            link->acted_outcome = 0;
+        link->untimed = link->acted_outcome == PENDING;
     }
     return link->event;
 }
@@ -319,13 +392,18 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms)
 void javino_link_supervise(javino_link *link, uint32_t now_ms)
 {
     link->heard = link->lost = false;
-    link->since_ms = now_ms;
+    link->since_ms = link->drained_ms = now_ms;
 }
 
 bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
 {
-    if (link->heard)
-        javino_link_supervise(link, now_ms);
+    if (link->heard) {
+        /* It may have waited since the receive buffer was empty. */
+        link->heard = link->lost = false;
+        link->since_ms = link->drained_ms;
+    }
+    if (link->drained)
+        link->drained_ms = now_ms;
     if (link->lost || now_ms - link->since_ms <= silence_ms)
         return false;
     link->lost = true;

@@ -71,7 +71,7 @@ typedef struct {
     uint8_t length;         /**< Bytes of payload. */
     uint8_t version;        /**< 1 or 2. */
     uint8_t control;        /**< Version 2: the flags, JAVINO_MORE and so on, and the sequence number. */
-    bool clean;             /**< Began after silence or after a whole frame, not among bytes that made none. */
+    bool clean;             /**< Cannot be the inside of a damaged frame: see javino_decoder_next. */
 } javino_frame;
 
 /** What stands after a frame. */
@@ -91,6 +91,8 @@ typedef struct {
     uint16_t held;     /* bytes of the frame at the front that has been handed out; 0: none has */
     uint16_t position; /* bytes read of the frame that begins behind that */
     uint16_t whole;    /* bytes that it will have */
+    uint16_t work;     /* bytes that may still be read */
+    uint8_t settled;   /* bytes of whole frames since the last byte of none; JAVINO_MAX_PAYLOAD: as many or more, or a pause */
     javino_frame read; /* what is known of it */
     uint16_t timeout_ms;
     uint16_t last_ms;
@@ -100,17 +102,34 @@ typedef struct {
  * Prepares a decoder.
  *
  * @param bytes       memory that belongs to the decoder from now on
- * @param size        its bytes: JAVINO_WINDOW, or fewer where longer frames may be lost
+ * @param size        its bytes: JAVINO_WINDOW, or fewer where longer frames may be lost, but 12
  * @param timeout_ms  silence between two bytes after which a frame that has begun is given up; at most
  *                    10,000. javino_decoder_next must be called more often than every 20 s.
+ * @return false if the size is less than 12: such a decoder finds nothing
  */
-void javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms);
+bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms);
 
-/** @return whether javino_decoder_put has room. There is after javino_decoder_next has returned false. */
-bool javino_decoder_ready(javino_decoder *decoder, uint16_t now_ms);
+/** @return whether javino_decoder_put has room. If not, there is at the latest when javino_decoder_next is called again. */
+bool javino_decoder_ready(const javino_decoder *decoder);
 
-/** Takes one received byte. Only after javino_decoder_ready has said yes at the same time. */
+/**
+ * Takes one received byte. Only after javino_decoder_ready has returned true. When the byte came does not matter: one
+ * that has waited in a receive buffer is not late.
+ *
+ * @param now_ms  when it was taken out of the receive buffer
+ */
 void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms);
+
+/**
+ * Tells the decoder that the receive buffer is empty, unless javino_decoder_ready returns false. javino_decoder_next does
+ * so too; while that is not called, as during a long action, silences are known from this alone.
+ *
+ * @param now_ms  when the receive buffer was last looked into
+ */
+void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms);
+
+/** Bytes that one call of javino_decoder_next or javino_link_poll reads at most, those that are read again included. */
+#define JAVINO_WORK 1024
 
 /**
  * Looks for the next frame. Ends the use of the frame before.
@@ -120,9 +139,14 @@ void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms);
  * first are read again. A version 2 frame with a wrong CRC is such a misreading and never handed out. When
  * silence falls inside a frame, its bytes after the first are read again and the rest is dropped.
  *
- * @param now_ms  the time; also tells the decoder that nothing has arrived since the last byte
+ * A frame is clean if it began after a pause of a quarter of the timeout, behind the frame before or behind nothing, or
+ * if it began behind JAVINO_MAX_PAYLOAD bytes of whole frames. Any other may be the text of a damaged one.
+ *
+ * @param now_ms  when the receive buffer was last looked into. Unless javino_decoder_ready returns false, nothing
+ *                has come since the last byte handed in.
  * @param frame   filled in when there is one
- * @return whether there is one; if so, ask again before the next byte
+ * @return whether there is one; if so, ask again before the next byte. If not, there is none yet, or reading again
+ *         has taken JAVINO_WORK bytes and goes on with the next call.
  */
 bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame *frame);
 
@@ -130,8 +154,9 @@ bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame 
  * Whether the frame in hand can still turn out to be the beginning of a longer one whose size was damaged.
  * Version 1 has no checksum; what arrives next tells, or that nothing does for a sixteenth of the timeout.
  *
+ * @param now_ms  as for javino_decoder_next
  * @return JAVINO_FOLLOWS_HEADER: it is whole; JAVINO_FOLLOWS_OTHER: it is not, or may not be;
- *         JAVINO_FOLLOWS_UNKNOWN: ask again later
+ *         JAVINO_FOLLOWS_UNKNOWN: ask again later; also if no frame is in hand
  */
 javino_follows javino_decoder_follows(javino_decoder *decoder, uint16_t now_ms);
 
@@ -178,7 +203,6 @@ typedef struct {
     javino_frame frame; /**< Its frame. */
     javino_decoder decoder;
     javino_encoder encoder;
-    uint32_t since_ms;
     uint16_t acted_ms;
     uint16_t acted_crc;
     uint8_t acted_control;
@@ -186,10 +210,18 @@ typedef struct {
     uint8_t sequence;
     bool answered;
     bool version2; /* the far end has spoken version 2 */
-    bool fragments;
-    bool heard; /* something valid, since javino_link_lost was asked */
+    bool untimed;  /* the action's outcome is newer than the last poll */
+    bool drained;  /* the last poll has read all that there was */
+    uint8_t part;  /* the control byte of the last clean frame */
+    uint8_t later; /* the newest javino_later */
+    bool heard;    /* something valid, since javino_link_lost was asked */
     bool lost;
+    uint32_t since_ms;
+    uint32_t drained_ms;
 } javino_link;
+
+/** An action whose outcome is reported later. 0: nobody waits for it. */
+typedef uint8_t javino_later;
 
 /**
  * Prepares a link. Its answers are of the version of the last frame heard, at first version 1.
@@ -209,15 +241,23 @@ void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_writ
 void javino_link_timeout(javino_link *link, uint16_t timeout_ms);
 
 /** @return whether javino_link_receive has room. If not, leave the byte where it is and poll. */
-bool javino_link_ready(javino_link *link, uint16_t now_ms);
+bool javino_link_ready(const javino_link *link);
 
-/** Takes one received byte. Only after javino_link_ready has said yes at the same time. */
+/** Takes one received byte. Only after javino_link_ready has returned true. As javino_decoder_put. */
 void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
 
 /**
  * Ends the message in hand, an action as carried out, and looks for the next. Whatever asks nothing of the
  * program is dealt with here; so are actions that are repeated because an acknowledgement was lost: they are
- * acknowledged again and not handed out. Call it more often than every 20 s.
+ * acknowledged again and not handed out. Call it more often than every 20 s, with a javino_board on top through
+ * javino_board_poll.
+ *
+ * Before each call hand in all bytes that wait, until javino_link_ready returns false. An action is remembered for 3 s
+ * from the call after its outcome, and until a call has found nothing more to read, so that a repetition that waited
+ * while the program was busy is known.
+ *
+ * @param now_ms  when the receive buffer was last looked into; a time read before that does no harm, a later one
+ *                takes what came in between for late
  */
 javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
 
@@ -226,13 +266,31 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
  *
  * @param done  whether the action has been carried out; false if it is unknown or malformed
  */
-void javino_link_finish(javino_link *link, bool done, uint16_t now_ms);
+void javino_link_finish(javino_link *link, bool done);
+
+/**
+ * Ends the action in hand without an outcome, which follows with javino_link_done. Until then a repetition of it is
+ * neither carried out nor answered. ARGO waits for 2 to 5 s, longer for a board that has been slow before, and sends no
+ * other command meanwhile.
+ *
+ * @return what to hand to javino_link_done; 0 in version 1 and if no action is in hand
+ */
+javino_later javino_link_later(javino_link *link);
+
+/**
+ * Reports the outcome of an action that javino_link_later has ended. Not while a frame is being written.
+ *
+ * @param done  whether it has been carried out; false if it could not be
+ * @return whether it was reported; not if a newer action of version 2 has come since, or for 0
+ */
+bool javino_link_done(javino_link *link, javino_later later, bool done);
 
 /** Begins to supervise the link: silence counts from now. */
 void javino_link_supervise(javino_link *link, uint32_t now_ms);
 
 /**
- * Whether the far end has fallen silent, so that motors had better stop. Ask after every javino_link_poll.
+ * Whether the far end has fallen silent, so that motors had better stop. Ask after every javino_link_poll. What is
+ * found after a while in which the program was busy counts as having come at its beginning.
  *
  * @param silence_ms  how long nothing valid has to have arrived
  * @return true once, and again only after something has arrived

@@ -43,7 +43,7 @@ class CDecoder:
     def receive(self, data, now):
         self.idle(now)
         for byte in data:
-            if not self.library.javino_decoder_ready(self.state, now & 0xFFFF):
+            if not self.library.javino_decoder_ready(self.state):
                 raise AssertionError("no room")
             self.library.javino_decoder_put(self.state, byte, now & 0xFFFF)
             self.idle(now)

@@ -62,19 +62,20 @@ static int open_port(const char *device, long baud)
     return fd;
 }
 
-/* Takes what has arrived, as long as there is room for it. */
-static void take_bytes(void)
+/* Takes what has arrived, as long as there is room for it. Returns when it looked. */
+static uint32_t take_bytes(void)
 {
     struct pollfd source = {port, POLLIN, 0};
-    uint16_t now = (uint16_t)now_ms();
+    uint32_t now = now_ms();
     uint8_t byte;
-    while (javino_link_ready(&board.link, now) && poll(&source, 1, 0) == 1) {
+    while (javino_link_ready(&board.link) && poll(&source, 1, 0) == 1) {
         if (read(port, &byte, 1) != 1) {
             fprintf(stderr, "board: the line is gone\n");
             exit(1);
         }
-        javino_link_receive(&board.link, byte, now);
+        javino_link_receive(&board.link, byte, (uint16_t)now);
     }
+    return now;
 }
 
 /* Called by the core. A microcontroller whose receive buffer is short takes bytes here too. */
@@ -146,21 +147,22 @@ int main(int count, char **words)
     javino_link_supervise(&board.link, now_ms());
     for (;;) {
         struct pollfd source = {port, POLLIN, 0};
+        uint32_t now;
         poll(&source, 1, 10);
-        take_bytes();
-        switch (javino_link_poll(&board.link, (uint16_t)now_ms())) {
+        now = take_bytes();
+        switch (javino_board_poll(&board, (uint16_t)now)) {
         case JAVINO_REQUEST:
             answer();
             break;
         case JAVINO_ACTION: {
             bool done = act((const char *)board.link.frame.payload, board.link.frame.length);
-            javino_link_finish(&board.link, done, (uint16_t)now_ms());
+            javino_link_finish(&board.link, done);
             break;
         }
         default:
             break;
         }
-        if (javino_link_lost(&board.link, 1000, now_ms()) && lamp)
+        if (javino_link_lost(&board.link, 1000, now) && lamp)
             printf("lamp %d: nobody is there\n", (int)(lamp = 0));
     }
 }

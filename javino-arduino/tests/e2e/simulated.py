@@ -152,6 +152,72 @@ def sketches_for_earlier_libraries_run():
         equal(board.line.ask(), "light(511);lamp(1);")
 
 
+# ---- time around the board ----
+
+def no_frame_is_lost_while_the_loop_stalls():
+    rng = random.Random(5)
+    for stall, frames in ((150, 60), (300, 40), (1000, 12)):
+        for version in (1, 2):
+            with Board("Stall") as board:
+                board.line.ready()
+                board.line.write(frame1(f"stall({stall})".encode()))
+                due = float(board.command("time")) + 1000
+                for i in range(frames):
+                    # By the board's clock; five frames at most find room in its receive buffer.
+                    while float(board.command("time")) < due:
+                        time.sleep(0.005)
+                    board.line.write(frame1(b"count") if version == 1 else frame2(b"count", 0, i % 16))
+                    due = float(board.command("time")) + stall * rng.uniform(0.25, 1)
+                while float(board.command("time")) < due + 3 * stall:
+                    time.sleep(0.005)
+                board.line.messages()
+                equal(board.line.ask().split(";")[0], f"count({frames})")
+    print("  no command lost by a loop() of 150, 300 and 1,000 ms, in either version")
+
+
+def a_slow_action_is_carried_out_once():
+    with Board("Stall") as board:
+        board.line.ready()
+        begin = float(board.command("time"))
+        for at in (0, 160, 470, 1100, 2400):
+            while float(board.command("time")) < begin + at:
+                time.sleep(0.005)
+            board.line.write(frame2(b"slow(3300)", 2, 3))
+        answer = board.line.message()
+        equal((answer.flags, answer.sequence), (4, 3))
+        while board.line.messages(0.3):
+            pass
+        equal(board.line.ask().split(";")[0], "count(1)")
+
+
+def an_outcome_is_reported_later_and_the_board_goes_on():
+    with Board("Gripper") as board:
+        board.line.ready()
+        for fingers, flags in (("high", 4), ("low", 8)):
+            board.command(f"set 7 {fingers}")
+            begin = float(board.command("time"))
+            board.line.write(frame2(b"close", 2, flags))
+            equal(board.line.ask(), "gripper(closing);")
+            board.line.write(frame2(b"close", 2, flags))
+            answer = board.line.message()
+            took = float(board.command("time")) - begin
+            equal((answer.flags, answer.sequence), (flags, flags))
+            check(took >= 800, f"reported after {took} ms")
+            equal(board.line.ask(), "gripper(closed);")
+
+
+def reading_again_takes_a_bounded_time():
+    with Board("Stall") as board:
+        board.line.ready()
+        for nasty in (b"fffeFF" * 45, b"fffd8012" * 38):
+            board.line.write(nasty)
+            time.sleep(0.5)
+            board.line.ready()
+        longest = int(board.line.ask().split("longest(")[1].split(")")[0])
+        print(f"  the longest run() behind 300 bytes full of headers: {longest} microseconds")
+        check(longest < 10000, f"run() took {longest} microseconds")
+
+
 def a_burst_arrives_whole():
     with Board("Bytes") as board:
         time.sleep(0.5)
@@ -343,6 +409,10 @@ CASES = [
     opening_the_line_resets_the_board_and_readiness_is_an_answer,
     messages_of_255_bytes_go_both_ways,
     sketches_for_earlier_libraries_run,
+    no_frame_is_lost_while_the_loop_stalls,
+    a_slow_action_is_carried_out_once,
+    an_outcome_is_reported_later_and_the_board_goes_on,
+    reading_again_takes_a_bounded_time,
     a_burst_arrives_whole,
     requests_that_the_line_has_time_for_are_answered,
     version_2_carries_out_no_wrong_action_on_a_damaged_line,

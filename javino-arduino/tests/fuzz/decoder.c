@@ -57,12 +57,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         javino_event event;
         if (data[i] == 0xFF && i + 1 < size) {
             now += 2 * data[++i];
-        } else if (javino_link_ready(&board.link, now)) {
+        } else if (javino_link_ready(&board.link)) {
             javino_link_receive(&board.link, data[i], now);
         }
         if (data[i] & 1 && i % 3)
             continue; /* Bytes also come while the program is busy. */
-        while ((event = javino_link_poll(&board.link, now)) != JAVINO_NOTHING) {
+        while ((event = javino_board_poll(&board, now)) != JAVINO_NOTHING) {
             if (event == JAVINO_REQUEST)
                 answer(&board, &board.link.frame);
             else

@@ -39,6 +39,7 @@ struct Board {
     stub_millis = 5000;
     done.clear();
     javino.start(9600);
+    javino.run();
   }
 
   std::string run(const std::string &bytes) {
@@ -374,6 +375,104 @@ TEST_CASE("the lost link is reported") {
   board.javino.onLinkLost(0, [] { lost++; });
   board.later(5000);
   CHECK(lost == 2);
+}
+
+namespace {
+int depth, deepest;
+std::string during;
+JavinoLater gripper;
+}
+
+TEST_CASE("run() within a callback only receives") {
+  static Javino *javino;
+  Board board;
+  javino = &board.javino;
+  depth = deepest = 0;
+  during.clear();
+  board.javino.onAction("drive", [](const JavinoArguments &arguments) {
+    deepest = std::max(deepest, ++depth);
+    during += std::to_string(arguments.number(0)) + ":";
+    Serial.receive(frame2("drive(8)", 2, 5) + frame2("getPercepts", 0, 1));
+    javino->run();
+    CHECK(!javino->availableMsg());
+    stub_millis += 3000;
+    javino->run();
+    during += std::to_string(arguments.number(0)) + Serial.sent() + ";";
+    depth--;
+    return arguments.number(0) != 7;
+  });
+  board.run(frame2("drive(7)", 2, 4));
+  CHECK(deepest == 1);
+  CHECK(during.substr(0, 8) == "7:7;8:8" + frame2("", 8, 4).substr(0, 1));
+}
+
+TEST_CASE("what arrives within a callback that takes long is not lost, nor are silences in it") {
+  static Javino *javino;
+  Board board;
+  javino = &board.javino;
+  board.javino.act["ledOn"] = ledOn;
+  board.javino.act["wait"] = [] {
+    Serial.receive("fffe0Bnever");
+    javino->run();
+    stub_millis += 200;
+    javino->run();
+    Serial.receive(frame1("ledOn"));
+    javino->run();
+  };
+  board.run(frame1("wait"));
+  CHECK(done == std::vector<std::string>{"ledOn"});
+}
+
+TEST_CASE("a long action reports its outcome later, and the board goes on") {
+  static Javino *javino;
+  Board board;
+  javino = &board.javino;
+  board.javino.act["close"] = [] {
+    done.push_back("close");
+    gripper = javino->later();
+  };
+  CHECK(board.run(frame2("close", 2, 4)) == "");
+  CHECK(board.later(500) == "");
+  CHECK(board.run(frame2("close", 2, 4)) == "");
+  CHECK(board.run(frame2("getPercepts", 0, 1)) == frame2("", 0, 0));
+  CHECK(board.javino.done(gripper));
+  CHECK(Serial.sent() == frame2("", 4, 4));
+  CHECK(board.run(frame2("close", 2, 4)) == frame2("", 4, 4));
+  CHECK(done.size() == 1);
+  CHECK(board.run(frame2("close", 2, 5)) == "");
+  CHECK(board.javino.done(gripper, false));
+  CHECK(Serial.sent() == frame2("", 8, 5));
+  CHECK(board.run(frame1("close")) == "");
+  CHECK(!board.javino.done(gripper));
+  CHECK(Serial.sent() == "");
+}
+
+TEST_CASE("no frame is lost while loop() stalls") {
+  for (unsigned long stall : {150, 300, 1000}) {
+    Board board;
+    board.javino.act["ledOn"] = ledOn;
+    const std::string frame = frame1("ledOn");
+    for (size_t cut = 1; cut < frame.size(); cut++) {
+      done.clear();
+      board.run(frame.substr(0, cut));
+      stub_millis += stall;
+      board.run(frame.substr(cut));
+      CHECK(done.size() == 1);
+      board.later(200);
+    }
+  }
+}
+
+TEST_CASE("a port that takes nothing is asked once for each message") {
+  Board board;
+  Serial.takes = false;
+  Serial.refused = 0;
+  board.run(frame1("getPercepts"));
+  CHECK(Serial.refused == 1);
+  board.run(frame1("getPercepts"));
+  CHECK(Serial.refused == 2);
+  Serial.takes = true;
+  CHECK(board.run(frame1("getPercepts")) == frame1(""));
 }
 
 TEST_CASE("numbers with decimals are read, and nothing else") {

@@ -17,26 +17,42 @@ struct Conversation {
   std::vector<uint8_t> memory;
   javino_board board;
   std::string out;
+  std::string waiting; /* in the receive buffer */
   uint16_t now = 1000;
 
   explicit Conversation(uint16_t bytes = JAVINO_MEMORY + 255) : memory(bytes) {
-    javino_board_init(&board, memory.data(), bytes, write, this);
+    REQUIRE(javino_board_init(&board, memory.data(), bytes, write, this));
+    poll();
   }
 
   static void write(void *self, uint8_t byte) { static_cast<Conversation *>(self)->out += static_cast<char>(byte); }
 
+  /** What arrives while the program polls often. */
   void receive(const std::string &bytes) {
-    for (unsigned char byte : bytes) {
-      REQUIRE(javino_link_ready(&board.link, now));
-      javino_link_receive(&board.link, byte, now);
-    }
+    javino_decoder_idle(&board.link.decoder, now);
+    find(bytes);
   }
 
-  javino_event poll() { return javino_link_poll(&board.link, now); }
+  /** What has waited in the receive buffer when the program comes to look into it. */
+  void find(const std::string &bytes) {
+    waiting += bytes;
+    size_t n = 0;
+    for (; n < waiting.size() && javino_link_ready(&board.link); n++)
+      javino_link_receive(&board.link, static_cast<uint8_t>(waiting[n]), now);
+    waiting.erase(0, n);
+  }
+
+  javino_event poll() {
+    find("");
+    return javino_board_poll(&board, now);
+  }
 
   javino_event hear(const std::string &bytes) {
     receive(bytes);
-    return poll();
+    javino_event event = poll();
+    while (event == JAVINO_NOTHING && !waiting.empty())
+      event = poll();
+    return event;
   }
 
   std::string text() const {
@@ -130,9 +146,9 @@ TEST_CASE("a command and a request in one burst are both handled, in order") {
 TEST_CASE("version 1 is never acknowledged") {
   Conversation c;
   CHECK(c.hear(frame1("ledOn")) == JAVINO_ACTION);
-  javino_link_finish(&c.board.link, true, c.now);
+  javino_link_finish(&c.board.link, true);
   CHECK(c.hear(frame1("nonsense")) == JAVINO_ACTION);
-  javino_link_finish(&c.board.link, false, c.now);
+  javino_link_finish(&c.board.link, false);
   c.poll();
   CHECK(c.sent() == "");
 }
@@ -141,7 +157,7 @@ TEST_CASE("a version 2 action is acknowledged when it has been carried out, with
   Conversation c;
   CHECK(c.hear(frame2("ledOn", 2, 9)) == JAVINO_ACTION);
   CHECK(c.sent() == "");
-  javino_link_finish(&c.board.link, true, c.now);
+  javino_link_finish(&c.board.link, true);
   CHECK(c.sent() == frame2("", 4, 9));
   c.poll();
   CHECK(c.sent() == "");
@@ -157,7 +173,7 @@ TEST_CASE("an action that is not finished counts as carried out with the next po
 TEST_CASE("an unknown action is refused") {
   Conversation c;
   c.hear(frame2("fly", 2, 15));
-  javino_link_finish(&c.board.link, false, c.now);
+  javino_link_finish(&c.board.link, false);
   CHECK(c.sent() == frame2("", 8, 15));
 }
 
@@ -172,7 +188,7 @@ TEST_CASE("a repeated action is answered as before and not handed out again") {
   for (bool done : {true, false}) {
     Conversation c;
     c.hear(frame2("toggle", 2, 4));
-    javino_link_finish(&c.board.link, done, c.now);
+    javino_link_finish(&c.board.link, done);
     std::string answer = c.sent();
     for (int repeat = 0; repeat < 3; repeat++) {
       c.now += 500;
@@ -205,6 +221,135 @@ TEST_CASE("another action with the same sequence number is new: the far end was 
   Conversation c;
   c.hear(frame2("ledOn", 2, 0));
   CHECK(c.hear(frame2("ledOff", 2, 0)) == JAVINO_ACTION);
+}
+
+TEST_CASE("an action of any length is carried out once whatever the time of the caller's clock") {
+  // What the far end repeats while the action runs waits in the receive buffer.
+  const std::string action = frame2("toggle", 2, 4);
+  for (unsigned took : {0, 500, 3200, 10000}) {
+    SUBCASE("one time for each turn of the main loop, read at its beginning") {
+      Conversation c;
+      c.find(action);
+      CHECK(c.poll() == JAVINO_ACTION);
+      javino_link_finish(&c.board.link, true);
+      c.now = static_cast<uint16_t>(c.now + took);
+      for (int repeat = 0; repeat < 3; repeat++)
+        c.find(action);
+      CHECK(c.poll() == JAVINO_NOTHING);
+    }
+    SUBCASE("a time that was read before the action, until nothing is left") {
+      Conversation c;
+      c.find(action);
+      CHECK(c.poll() == JAVINO_ACTION);
+      CHECK(c.poll() == JAVINO_NOTHING);
+      c.now = static_cast<uint16_t>(c.now + took);
+      for (int repeat = 0; repeat < 3; repeat++)
+        c.find(action);
+      CHECK(c.poll() == JAVINO_NOTHING);
+    }
+  }
+}
+
+TEST_CASE("a repetition that has waited while the program was busy is one") {
+  for (unsigned busy : {2000, 3100, 20000}) {
+    Conversation c;
+    c.hear(frame2("toggle", 2, 4));
+    c.poll();
+    c.sent();
+    c.now = static_cast<uint16_t>(c.now + busy);
+    c.find(frame2("getPercepts", 0, 1) + frame2("toggle", 2, 4));
+    CHECK(c.poll() == JAVINO_REQUEST);
+    CHECK(c.poll() == JAVINO_NOTHING);
+    CHECK(c.sent() == frame2("", 4, 4));
+  }
+}
+
+TEST_CASE("a repetition waits outside while there is no room for it") {
+  Conversation c(JAVINO_MEMORY);
+  c.hear(frame2("toggle", 2, 4));
+  c.poll();
+  c.sent();
+  // A long message is in hand and what follows fills the memory; the repetition is still in the receive buffer.
+  c.find(frame2("getPercepts(" + std::string(230, 'x') + ")", 0, 1) + frame2("", 4, 2) + frame2("", 4, 3) + frame2("toggle", 2, 4));
+  CHECK(c.poll() == JAVINO_REQUEST);
+  c.find("");
+  REQUIRE(!c.waiting.empty());
+  c.now += 3500;
+  for (int i = 0; i < 5; i++)
+    CHECK(c.poll() == JAVINO_NOTHING);
+  CHECK(c.sent() == frame2("", 4, 4));
+}
+
+TEST_CASE("bytes that waited while the program was busy are not late") {
+  for (uint16_t busy : {101, 150, 300, 1000}) {
+    for (const std::string &frame : {frame1("ledOn"), frame2("ledOn", 2, 1), frame2("getPercepts", 0, 1)}) {
+      for (size_t cut = 1; cut < frame.size(); cut++) {
+        Conversation c;
+        c.find(frame.substr(0, cut));
+        CHECK(c.poll() == JAVINO_NOTHING);
+        c.now += busy;
+        c.find(frame.substr(cut));
+        CHECK(c.poll() != JAVINO_NOTHING);
+      }
+    }
+  }
+}
+
+TEST_CASE("bytes that found no room are not late") {
+  Conversation c(JAVINO_MEMORY_MIN);
+  const std::string first = frame2("getPercepts(" + std::string(50, 'x') + ")", 0, 1);
+  c.find(first + frame2("ledOn", 2, 2) + frame2("getPercepts", 0, 3));
+  int found = 0;
+  for (int turn = 0; turn < 12; turn++) {
+    found += c.poll() != JAVINO_NOTHING;
+    c.now += 300;
+  }
+  CHECK(found == 3);
+}
+
+TEST_CASE("an outcome that is reported later is not asked for twice") {
+  for (bool done : {true, false}) {
+    Conversation c;
+    CHECK(c.hear(frame2("close", 2, 4)) == JAVINO_ACTION);
+    javino_later later = javino_link_later(&c.board.link);
+    REQUIRE(later != 0);
+    javino_link_finish(&c.board.link, true);
+    for (int i = 0; i < 20; i++) {
+      c.now += 250;
+      CHECK(c.hear(frame2("close", 2, 4)) == JAVINO_NOTHING);
+      CHECK(c.hear(frame1("getPercepts")) == JAVINO_REQUEST);
+      c.poll();
+    }
+    CHECK(c.sent() == "");
+    CHECK(javino_link_done(&c.board.link, later, done));
+    std::string answer = frame2("", done ? 4 : 8, 4);
+    CHECK(c.sent() == answer);
+    CHECK(!javino_link_done(&c.board.link, later, done));
+    // From here on it is remembered as any other.
+    CHECK(c.hear(frame2("close", 2, 4)) == JAVINO_NOTHING);
+    CHECK(c.sent() == answer);
+    for (int i = 0; i < 40; i++) {
+      c.now += 100;
+      c.poll();
+    }
+    CHECK(c.hear(frame2("close", 2, 4)) == JAVINO_ACTION);
+  }
+}
+
+TEST_CASE("an outcome that nobody waits for any more is not reported") {
+  Conversation c;
+  CHECK(javino_link_later(&c.board.link) == 0);
+  c.hear(frame1("close"));
+  CHECK(javino_link_later(&c.board.link) == 0);
+  CHECK(!javino_link_done(&c.board.link, 0, true));
+  c.hear(frame2("close", 2, 4));
+  javino_later first = javino_link_later(&c.board.link);
+  c.hear(frame2("open", 2, 5));
+  javino_later second = javino_link_later(&c.board.link);
+  CHECK(!javino_link_done(&c.board.link, first, true));
+  CHECK(c.sent() == "");
+  CHECK(javino_link_done(&c.board.link, second, true));
+  CHECK(c.sent() == frame2("", 4, 5));
 }
 
 TEST_CASE("long afterwards the same action with the same sequence number is new") {
@@ -250,6 +395,101 @@ TEST_CASE("text that looks like a version 1 frame inside a damaged version 2 fra
     INFO(damaged);
     CHECK(!acted);
   }
+}
+
+namespace {
+
+/** Whether the board acts while these bytes arrive, all at once or byte by byte, and afterwards. */
+bool acts(Conversation &c, const std::string &bytes) {
+  bool acted = false;
+  auto look = [&] {
+    javino_event event;
+    while ((event = c.poll()) != JAVINO_NOTHING)
+      acted |= event == JAVINO_ACTION;
+  };
+  for (char byte : bytes) {
+    c.receive(std::string(1, byte));
+    look();
+  }
+  for (int i = 0; i < 5; i++) {
+    c.now += 101;
+    look();
+  }
+  return acted;
+}
+
+}  // namespace
+
+TEST_CASE("no frame inside the text of a damaged version 2 command is carried out") {
+  const std::string inside[] = {
+      frame1("front"), frame2("front", 2, 5), frame1("x") + frame1("front"), frame2("getPercepts", 0, 1) + frame2("front", 2, 5),
+      frame1("getPercepts") + frame1("getPercepts") + frame2("getPercepts", 0, 1) + frame2("front", 2, 5)};
+  for (const std::string &text : inside) {
+    const std::string whole = frame2("say(\"" + text + "\")", 2, 4);
+    for (size_t at = 0; at < whole.size(); at++)
+      for (int damage = 0; damage < 3; damage++) {
+        std::string damaged = whole;
+        if (damage == 0)
+          damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
+        else if (damage == 1)
+          damaged.erase(at, 1);
+        else
+          damaged.insert(at, "0");
+        // What remains of a whole frame would be one.
+        if (damaged.find(whole) != std::string::npos)
+          continue;
+        Conversation c;
+        c.hear(frame2("getPercepts", 0, 3));
+        c.poll();
+        INFO(damaged);
+        REQUIRE(!acts(c, damaged));
+      }
+  }
+}
+
+TEST_CASE("no frame inside a version 2 command that is longer than the memory is carried out") {
+  for (const std::string &inside : {frame1("front"), frame2("front", 2, 5)}) {
+    Conversation c(232);
+    c.hear(frame2("getPercepts", 0, 3));
+    c.poll();
+    CHECK(!acts(c, frame2("say(\"" + std::string(210, 'x') + inside + "\")", 2, 4)));
+    CHECK(c.sent().find(frame2("", 4, 5)) == std::string::npos);
+    CHECK(acts(c, frame2("front", 2, 6)));
+  }
+}
+
+TEST_CASE("behind damage a version 2 command is carried out after a pause of 26 ms, or behind 255 bytes of whole frames") {
+  Conversation c;
+  const std::string request = frame2("getPercepts", 0, 1);
+  CHECK(acts(c, frame2("ledOn", 2, 1)));
+  c.hear(request.substr(1));
+  CHECK(c.hear(frame2("ledOn", 2, 2)) == JAVINO_NOTHING);
+  c.now += 26;
+  CHECK(c.hear(frame2("ledOn", 2, 2)) == JAVINO_ACTION);
+  c.hear(request.substr(1));
+  int requests = 0;
+  while (c.hear(frame2("ledOn", 2, 3)) == JAVINO_NOTHING && requests < 100) {
+    CHECK(c.hear(request) == JAVINO_REQUEST);
+    requests++;
+  }
+  CHECK(requests == 7);
+}
+
+TEST_CASE("a part of a message whose last part is lost does not cost the next message") {
+  Conversation c;
+  CHECK(c.hear(frame2("say(\"long\")", 3, 1)) == JAVINO_NOTHING);
+  CHECK(c.hear(frame2("getPercepts", 0, 5)) == JAVINO_REQUEST);
+  CHECK(c.hear(frame2("say(\"long\")", 3, 1)) == JAVINO_NOTHING);
+  CHECK(c.hear(frame2("ledOn", 2, 3)) == JAVINO_ACTION);
+}
+
+TEST_CASE("a repeated part of a message is refused again") {
+  Conversation c;
+  CHECK(c.hear(frame2("say(\"long", 3, 1)) == JAVINO_NOTHING);
+  CHECK(c.hear(frame2("ledOn", 2, 2)) == JAVINO_NOTHING);
+  c.sent();
+  CHECK(c.hear(frame2("ledOn", 2, 2)) == JAVINO_NOTHING);
+  CHECK(c.sent() == frame2("", 8, 2));
 }
 
 TEST_CASE("a version 1 action is carried out although version 2 was spoken before") {
@@ -357,13 +597,13 @@ TEST_CASE("a percept longer than a frame: version 1 leaves it out and keeps the 
 TEST_CASE("without a request percepts wait, as many as there is memory for, and go with the next answer") {
   Conversation c;
   int kept = 0;
-  while (c.percept("event(" + std::to_string(kept) + ")") && kept < 1000)
+  while (c.percept("event(" + std::to_string(kept + 10) + ")") && kept < 1000)
     kept++;
-  CHECK(kept == JAVINO_TEXT_MIN / 9);
+  CHECK(kept == 255 / 10);
   CHECK(c.sent() == "");
   c.hear(frame1("getPercepts"));
   javino_board_answer(&c.board);
-  CHECK(payloads1(c.sent()).at(0).find("event(" + std::to_string(kept - 1) + ");") != std::string::npos);
+  CHECK(payloads1(c.sent()).back().find("event(" + std::to_string(kept + 9) + ");") != std::string::npos);
 }
 
 TEST_CASE("percepts that wait do not keep requests and actions from arriving") {
@@ -385,13 +625,119 @@ TEST_CASE("percepts that wait do not keep requests and actions from arriving") {
 
 TEST_CASE("percepts that have waited and those of the answer are one message where the memory holds it") {
   Conversation c;
-  while (c.percept("event")) {
-  }
+  for (int i = 0; i < 10; i++)
+    c.percept("event");
   c.hear(frame1("getPercepts"));
   for (int i = 0; i < 10; i++)
     c.percept("dist(f,1)");
   javino_board_answer(&c.board);
   CHECK(payloads1(c.sent()).size() == 1);
+}
+
+TEST_CASE("percepts that nobody has asked for have all memory but what the longest frame needs") {
+  for (uint16_t bytes : {JAVINO_MEMORY_MIN, JAVINO_MEMORY, 368, 640, 4000})
+    for (unsigned version : {1, 2}) {
+      INFO(bytes, " bytes, version ", version);
+      Conversation c(bytes);
+      c.hear(version == 1 ? frame1("hello") : frame2("hello", 2, 1));
+      c.poll();
+      c.now += 200;
+      c.poll();
+      c.sent();
+      std::string all;
+      while (c.percept("event(" + std::to_string(all.size()) + ")"))
+        all += "event(" + std::to_string(all.size()) + ");";
+      size_t room = static_cast<size_t>(std::max(JAVINO_TEXT_MIN, bytes - JAVINO_WINDOW));
+      room = std::min<size_t>(room, version == 1 ? 255 : JAVINO_TEXT_MAX);
+      CHECK(all.size() <= room);
+      CHECK(all.size() > room - 13);
+      if (bytes >= JAVINO_MEMORY) {
+        CHECK(c.hear(frame2(std::string(255, 'x'), 2, 3)) == JAVINO_ACTION);
+        c.poll();
+        c.sent();
+      }
+      if (version == 1) {
+        c.hear(frame1("getPercepts"));
+        javino_board_answer(&c.board);
+        CHECK(payloads1(c.sent()) == std::vector<std::string>{all});
+      } else if (bytes == 640) {
+        // Sent unasked, as by a board that is only listened to.
+        javino_board_answer(&c.board);
+        CHECK(message2(c.sent(), 0) == all);
+      } else {
+        c.hear(frame2("getPercepts", 0, 1));
+        CHECK(c.percept("more"));
+        javino_board_answer(&c.board);
+        CHECK(message2(c.sent(), 0) == all + "more;");
+      }
+      CHECK(c.percept("event"));
+    }
+}
+
+#if JAVINO_TEXT_MAX > 255
+TEST_CASE("what has waited for version 2 in more room than version 1 has is forgotten when that is spoken") {
+  Conversation c(4000);
+  c.hear(frame2("hello", 2, 1));
+  c.poll();
+  c.sent();
+  for (int i = 0; i < 100; i++)
+    CHECK(c.percept("event"));
+  c.hear(frame1("getPercepts"));
+  std::string all;
+  for (int i = 0; i < 100; i++) {
+    CHECK(c.percept("dist(f,1)"));
+    all += "dist(f,1);";
+  }
+  javino_board_answer(&c.board);
+  std::string together;
+  for (const std::string &payload : payloads1(c.sent())) {
+    CHECK(payload.back() == ';');
+    together += payload;
+  }
+  CHECK(together == all);
+}
+#endif
+
+TEST_CASE("a message that was begun and not sent makes no board deaf") {
+  for (uint16_t bytes : {JAVINO_MEMORY_MIN, 272, 278, 300, JAVINO_MEMORY, 600, 4000})
+    for (unsigned version : {1, 2})
+      for (int percepts : {1, 5, 30, 100}) {
+        Conversation c(bytes);
+        auto request = [&](unsigned n) { return version == 1 ? frame1("getPercepts") : frame2("getPercepts", 0, n); };
+        INFO(bytes, " bytes, version ", version, ", ", percepts, " percepts");
+        CHECK(c.hear(request(0)) == JAVINO_REQUEST);
+        for (int i = 0; i < percepts; i++)
+          c.percept("dist(front,120)");
+        javino_percept_text(&c.board, "unfini");
+        CHECK(c.poll() == JAVINO_NOTHING);
+        c.sent();
+        for (unsigned n = 1; n < 4; n++) {
+          javino_event event = c.hear(frame2("say(" + std::string(80, 'x') + ")", 2, n));
+          REQUIRE(event == (bytes == JAVINO_MEMORY_MIN ? JAVINO_NOTHING : JAVINO_ACTION));
+          REQUIRE(c.hear(request(n)) == JAVINO_REQUEST);
+          CHECK(c.percept("ready"));
+          c.sent();
+          javino_board_answer(&c.board);
+          std::string answer = c.sent();
+          CHECK(answer.find("ready;") != std::string::npos);
+          CHECK(answer.find("unfini") == std::string::npos);
+          c.now += 200;
+          c.poll();
+          c.sent();
+        }
+      }
+}
+
+TEST_CASE("a message of which a part has gone out is ended before the next") {
+  Conversation c(300);
+  c.hear(frame2("getPercepts", 0, 0));
+  std::string all;
+  for (int i = 0; i < 40; i++) {
+    c.percept("dist(front,120)");
+    all += "dist(front,120);";
+  }
+  c.hear(frame2("getPercepts", 0, 1));
+  CHECK(message2(c.sent(), 0) == all);
 }
 
 TEST_CASE("bytes that arrive while an answer is written are kept") {
@@ -400,6 +746,7 @@ TEST_CASE("bytes that arrive while an answer is written are kept") {
   CHECK(c.poll() == JAVINO_REQUEST);
   c.percept("a");
   c.receive(frame1("ledOff"));
+  CHECK(c.waiting.empty());
   javino_board_answer(&c.board);
   c.receive(frame1("stop"));
   for (std::string expected : {"ledOn", "ledOff", "stop"}) {
@@ -495,12 +842,45 @@ TEST_CASE("a lost link is reported once, and again only after something valid ha
   CHECK(lost(3));
 }
 
+TEST_CASE("what has waited while the program was busy is not fresh") {
+  Conversation c;
+  uint32_t now = c.now;
+  auto turn = [&](uint32_t later, const std::string &bytes) {
+    now += later;
+    c.now = static_cast<uint16_t>(now);
+    c.find(bytes);
+    bool lost = false;
+    do
+      c.poll(), lost |= javino_link_lost(&c.board.link, 1000, now);
+    while (c.board.link.event != JAVINO_NOTHING);
+    return lost;
+  };
+  javino_link_supervise(&c.board.link, now);
+  CHECK(!turn(10, frame1("hello")));
+  // Where several have waited none is newer than the others.
+  CHECK(turn(2000, frame1("hello") + frame1("hello") + frame1("hello")));
+  CHECK(!turn(10, frame1("hello")));
+  CHECK(!turn(900, ""));
+  CHECK(!turn(90, frame1("hello")));
+  CHECK(!turn(909, ""));
+  CHECK(turn(1000, ""));
+}
+
+TEST_CASE("a board with too little memory says so") {
+  std::vector<uint8_t> memory(JAVINO_MEMORY_MIN);
+  javino_board board;
+  for (uint16_t bytes : {0, 63, 64, JAVINO_MEMORY_MIN - 1})
+    CHECK(!javino_board_init(&board, memory.data(), bytes, Conversation::write, nullptr));
+  CHECK(javino_board_init(&board, memory.data(), JAVINO_MEMORY_MIN, Conversation::write, nullptr));
+}
+
 TEST_CASE("memory is taken from the end as long as enough is left") {
   Conversation c(JAVINO_MEMORY_MIN + 20);
   uint8_t *end = c.memory.data() + c.memory.size();
   CHECK(javino_board_take(&c.board, 6) == end - 6);
   CHECK(javino_board_take(&c.board, 6) == end - 12);
-  CHECK(javino_board_take(&c.board, 60000) == nullptr);
+  for (uint16_t too_much : {60000, 65440, 65535})
+    CHECK(javino_board_take(&c.board, too_much) == nullptr);
   CHECK(javino_board_take(&c.board, 9) == nullptr);
   CHECK(javino_board_take(&c.board, 8) == end - 20);
   CHECK(javino_board_take(&c.board, 1) == nullptr);
@@ -534,7 +914,7 @@ TEST_CASE("random bytes through the whole conversation do no harm") {
   for (int i = 0; i < 300000; i++) {
     std::string piece = random() % 4 ? pieces[random() % 13] : std::string(1, static_cast<char>(random()));
     for (unsigned char byte : piece)
-      if (javino_link_ready(&c.board.link, c.now))
+      if (javino_link_ready(&c.board.link))
         javino_link_receive(&c.board.link, byte, c.now);
     if (random() % 50 == 0)
       c.now = static_cast<uint16_t>(c.now + random() % 300);

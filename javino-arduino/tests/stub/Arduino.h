@@ -69,6 +69,9 @@ public:
   unsigned long baud = 0;
   /** Bytes that arrive while one is written, as on a line that works in both directions. */
   std::deque<uint8_t> meanwhile;
+  /** Whether it takes what is written, and how often it has not. */
+  bool takes = true;
+  int refused = 0;
 
   void begin(unsigned long rate) { baud = rate; }
   void receive(const std::string &bytes) { in.insert(in.end(), bytes.begin(), bytes.end()); }
@@ -83,6 +86,10 @@ public:
     return byte;
   }
   size_t write(uint8_t byte) override {
+    if (!takes) {
+      refused++;
+      return 0;
+    }
     out += static_cast<char>(byte);
     if (!meanwhile.empty()) {
       in.push_back(meanwhile.front());

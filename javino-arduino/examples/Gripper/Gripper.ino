@@ -1,0 +1,52 @@
+// A gripper that takes a while to close. The board goes on meanwhile, and the agent's argo.act(close) returns when it
+// has closed, or fails when there is nothing between its fingers.
+//
+//   actions   open, close
+//   percepts  gripper(open), gripper(closing) or gripper(closed)
+//
+// What takes longer than two seconds, or must be stopped on the way, had better be reported as carried out when it begins:
+// other actions wait for the outcome.
+
+#include <Javino.h>
+
+const uint8_t MOTOR = 5;
+const uint8_t FINGERS = 7;  // high while something is between them
+const unsigned long CLOSING_MS = 800;
+
+Javino javino;
+const char *state = "open";
+unsigned long begun;
+JavinoLater closing;
+
+void open() {
+  digitalWrite(MOTOR, LOW);
+  state = "open";
+}
+
+void close() {
+  digitalWrite(MOTOR, HIGH);
+  state = "closing";
+  begun = millis();
+  closing = javino.later();
+}
+
+void look() {
+  javino.percept("gripper", state);
+}
+
+void setup() {
+  pinMode(MOTOR, OUTPUT);
+  pinMode(FINGERS, INPUT);
+  javino.act["open"] = open;
+  javino.act["close"] = close;
+  javino.perceive(look);
+  javino.start(9600);
+}
+
+void loop() {
+  javino.run();
+  if (strcmp(state, "closing") == 0 && millis() - begun >= CLOSING_MS) {
+    state = "closed";
+    javino.done(closing, digitalRead(FINGERS) == HIGH);
+  }
+}

@@ -1,0 +1,49 @@
+// A sketch whose loop() or whose action stalls.
+//
+//   actions   count, slow(Ms), stall(Ms): every loop() from now on
+//   percepts  count(N), longest(Microseconds): the longest run() so far, without the actions
+
+#include <Javino.h>
+
+Javino javino;
+unsigned long stall_ms = 0;
+unsigned counted = 0;
+unsigned long longest_us = 0;
+bool acted = false;
+
+void count() {
+  counted++;
+}
+
+void slow(const JavinoArguments &arguments) {
+  counted++;
+  acted = true;
+  delay(arguments.number(0));
+}
+
+void stall(const JavinoArguments &arguments) {
+  stall_ms = arguments.number(0);
+}
+
+void look() {
+  javino.percept("count", counted);
+  javino.percept("longest", longest_us);
+}
+
+void setup() {
+  javino.act["count"] = count;
+  javino.onAction("slow", slow);
+  javino.onAction("stall", stall);
+  javino.perceive(look);
+  javino.start(9600);
+}
+
+void loop() {
+  unsigned long begin = micros();
+  javino.run();
+  unsigned long took = micros() - begin;
+  if (took > longest_us && !acted)
+    longest_us = took;
+  acted = false;
+  delay(stall_ms);
+}
