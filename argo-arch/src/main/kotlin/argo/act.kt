@@ -48,7 +48,7 @@ private fun commandText(term: Term): String {
     }
     if (text.isEmpty()) throw ArgumentException("a command has at least one character")
     try {
-        return Frame.of(text).text()
+        return Frame.ofCommand(text).text()
     } catch (unsendable: IllegalArgumentException) {
         throw ArgumentException(unsendable.message.orEmpty())
     }

@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * What travels as a unit: of version 1 of the Javino protocol {@code fffe}, the payload's length in two hexadecimal digits, the payload; of
@@ -48,6 +50,8 @@ public final class Frame {
     private static final int PREAMBLE_LENGTH = 4;
     private static final char[] DIGITS = "0123456789ABCDEF".toCharArray();
 
+    private static final Pattern HEADER = Pattern.compile("fff[ed]\\p{XDigit}{2}");
+
     private final int version;
     private final int flags;
     private final int sequence;
@@ -79,6 +83,22 @@ public final class Frame {
      */
     public static Frame of(String text) {
         return new Frame(1, 0, 0, requireBytes(text));
+    }
+
+    /**
+     * As {@link #of(String)}, of a command. A board searches a damaged frame for others, and one that does not fit its memory, so the text
+     * of a command must not hold what a frame begins with.
+     *
+     * @throws IllegalArgumentException also if the text holds {@code fffe} or {@code fffd} and two hexadecimal digits
+     */
+    public static Frame ofCommand(String text) {
+        Matcher header = HEADER.matcher(text);
+        if (header.find()) {
+            throw new IllegalArgumentException("the command " + quoted(text) + " holds " + quoted(header.group()) + " from character "
+                    + (header.start() + 1) + " on, which a board may take for the beginning of another command; leave it out, "
+                    + "or put a character in between");
+        }
+        return of(text);
     }
 
     /**

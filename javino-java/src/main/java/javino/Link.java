@@ -193,10 +193,10 @@ public final class Link implements AutoCloseable {
      * {@link PortGoneException} if the line is gone; or with what a transport threw. A command whose future is completed by others,
      * cancelled for example, does not go out unless it has begun to.
      *
-     * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
+     * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#ofCommand(String)}
      */
     public CompletableFuture<Void> send(String command, SendOptions options) {
-        return commands.submit(Frame.of(command), options).outcome();
+        return commands.submit(Frame.ofCommand(command), options).outcome();
     }
 
     /**
@@ -220,14 +220,14 @@ public final class Link implements AutoCloseable {
      * @throws PortException as {@link #send} completes its future
      */
     public void sendAndAwait(String command, int timeoutMillis) throws PortException {
-        Frame frame = Frame.of(command);
+        Frame frame = Frame.ofCommand(command);
         requireTime(timeoutMillis);
         sendAndAwait(frame, SendOptions.defaults(), timeoutMillis);
     }
 
     /** As {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
-        sendAndAwait(Frame.of(command), options, CommandSender.MAX_WRITE_MILLIS);
+        sendAndAwait(Frame.ofCommand(command), options, CommandSender.MAX_WRITE_MILLIS);
     }
 
     private void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {

@@ -48,6 +48,24 @@ class FrameSpec : FunSpec({
         refusal.message shouldContain "U+20AC"
     }
 
+    test("a command whose text holds the header of a frame is refused with the header, its place and what to do") {
+        for (header in listOf("fffe05", "fffd0A", "fffeFF", "fffdab")) {
+            val refusal = shouldThrow<IllegalArgumentException> { Frame.ofCommand("say(\"${header}front\")") }
+            refusal.message shouldContain header
+            refusal.message shouldContain "character 6"
+            refusal.message shouldContain "leave it out"
+        }
+        shouldThrow<IllegalArgumentException> { Frame.ofCommand("ffffe05") }
+        shouldThrow<IllegalArgumentException> { Frame.ofCommand("x".repeat(256)) }
+        shouldThrow<IllegalArgumentException> { Frame.ofCommand("say(€)") }
+    }
+
+    test("any other text is a command") {
+        for (text in listOf("", "ledOn", "say(\"fffe\")", "say(fffe0)", "say(fffe0g)", "say(FFFE05)", "say(ffe05)", "say(fffc05)")) {
+            Frame.ofCommand(text) shouldBe Frame.of(text)
+        }
+    }
+
     test("frames are equal by payload, and keep their own copy of it") {
         val bytes = byteArrayOf(1, 2)
         val frame = Frame.of(bytes)

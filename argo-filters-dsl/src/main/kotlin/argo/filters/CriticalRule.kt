@@ -6,7 +6,7 @@ package argo.filters
  *
  * @property rule which percepts they are; it has no rate
  * @property reflex the command that is sent when such a percept comes, before the agent reasons: 1 to [MAX_REFLEX_LENGTH] characters up to
- * U+00FF, none of them a control character, and no blanks around them; null: none
+ * U+00FF, none of them a control character, no blanks around them, and no `fffe` or `fffd` with two hexadecimal digits; null: none
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null) {
@@ -24,6 +24,8 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
         /** The most characters of a reflex. */
         const val MAX_REFLEX_LENGTH: Int = 255
 
+        private val FRAME_HEADER = Regex("fff[ed]\\p{XDigit}{2}")
+
         internal fun requireSendable(reflex: String) {
             require(reflex.isNotBlank() && reflex == reflex.trim()) {
                 "the reflex '$reflex' is empty or begins or ends with a blank; expected a command such as stop or speed(0)"
@@ -35,6 +37,10 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
             require(foreign == null) {
                 "the reflex holds the character U+%04X; ".format(foreign?.code) +
                     "a command has characters up to U+00FF that are no control characters"
+            }
+            val header = FRAME_HEADER.find(reflex)
+            require(header == null) {
+                "the reflex '$reflex' holds '${header?.value}', which a board may take for the beginning of another command; leave it out"
             }
         }
     }

@@ -136,6 +136,7 @@ class CriticalRuleSpec : FreeSpec({
         refusal { critical("dist") { reflex(" stop") } } shouldContain "blank"
         refusal { critical("dist") { reflex("x".repeat(256)) } } shouldContain "at most 255"
         refusal { critical("dist") { reflex("€") } } shouldContain "U+20AC"
+        refusal { critical("dist") { reflex("say(fffe05front)") } } shouldContain "'fffe05'"
         refusal { critical("dist") { reflex("a\nb") } } shouldContain "U+000A"
         refusal { critical("dist") { reflex("stop"); reflex("back") } } shouldContain "one reflex"
         refusal { critical("dist") { argument(1) } } shouldContain "nothing is said of argument(1)"
@@ -145,6 +146,7 @@ class CriticalRuleSpec : FreeSpec({
         val xmlRefusals = mapOf(
             "<critical ¦reflex=''><predicate>d</predicate></critical>" to "the reflex '' is empty",
             "<critical ¦reflex='€'><predicate>d</predicate></critical>" to "U+20AC",
+            "<critical ¦reflex='say(fffd05front)'><predicate>d</predicate></critical>" to "'fffd05'",
             "<critical ¦everyMs='5'><predicate>d</predicate></critical>" to "the attribute 'everyMs' on <critical>; expected arity or reflex",
             "<critical ¦deadband='5'><predicate>d</predicate></critical>" to "the attribute 'deadband' on <critical>",
             "<critical><predicate>d</predicate><parameter id='1' ¦deadband='5'/></critical>" to "never held back",
