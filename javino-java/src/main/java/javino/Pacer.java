@@ -23,7 +23,7 @@ final class Pacer {
     static final int RECEIVE_BUFFER = 60;
 
     /** The least gap while the board's loop is not known. */
-    static final int UNKNOWN_GAP_MILLIS = 10;
+    static final int UNKNOWN_GAP_MILLIS = 12; // longer than a sketch with delay(10) takes
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
     private static final int GAP_BYTES = 2;
@@ -121,7 +121,13 @@ final class Pacer {
     }
 
     private long wrote(int bytes, long start, long now) {
-        lineFreeAt = paced ? later(later(start, lineFreeAt) + bytes * byteNanos, now) : now;
+        if (paced) {
+            long duration = bytes * byteNanos;
+            boolean buffered = now - start < duration; // it may have reached the driver as late as now
+            lineFreeAt = later(later(buffered ? now : start, lineFreeAt) + duration, now);
+        } else {
+            lineFreeAt = now;
+        }
         lastEnd = lineFreeAt;
         return lastEnd;
     }

@@ -60,7 +60,7 @@ class LinkReadinessSpec : FunSpec({
             bench.millis.shouldBeBetween(3_000.0, 3_300.0, 0.0)
             val before = bench.millis
             shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500).text() }
-            (bench.millis - before).shouldBeBetween(500.0, 530.0, 0.0)
+            (bench.millis - before).shouldBeBetween(500.0, 545.0, 0.0)
         }
     }
 

@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 private const val MILLI = 1_000_000L
-private const val GAP = 10 * MILLI // until answers have been timed
+private const val GAP = 12 * MILLI // until answers have been timed
 private const val BYTE_9600 = 1_041_666L
 
 private fun pacer(settings: LinkSettings = LinkSettings.defaults()) = Pacer(settings, 0)
@@ -55,6 +55,10 @@ class PacerSpec : FunSpec({
 
     test("a driver that took its time moves the line on") {
         pacer().wroteAction(11, 0, 700 * MILLI) shouldBe 700 * MILLI
+    }
+
+    test("a frame that the driver took late, but sooner than it can have left, leaves as much later") {
+        pacer().wroteAction(11, 0, 5 * MILLI) shouldBe 5 * MILLI + 11 * BYTE_9600
     }
 
     test("while the board may be busy with an answer it gets as many actions as it can hold, the first a gap behind the request") {
@@ -114,7 +118,7 @@ class PacerSpec : FunSpec({
         pacer.nanosUntilAction(11, MILLI) shouldBe sent + GAP - MILLI
     }
 
-    test("until sixteen answers have been timed the gap is ten milliseconds, then at least two") {
+    test("until sixteen answers have been timed the gap is twelve milliseconds, then at least two") {
         gapAfter(List(15) { 12 * MILLI }) shouldBe GAP
         gapAfter(List(16) { 12 * MILLI }) shouldBe 2 * BYTE_9600
         gapAfter(List(16) { 12 * MILLI }, LinkSettings.defaults().withBaud(115_200)) shouldBe 2 * MILLI

@@ -4,12 +4,18 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.shouldBe
+import javino.LineClock
 import javino.Link
 import javino.LinkSettings
 import javino.Protocol
+import javino.Transport
 import javino.Transports
+import java.util.concurrent.TimeUnit
 
 private const val LIMIT_MS = 20_000
+private const val ANSWER_MS = 2_000
+private const val MAX_RUNS = 10
+private const val FRAME_MS = 10
 private const val BURSTS = 6
 private const val LAMPS = 8
 
@@ -26,19 +32,39 @@ class FieldFirmwareSpec : FunSpec({
         test("a board of the field acts on every command and never restarts: loop() of $loopMs ms, answers built in $buildMs ms").config(
             enabledOrReasonIf = built,
         ) {
-            SimulatedUno("Field").use { uno ->
-                val settings = LinkSettings.defaults().withProtocol(Protocol.V1)
-                Link.over(Transports.open(uno.port, settings.line()), settings, uno.clock).use { link ->
-                    link.request("getPercepts", LIMIT_MS).text()
-                    link.sendAndAwait("build$buildMs", LIMIT_MS)
-                    link.sendAndAwait("loop$loopMs", LIMIT_MS)
-                    repeat(BURSTS) {
-                        repeat(LAMPS) { lamp -> link.sendAndAwait("lamp($lamp,on)", LIMIT_MS) }
-                        link.request("getPercepts", LIMIT_MS).text()
-                    }
-                    link.request("getPercepts", LIMIT_MS).text() shouldBe "done(${BURSTS * LAMPS});starts(1);"
-                }
-            }
+            // a write that stalls for longer than a frame is sent moves frames together, whatever the link does: such a run says nothing
+            generateSequence { burstsAt(loopMs, buildMs) }.take(MAX_RUNS).first { it.longestWriteMs < FRAME_MS }
+                .percepts shouldBe "done(${BURSTS * LAMPS});starts(1);"
         }
     }
 })
+
+/** What the board reports at the end of a run, and the longest that a write took by the board's time, in ms. */
+private class Run(val percepts: String, val longestWriteMs: Long)
+
+private fun burstsAt(loopMs: Int, buildMs: Int): Run = SimulatedUno("Field").use { uno ->
+    val settings = LinkSettings.defaults().withProtocol(Protocol.V1)
+    val line = TimedLine(Transports.open(uno.port, settings.line()), uno.clock)
+    Link.over(line, settings, uno.clock).use { link ->
+        link.request("getPercepts", LIMIT_MS)
+        link.sendAndAwait("build$buildMs", LIMIT_MS)
+        link.sendAndAwait("loop$loopMs", LIMIT_MS)
+        repeat(BURSTS) {
+            repeat(LAMPS) { lamp -> link.sendAndAwait("lamp($lamp,on)", LIMIT_MS) }
+            runCatching { link.request("getPercepts", ANSWER_MS) } // a board that restarts does not answer
+        }
+        Run(link.request("getPercepts", LIMIT_MS).text(), line.longestWriteMs)
+    }
+}
+
+/** Times the writes on [line]. */
+private class TimedLine(private val line: Transport, private val clock: LineClock) : Transport by line {
+    var longestWriteMs = 0L
+        private set
+
+    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
+        val start = clock.nanos()
+        line.write(b, off, len, timeoutMillis)
+        longestWriteMs = maxOf(longestWriteMs, TimeUnit.NANOSECONDS.toMillis(clock.nanos() - start))
+    }
+}
