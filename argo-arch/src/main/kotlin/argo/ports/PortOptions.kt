@@ -34,7 +34,6 @@ internal data class PortOptions(
     fun staleAfterMs(intervalMs: Int): Long? =
         if (staleMs != null) staleMs.toLong().takeIf { it > 0 } else (intervalMs + 2L * timeoutMs).takeUnless { listens }
 
-
     companion object {
         /** How long an answer may take without `timeout(Ms)`: three times what twelve percepts take at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500

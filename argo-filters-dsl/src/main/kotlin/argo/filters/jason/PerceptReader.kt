@@ -20,7 +20,7 @@ object PerceptReader {
      * @throws PerceptSyntaxException if it is none, or is nested too deep for Jason's parser
      */
     @JvmStatic
-    fun read(percept: String): Literal = LiteralParser(percept).parse() ?: parseWithJason(percept)
+    fun read(percept: String): Literal = FastLiteralParser(percept).parse() ?: parseWithJason(percept)
 
     private fun parseWithJason(percept: String): Literal = try {
         ASSyntax.parseLiteral(percept)

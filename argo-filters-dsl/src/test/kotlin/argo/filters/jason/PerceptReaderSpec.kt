@@ -50,7 +50,7 @@ class PerceptReaderSpec : StringSpec({
         var fast = 0
         checkAll(10_000, perceptTexts) {
             shouldReadAsJason(it)
-            if (LiteralParser(it).parse() != null) fast++
+            if (FastLiteralParser(it).parse() != null) fast++
         }
         fast shouldBeGreaterThan 1_000
     }
@@ -62,7 +62,7 @@ class PerceptReaderSpec : StringSpec({
             "d(~a)", "d(a[x])", "begin", "end(1)", "d(begin)", "d(source(x),self,percept)", "d[]", "d([])", "d(é_in_string(\"é漢\uD83D\uDE00\"))".replace("é_in", "e_in"), "abs(1)", "d(x_Y1)",
         )
         for (text in texts) {
-            withClue(text) { LiteralParser(text).parse() shouldNotBe null }
+            withClue(text) { FastLiteralParser(text).parse() shouldNotBe null }
             shouldReadAsJason(text)
         }
     }
@@ -73,7 +73,7 @@ class PerceptReaderSpec : StringSpec({
             "d({+!g})", "d(\n1)", "d(1) // comment", "d(/* c */1)", "d(house::a)", "d(math.abs(-1))", "X", "d(1)[a|[b]]",
         )
         for (text in texts) {
-            withClue(text) { LiteralParser(text).parse() shouldBe null }
+            withClue(text) { FastLiteralParser(text).parse() shouldBe null }
             shouldReadAsJason(text)
         }
     }

@@ -19,7 +19,7 @@ import jason.asSyntax.Term
  * Reads one literal of the shapes that boards send. What needs more of Jason's grammar is read as null: namespaces, variables,
  * operators, comments, words that mean something to Jason.
  */
-internal class LiteralParser(text: String) : TermCursor(text, 0, text.length) {
+internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length) {
 
     /** Exactly the literal that Jason's parser reads, or null if the text is left to it. */
     fun parse(): Literal? = literal()?.takeIf { blanks() == end }
