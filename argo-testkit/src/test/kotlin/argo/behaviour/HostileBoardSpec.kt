@@ -76,7 +76,7 @@ class HostileBoardSpec : FunSpec({
         }.use { bob ->
             bob.after(3.seconds).beliefs shouldBe listOf("a", "b", "c", "port(ttyACM0,on)")
             bob.board.requests.size shouldBeGreaterThan 20
-            bob.log.count { "the board says 5 percepts at once, of which 3 are believed" in it } shouldBe 1
+            bob.log.count { "the board sends 5 percepts at once, of which 3 are believed" in it } shouldBe 1
         }
     }
 

@@ -66,7 +66,7 @@ class ObserversSpec : FunSpec({
     test("a live view without its module is reported with what is missing, and the agent runs") {
         bob("argo_view" to "8080").use { bob ->
             bob.perceives("dist(f,38)").shouldSend("seen").log.joinToString("\n") shouldContain
-                "what reads it is in the module argo-view (argo.jar has it), which is not on the class path"
+                "the module argo-view, which argo.jar holds, is not on the class path"
         }
     }
 
