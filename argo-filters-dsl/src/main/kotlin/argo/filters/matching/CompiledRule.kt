@@ -2,6 +2,7 @@ package argo.filters.matching
 
 import argo.filters.Condition
 import argo.filters.CriticalRule
+import argo.filters.DecimalReader
 import argo.filters.GroundTerm
 import argo.filters.GroundTermReader
 import argo.filters.HeadScanner

@@ -1,6 +1,6 @@
 package argo.filters.jason
 
-import argo.filters.matching.DecimalReader
+import argo.filters.DecimalReader
 import argo.filters.perceptTexts
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue

@@ -1,6 +1,5 @@
-package argo.filters.matching
+package argo.filters
 
-import argo.filters.Syntax
 
 /** Reads decimal numbers as boards write them, in place. */
 internal object DecimalReader {
