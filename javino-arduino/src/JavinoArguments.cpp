@@ -1,5 +1,7 @@
 #include "JavinoArguments.h"
 
+#include <float.h>
+
 #include "javino_literal.h"
 
 namespace {
@@ -32,46 +34,54 @@ private:
   bool quoted_;
 };
 
-/** Reads the digits of a number that begin here. */
-class Digits {
+/** As many digits of a number as a double tells apart, and a power of ten. */
+class Decimal {
 public:
-  Digits(const char *text, const char *end) : next_(text), end_(end) {}
+  Decimal() : mantissa_(0), digits_(0), exponent_(0) {}
 
-  bool take(char c) { return next_ < end_ && *next_ == c && next_++; }
-
-  bool takeSign() {
-    bool negative = take('-');
-    if (!negative)
-      take('+');
-    return negative;
-  }
-
-  /** Appends the digits to a value. @return how many there are */
-  uint8_t append(double *value) {
+  /** Appends the digits that begin here. @return how many there are */
+  uint8_t append(const char **text, const char *end, bool decimals) {
     uint8_t n = 0;
-    for (; next_ < end_ && *next_ >= '0' && *next_ <= '9'; n++)
-      *value = *value * 10 + (*next_++ - '0');
+    for (; *text < end && **text >= '0' && **text <= '9'; n++, (*text)++) {
+      bool dropped = mantissa_ >= LIMIT;
+      exponent_ += dropped - decimals;
+      if (dropped)
+        continue;
+      mantissa_ = mantissa_ * 10 + static_cast<uint8_t>(**text - '0');
+      digits_ += mantissa_ != 0;
+    }
     return n;
   }
 
-  bool atEnd() const { return next_ == end_; }
+  void multiplyByPowerOfTen(int32_t exponent) {
+    exponent_ += static_cast<int16_t>(exponent < -MOST ? -MOST : exponent > MOST ? MOST : exponent);
+  }
+
+  /** Whether it is within the range of a double, or too small for it. */
+  bool fits() const { return mantissa_ == 0 || digits_ + exponent_ <= DBL_MAX_10_EXP; }
+
+  /** Its value if it fits; what is too small is 0. */
+  double value() const {
+    double power = 1;
+    /* A power that is too large is infinity, and what is divided by it 0. */
+    for (int16_t n = exponent_ < 0 ? -exponent_ : exponent_; mantissa_ && n > 0; n--)
+      power *= 10;
+    return exponent_ < 0 ? mantissa_ / power : mantissa_ * power;
+  }
 
 private:
-  const char *next_;
-  const char *end_;
+#if DBL_MAX_10_EXP < 100
+  typedef uint32_t Mantissa;
+#else
+  typedef uint64_t Mantissa;
+#endif
+  static const Mantissa LIMIT = static_cast<Mantissa>(-1) / 10 - 1;
+  static const int16_t MOST = 400;
+
+  Mantissa mantissa_;
+  uint8_t digits_; /* of the mantissa */
+  int16_t exponent_;
 };
-
-bool isFinite(double value) {
-  return value - value == 0;
-}
-
-/** Ten to this power, or infinity. */
-double powerOfTen(double exponent) {
-  double power = 1;
-  for (; exponent >= 1 && isFinite(power); exponent--)
-    power *= 10;
-  return power;
-}
 
 }  // namespace
 
@@ -102,23 +112,22 @@ double JavinoArguments::decimal(uint8_t index, double otherwise) const {
   uint8_t bytes = javino_argument(literal_, length_, index, &text);
   if (!bytes)
     return otherwise;
-  Digits digits(text, text + bytes);
-  double value = 0;
-  double exponent = 0;
-  uint8_t decimals = 0;
-  bool negative = digits.takeSign();
-  bool whole = digits.append(&value) && (!digits.take('.') || (decimals = digits.append(&value)));
-  if (whole && (digits.take('e') || digits.take('E'))) {
-    bool smaller = digits.takeSign();
-    whole = digits.append(&exponent);
-    if (smaller)
-      exponent = -exponent;
+  const char *end = text + bytes;
+  bool negative = *text == '-';
+  text += negative || *text == '+';
+  Decimal decimal;
+  bool whole = decimal.append(&text, end, false);
+  if (text < end && *text == '.')
+    whole = whole && decimal.append(&++text, end, true);
+  if (whole && text < end && (*text | 0x20) == 'e') {
+    int32_t exponent = 0;
+    whole = javino_number(text + 1, static_cast<uint8_t>(end - text - 1), &exponent);
+    text = end;
+    decimal.multiplyByPowerOfTen(exponent);
   }
-  exponent -= decimals;
-  if (value != 0)
-    value = exponent < 0 ? value / powerOfTen(-exponent) : value * powerOfTen(exponent);
-  if (!whole || !digits.atEnd() || !isFinite(value))
+  if (!whole || text < end || !decimal.fits())
     return otherwise;
+  double value = decimal.value();
   return negative ? -value : value;
 }
 
