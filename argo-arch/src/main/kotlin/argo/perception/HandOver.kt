@@ -3,7 +3,8 @@ package argo.perception
 import argo.acting.CommandLedger
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicInteger
-import java.util.concurrent.atomic.AtomicReference
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
 
 /**
  * Where the sensing thread leaves snapshots and the reasoning cycle takes them, without either waiting for the other.
@@ -40,20 +41,23 @@ internal interface HandOver {
  * wait; then each critical rule may do it once until both conditions hold again.
  */
 internal class FreshHandOver(private val commands: CommandLedger, private val events: PerceptEvents) : HandOver {
-    private val newest = AtomicReference<Snapshot?>()
+    private val lock = ReentrantLock() // one for both, or an older snapshot of the one could be taken after a newer one of the other
     private val critical = CriticalSnapshots()
+
+    @Volatile
+    private var newest: Snapshot? = null
 
     @Volatile
     private var commandsToAwait = 0L
 
-    override fun put(snapshot: Snapshot) {
-        if (critical.put(snapshot)) newest.updateAndGet { waiting -> waiting?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 } }
-        else newest.updateAndGet { if (it != null && it.receivedNanos - snapshot.receivedNanos > 0) it else snapshot }
+    override fun put(snapshot: Snapshot) = lock.withLock {
+        val newer = newest?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 }
+        newest = if (critical.put(snapshot)) newer else newer ?: snapshot
     }
 
     override fun isReady(): Boolean {
         val urgent = critical.first()
-        return if (urgent == null) newest.get() != null && isTakenIn() else mayBeEarly(urgent) || isTakenIn()
+        return if (urgent == null) newest != null && isTakenIn() else mayBeEarly(urgent) || isTakenIn()
     }
 
     /** Whether the agent has taken in the snapshot before. */
@@ -65,17 +69,21 @@ internal class FreshHandOver(private val commands: CommandLedger, private val ev
         events.takenIn()
         if (!isReady()) return null
         val isTakenIn = isTakenIn()
-        val snapshot = critical.take(isTakenIn) ?: newest.getAndSet(null)?.also(critical::tookOther) ?: return null
+        val snapshot = lock.withLock { critical.take(isTakenIn) ?: takeInTurn(isTakenIn) } ?: return null
         commandsToAwait = commands.lastIssued()
         events.handedOver()
         return snapshot
     }
 
-    override fun drain() = (critical.drain() + listOfNotNull(newest.getAndSet(null))).sortedBy { it.receivedNanos }
+    private fun takeInTurn(isTakenIn: Boolean): Snapshot? = if (isTakenIn) takeNewest()?.also(critical::tookOther) else null
 
-    override fun clear() {
+    private fun takeNewest(): Snapshot? = newest.also { newest = null }
+
+    override fun drain() = lock.withLock { critical.drain() + listOfNotNull(takeNewest()) }.sortedBy { it.receivedNanos }
+
+    override fun clear() = lock.withLock {
         critical.clear()
-        newest.set(null)
+        newest = null
     }
 
     companion object {

@@ -1,0 +1,96 @@
+package argo.perception
+
+import argo.acting.CommandLedger
+import argo.acting.Reflexes
+import argo.concurrently
+import argo.filters.dropFilter
+import argo.inEachInterleaving
+import argo.platform.RateLimitedWarning
+import argo.ports.OpenPort
+import argo.ports.PortOptions
+import io.kotest.core.spec.style.FunSpec
+import jason.asSyntax.ASSyntax
+import javino.Link
+import javino.LinkSettings
+import javino.sim.FakeBoard
+import java.util.concurrent.locks.ReentrantLock
+import java.util.logging.Logger
+
+/** An agent that perceives the board on [port] in a time of the test's. */
+private class Perceiving(private val port: OpenPort) {
+    @Volatile
+    var nowMs = 0L
+
+    @Volatile
+    var wants = true
+
+    @Volatile
+    var reflexes = 0
+    private val warning = RateLimitedWarning({ 0 }) { error(it) }
+    private val handOver = FreshHandOver(CommandLedger { null }, PerceptEvents({ false }, { 0 }) { emptyList() })
+    val board = BoardPercepts(
+        ReentrantLock(), { wants }, handOver, Reflexes({ _, _, _ -> reflexes++ }, warning), { },
+        BeliefReader { error(it) }, Logger.getLogger("test"), PerceptLimit(1000, warning), LastSeen { emptyList() }, { nowMs },
+    )
+    private var perceived = ""
+
+    /** The sensing thread has read [message]. */
+    fun hears(message: String) = board.received(port, message, nowMs)
+
+    /** The agent's thread begins a reasoning cycle; returns what it believes of the board in it. */
+    fun perceive(): String {
+        board.putDue()
+        handOver.take()?.let { perceived = it.percepts.toString() }
+        return perceived
+    }
+}
+
+class BoardPerceptsInterleavingsSpec : FunSpec({
+    val calm = dropFilter("calm") { drop("temp") { everyMs(500) } }
+    val careful = dropFilter("careful") { critical("near") { reflex("stop") } }
+    val board = FakeBoard.plugIn("interleaved")
+    val link = Link.open(board.port(), LinkSettings.defaults(), "test")
+    val port = OpenPort(mapOf(ASSyntax.createAtom("p") to board.port()), link, PortOptions(), 0, 0) { AutoCloseable { } }
+    afterSpec {
+        link.close()
+        board.close()
+    }
+
+    test("an old value is not perceived after the new one that a filter held back until it was due") {
+        inEachInterleaving {
+            val agent = Perceiving(port)
+            agent.board.switchTo(calm)
+            agent.hears("temp(1);")
+            agent.perceive()
+            agent.nowMs = 499
+            concurrently(
+                { agent.hears("temp(2);") },
+                {
+                    agent.nowMs = 500
+                    agent.perceive()
+                },
+            )
+            val perceived = agent.perceive()
+            check(perceived == "[temp(2)]") { "perceived last: $perceived" }
+        }
+    }
+
+    test("once the agent has stopped perceiving no reflex is sent and nothing is left to perceive") {
+        inEachInterleaving {
+            val agent = Perceiving(port)
+            agent.board.switchTo(careful)
+            var sent = 0
+            concurrently(
+                { agent.hears("near(1);") },
+                {
+                    agent.wants = false
+                    agent.board.forget()
+                    sent = agent.reflexes
+                },
+            )
+            check(agent.reflexes == sent) { "a reflex is sent" }
+            val perceived = agent.perceive()
+            check(perceived == "") { "perceived: $perceived" }
+        }
+    }
+})

@@ -1,0 +1,39 @@
+package argo.ports
+
+import argo.concurrently
+import argo.inEachInterleaving
+import io.kotest.core.spec.style.FunSpec
+import jason.asSyntax.ASSyntax
+
+class PortStatesInterleavingsSpec : FunSpec({
+    val port = ASSyntax.createAtom("p")
+
+    test("a change is believed or remains news") {
+        inEachInterleaving {
+            val states = PortStates { _, _, _ -> }
+            var believed = false
+            concurrently({ states.set(port, PortStatus.ON) }, { if (states.hasNews()) believed = states.beliefs().isNotEmpty() })
+            check(believed || states.hasNews()) { "the state is neither believed nor news" }
+        }
+    }
+
+    test("a port that is given up while it is reported is forgotten") {
+        inEachInterleaving {
+            val held = Holding()
+            val states = PortStates { _, _, _ -> }
+            concurrently(
+                { states.set(port, PortStatus.TIMEOUT) { held.isHeld } },
+                {
+                    held.isHeld = false
+                    states.clear()
+                },
+            )
+            check(states.all().isEmpty()) { "the port is remembered: ${states.all()}" }
+        }
+    }
+})
+
+private class Holding {
+    @Volatile
+    var isHeld = true
+}

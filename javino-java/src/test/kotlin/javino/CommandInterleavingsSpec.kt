@@ -1,0 +1,88 @@
+package javino
+
+import io.kotest.core.spec.style.FunSpec
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.locks.Condition
+
+/** Time that passes when a thread waits for it. */
+private class PassingTime : LineClock {
+    @Volatile
+    private var now = 0L
+
+    override fun nanos() = now
+
+    override fun await(condition: Condition, nanos: Long) {
+        now += nanos
+    }
+}
+
+/** A line that takes each frame at once. */
+private class TakingLine : Transport {
+    override fun name() = "taking"
+
+    override fun line() = LineSettings(115_200)
+
+    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int = error("nothing is read")
+
+    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) = Unit
+
+    override fun close() = Unit
+}
+
+class CommandInterleavingsSpec : FunSpec({
+    val settings = LinkSettings.defaults().withProtocol(Protocol.V1)
+
+    fun command(text: String, urgent: Boolean = false) = Command(Frame.of(text), urgent, 0, false)
+
+    test("a command is either withdrawn or written") {
+        inEachInterleaving {
+            val writer = FrameWriter(TakingLine(), Pacer(settings, 0), PassingTime())
+            val command = command("stop")
+            writer.submit(command)
+            var isWithdrawn = false
+            var written: Command? = null
+            concurrently({ isWithdrawn = writer.withdraw(command) }, { written = writer.awaitCommand(1_000_000_000) })
+            check(isWithdrawn == (written == null)) { "withdrawn: $isWithdrawn, written: ${written != null}" }
+        }
+    }
+
+    test("one command at a time is under way, and an urgent one is not overtaken by the others") {
+        inEachInterleaving {
+            val writer = FrameWriter(TakingLine(), Pacer(settings, 0), PassingTime())
+            writer.submit(command("on"))
+            val taken = ConcurrentLinkedQueue<String>()
+            val write = {
+                writer.awaitCommand(1_000_000_000)?.let { taken += it.frame().text() }
+                Unit
+            }
+            concurrently({ writer.submit(command("stop", urgent = true)) }, write, write)
+            check(taken.size == 1) { "under way: $taken" }
+            writer.writeNow(FrameWriter.Kind.ACTION, Frame.of("x"), 1000) { }
+            writer.finish()
+            val next = writer.awaitCommand(10_000_000_000)?.frame()?.text()
+            check(setOf(taken.single(), next) == setOf("on", "stop")) { "taken: $taken, then $next" }
+        }
+    }
+
+    test("a command that is submitted while the line ends is refused, or withdrawn with those that waited") {
+        inEachInterleaving {
+            val writer = FrameWriter(TakingLine(), Pacer(settings, 0), PassingTime())
+            val command = command("stop")
+            var isRefused = false
+            var withdrawn = emptyList<Command>()
+            val submit = {
+                try {
+                    writer.submit(command)
+                } catch (_: PortGoneException) {
+                    isRefused = true
+                }
+            }
+            val end = {
+                writer.end("it was closed")
+                withdrawn = writer.withdrawAll()
+            }
+            concurrently(submit, end)
+            check(isRefused != (command in withdrawn)) { "refused: $isRefused, withdrawn: ${withdrawn.size}" }
+        }
+    }
+})

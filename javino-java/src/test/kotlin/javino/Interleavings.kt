@@ -1,0 +1,72 @@
+package javino
+
+import org.jetbrains.lincheck.datastructures.ModelCheckingOptions
+import org.jetbrains.lincheck.datastructures.Operation
+import org.jetbrains.lincheck.datastructures.Validate
+import org.jetbrains.lincheck.datastructures.verifier.EpsilonVerifier
+import java.util.concurrent.atomic.AtomicReference
+import kotlin.concurrent.thread
+
+/**
+ * Runs [block], which calls [concurrently], in many interleavings of its threads: as many as the system property `argo.interleavings`
+ * has. Fails with the first in which it throws, or in which its threads wait for each other, and shows it.
+ *
+ * It is run once as it is before, so that what classes do when they are first used is not part of the check.
+ */
+internal fun inEachInterleaving(block: () -> Unit) {
+    block()
+    checked = block
+    val options = ModelCheckingOptions()
+        .iterations(0) // no scenarios but the one below
+        .invocationsPerIteration(Integer.getInteger("argo.interleavings", 60))
+        .loopIterationsBeforeThreadSwitch(LONGEST_LOOP).loopBound(100 * LONGEST_LOOP)
+        .addCustomScenario { parallel { thread { actor(CheckedBlock::run) } } }
+    // Of the 30 s that an invocation may take by default, a busy machine uses all to instrument the classes that the first one meets.
+    options.javaClass.getMethod("invocationTimeout\$lincheck", Long::class.java).invoke(options, 600_000L)
+    options.check(CheckedBlock::class.java)
+}
+
+/** Does all [work] at once, each on a thread of its own, and returns when all is done; throws what one of them threw. */
+internal fun concurrently(vararg work: () -> Unit) {
+    val failure = AtomicReference<Throwable?>()
+    val threads = ArrayList<Thread>()
+    for (each in work) {
+        threads += thread {
+            try {
+                each()
+            } catch (thrown: Throwable) {
+                failure.set(thrown)
+            }
+        }
+    }
+    for (thread in threads) thread.join()
+    failure.get()?.let { throw it }
+}
+
+/**
+ * The most rounds of a loop that waits for no other thread. Lincheck lets another thread run after as many: with its default of ten it
+ * takes the loops over a frame's bytes for such that wait, and then explores no further. A blocked thread makes as many before it gives
+ * way, so that more cost time.
+ */
+private const val LONGEST_LOOP = 40
+
+private lateinit var checked: () -> Unit
+
+/** The block as Lincheck wants it. */
+internal class CheckedBlock {
+    private var failure: Throwable? = null
+
+    @Operation
+    fun run() {
+        try {
+            checked()
+        } catch (thrown: Throwable) {
+            failure = thrown
+        }
+    }
+
+    @Validate
+    fun holds() {
+        failure?.let { throw it }
+    }
+}
