@@ -1,9 +1,9 @@
 package benchmarks;
 
-import argo.filters.matching.FilterSession;
-import argo.filters.jason.PerceptReader;
 import argo.filters.PerceptionFilter;
 import argo.filters.format.XmlFilters;
+import argo.filters.jason.PerceptReader;
+import argo.filters.matching.FilterSession;
 import jason.architecture.AgArch;
 import jason.asSemantics.Agent;
 import jason.asSemantics.Circumstance;
@@ -29,8 +29,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * A reasoning cycle of a real Jason agent that perceives a frame in which every value has changed, from the percepts' text to the end of the
- * cycle, without a filter and with one that keeps a single percept.
+ * A reasoning cycle of a real Jason agent that perceives a frame in which every value has changed, from the percepts' text to the end of
+ * the cycle, without a filter and with one that keeps a single percept.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -72,13 +72,18 @@ public class CycleBenchmark {
     }
 
     private static PerceptionFilter keepOne() {
-        return XmlFilters.INSTANCE.read("<PerceptionFilter keep=\"true\"><filter><predicate>dist</predicate>"
-                + "<parameter operator=\"EQ\" id=\"0\">s0</parameter></filter></PerceptionFilter>", "one.xml", "one");
+        return XmlFilters.INSTANCE.read(
+                "<PerceptionFilter keep=\"true\"><filter><predicate>dist</predicate>"
+                        + "<parameter operator=\"EQ\" id=\"0\">s0</parameter></filter></PerceptionFilter>",
+                "one.xml",
+                "one");
     }
 
     private List<String> frame() {
         frame++;
-        return IntStream.range(0, percepts).mapToObj(i -> "dist(s" + i + ',' + (frame + i) % 1000 + ')').toList();
+        return IntStream.range(0, percepts)
+                .mapToObj(i -> "dist(s" + i + ',' + (frame + i) % 1000 + ')')
+                .toList();
     }
 
     @Benchmark

@@ -1,10 +1,10 @@
 package benchmarks;
 
-import argo.filters.jason.LiteralTextKt;
-import argo.filters.matching.PerceptMatcher;
-import argo.filters.jason.PerceptReader;
-import argo.filters.matching.PerceptMatcherKt;
 import argo.filters.format.XmlFilters;
+import argo.filters.jason.LiteralTextKt;
+import argo.filters.jason.PerceptReader;
+import argo.filters.matching.PerceptMatcher;
+import argo.filters.matching.PerceptMatcherKt;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.parser.ParseException;
@@ -30,7 +30,8 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(1)
 public class FilterBenchmark {
     private static final String ON_TEMP = "<filter><predicate>temp</predicate></filter>";
-    private static final String NOT_FRONT = "<filter><predicate>dist</predicate><parameter operator=\"NE\" id=\"0\">f</parameter></filter>";
+    private static final String NOT_FRONT =
+            "<filter><predicate>dist</predicate><parameter operator=\"NE\" id=\"0\">f</parameter></filter>";
 
     private final PerceptMatcher byPredicate = matcher(ON_TEMP);
     private final PerceptMatcher byArgument = matcher(NOT_FRONT);
@@ -40,11 +41,14 @@ public class FilterBenchmark {
     private String dist = "dist(r,227)";
 
     private static PerceptMatcher matcher(String rules) {
-        return PerceptMatcherKt.matcher(XmlFilters.INSTANCE.read("<PerceptionFilter>" + rules + "</PerceptionFilter>", "benchmark.xml", "benchmark"));
+        String filter = "<PerceptionFilter>" + rules + "</PerceptionFilter>";
+        return PerceptMatcherKt.matcher(XmlFilters.INSTANCE.read(filter, "benchmark.xml", "benchmark"));
     }
 
     private static String otherRules(int count) {
-        return IntStream.range(0, count).mapToObj(i -> "<filter><predicate>sensor" + i + "</predicate></filter>").collect(Collectors.joining());
+        return IntStream.range(0, count)
+                .mapToObj(i -> "<filter><predicate>sensor" + i + "</predicate></filter>")
+                .collect(Collectors.joining());
     }
 
     @Benchmark

@@ -13,7 +13,9 @@ class Agents : AutoCloseable {
     private val mas = RunLocalMAS()
 
     init {
-        val logging = directory.resolve("logging.properties").apply { writeText("handlers = java.util.logging.ConsoleHandler\n.level = WARNING\n") }
+        val logging = directory.resolve("logging.properties").apply {
+            writeText("handlers = java.util.logging.ConsoleHandler\n.level = WARNING\n")
+        }
         mas.init(arrayOf("--empty-mas", "--no-net", "--log-conf", logging.toString()))
         mas.create()
         mas.start()

@@ -17,20 +17,26 @@ internal class Crowd {
         val process = ProcessBuilder(java, "-Xmx${HEAP_MB}m", "-cp", System.getProperty("java.class.path"), "benchmarks.MainKt", NAME)
             .redirectError(ProcessBuilder.Redirect.INHERIT).start()
         val figures = process.inputStream.bufferedReader().readLines().last().split(' ').map(String::toDouble)
-        check(process.waitFor(LIMIT_S, TimeUnit.SECONDS) && process.exitValue() == 0) { "the crowd's process ended with ${process.exitValue()}" }
+        check(process.waitFor(LIMIT_S, TimeUnit.SECONDS) && process.exitValue() == 0) {
+            "the crowd's process ended with ${process.exitValue()}"
+        }
         return Result(figures[0], figures[1])
     }
 
-    /** What runs in that machine: prints the two figures. */
+    /** The program in that machine: prints the two figures. */
     fun run() {
         val answers = AtomicLong()
-        for (i in 1..AGENTS) SimulatedBoards.plugIn("crowd$i", SensorBoard(Protocol.AUTO, { "dist(f,${it % 100});" + BESIDES }, object : SensorBoard.Witness {
+        val witness = object : SensorBoard.Witness {
             override fun answered(n: Int, endNanos: Long, bytes: Int) {
                 answers.incrementAndGet()
             }
-        }))
+        }
+        for (i in 1..AGENTS) SimulatedBoards.plugIn("crowd$i", SensorBoard(Protocol.AUTO, ::percepts, witness))
         Agents().use { agents ->
-            for (i in 1..AGENTS) agents.start("crowd$i", "!start.\n+!start <- argo.port(\"sim:crowd$i\", [baud($BAUD)]); argo.limit(100).\n+!look <- argo.percepts(open).\n")
+            for (i in 1..AGENTS) agents.start(
+                "crowd$i",
+                "!start.\n+!start <- argo.port(\"sim:crowd$i\", [baud($BAUD)]); argo.limit(100).\n+!look <- argo.percepts(open).\n",
+            )
             for (i in 1..AGENTS) agents.achieve("crowd$i", "look")
             Thread.sleep(WARM_UP_MS)
             val before = answers.get()
@@ -43,7 +49,7 @@ internal class Crowd {
 
     private fun residentMb(): Double {
         val status = File("/proc/self/status")
-        if (!status.exists()) return Double.NaN // Linux alone tells
+        if (!status.exists()) return Double.NaN // only Linux has it
         return status.readLines().first { it.startsWith("VmHWM") }.filter(Char::isDigit).toDouble() / 1024
     }
 
@@ -55,6 +61,8 @@ internal class Crowd {
         /** So fast that the line in memory wakes its reader once a frame, as a driver does, and not for each byte. */
         const val BAUD = 20_000_000
         private val BESIDES = SensorBoard.robot(0).substringAfter(';')
+
+        private fun percepts(n: Int) = "dist(f,${n % 100});$BESIDES"
         private const val WARM_UP_MS = 20_000L
         private const val MEASURED_MS = 10_000L
         private const val LIMIT_S = 120L

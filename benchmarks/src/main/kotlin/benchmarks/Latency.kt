@@ -27,7 +27,11 @@ internal class Latencies(val firstMinute: Distribution, val warm: Distribution)
 internal fun measureLatency(): Latencies = PseudoTerminals.open().use { line ->
     val board = PingBoard(line.board(), WARM.last + 1)
     Agents().use { agents ->
-        agents.start("ping", "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud($BAUD)]); argo.limit($INTERVAL_MS); argo.percepts(open).\n+ping(N) <- argo.act(pong(N)).\n")
+        agents.start(
+            "ping",
+            "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud($BAUD)]); argo.limit($INTERVAL_MS); " +
+                "argo.percepts(open).\n+ping(N) <- argo.act(pong(N)).\n",
+        )
         val latencies = board.measure()
         Latencies(Distribution(latencies.sliceArray(FIRST_MINUTE)), Distribution(latencies.sliceArray(WARM)))
     }
@@ -62,7 +66,13 @@ private fun Transport.write(frame: Frame) = frame.toBytes().let { write(it, 0, i
 fun latency() {
     println("frame to command over a pseudo-terminal, 12 percepts, $EXCHANGES exchanges each, ${machine()}:")
     val agent = measureLatency()
-    mapOf("an agent" to agent.warm, "an agent in its first minute" to agent.firstMinute, "the line without an agent" to measureBareLatency()).forEach { (what, latencies) ->
-        println("%-29s median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(Locale.ROOT, what, latencies.ms(0.5), latencies.ms(0.99), latencies.ms(1.0)))
+    mapOf(
+        "an agent" to agent.warm, "an agent in its first minute" to agent.firstMinute, "the line without an agent" to measureBareLatency(),
+    ).forEach { (what, latencies) ->
+        println(
+            "%-29s median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(
+                Locale.ROOT, what, latencies.ms(0.5), latencies.ms(0.99), latencies.ms(1.0),
+            ),
+        )
     }
 }

@@ -17,12 +17,15 @@ internal class LineUse(private val baud: Int, private val protocol: Protocol) {
 
     /** The share, 0 to 1. */
     fun measure(): Double {
-        val board = SensorBoard(protocol, SensorBoard::robot, object : SensorBoard.Witness {
-            override fun answered(n: Int, endNanos: Long, bytes: Int) {
-                this@LineUse.bytes.addAndGet(bytes.toLong())
-                latest.set(Seen(n, endNanos))
-            }
-        })
+        val board = SensorBoard(
+            protocol, SensorBoard::robot,
+            object : SensorBoard.Witness {
+                override fun answered(n: Int, endNanos: Long, bytes: Int) {
+                    this@LineUse.bytes.addAndGet(bytes.toLong())
+                    latest.set(Seen(n, endNanos))
+                }
+            },
+        )
         SimulatedBoards.plugIn("line", board)
         try {
             Agents().use { agents ->

@@ -15,7 +15,13 @@ fun filters(json: File) {
         .verbosity(VerboseMode.SILENT).resultFormat(ResultFormatType.JSON).result(json.path).build()
     val results = Runner(options).run().associateBy(::name)
     println("filters, ${machine()}:")
-    results.forEach { (name, result) -> println("%-32s %12.1f %s %10.1f B".format(Locale.ROOT, name, result.primaryResult.score, result.primaryResult.scoreUnit, allocated(result))) }
+    results.forEach { (name, result) ->
+        println(
+            "%-32s %12.1f %s %10.1f B".format(
+                Locale.ROOT, name, result.primaryResult.score, result.primaryResult.scoreUnit, allocated(result),
+            ),
+        )
+    }
     printRatios(results.mapValues { it.value.primaryResult.score })
     println("all results: $json")
 }
@@ -30,10 +36,13 @@ private fun allocated(result: RunResult): Double =
     result.secondaryResults.entries.firstOrNull { it.key.endsWith("gc.alloc.rate.norm") }?.value?.score ?: Double.NaN
 
 private fun printRatios(score: Map<String, Double>) {
-    fun ratio(words: String, of: String, to: String) = println("%-72s %8.2f".format(Locale.ROOT, words, score.getValue(of) / score.getValue(to)))
+    fun ratio(words: String, of: String, to: String) =
+        println("%-72s %8.2f".format(Locale.ROOT, words, score.getValue(of) / score.getValue(to)))
     ratio("Jason's parser, times a percept dropped by an argument rule", "readWithJasonsParser", "dropByArgument")
     ratio("Jason's parser, times a kept percept read", "readWithJasonsParser", "readKept")
     ratio("filtering after parsing, times filtering before it", "dropAfterJasonsParser", "dropByArgument")
     ratio("1000 rules, times 10 rules", "dropByOneOf1000Rules", "dropByOneOf10Rules")
-    for (n in listOf(12, 120, 1200)) ratio("a cycle with $n percepts and no filter, times with one that keeps one", "cycle(none,$n)", "cycle(one,$n)")
+    for (n in listOf(12, 120, 1200)) ratio(
+        "a cycle with $n percepts and no filter, times with one that keeps one", "cycle(none,$n)", "cycle(one,$n)",
+    )
 }

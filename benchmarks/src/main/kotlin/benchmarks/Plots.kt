@@ -30,7 +30,10 @@ internal fun agePlot(measured: List<Ages>): String {
     )
     return svg(
         letsPlot(data) { x = "age"; y = "share"; color = "case" } + geomLine() + geomPoint(size = 2.0) + scaleXLog10() +
-            labs(title = "Age of the snapshot that an intention acts on", x = "age at most, ms", y = "share of actions, %", color = "sensors × plans"),
+            labs(
+                title = "Age of the snapshot that an intention acts on", x = "age at most, ms", y = "share of actions, %",
+                color = "sensors × plans",
+            ),
     )
 }
 
@@ -42,11 +45,13 @@ internal fun lineUsePlot(shares: Map<Pair<Int, Int>, Double>): String {
         "use" to shares.values.map { it * 100 },
     )
     return svg(
-        letsPlot(data) { x = "baud"; y = "use"; fill = "version" } + geomBar(stat = Stat.identity, position = positionDodge(), width = 0.7) +
+        letsPlot(data) { x = "baud"; y = "use"; fill = "version" } +
+            geomBar(stat = Stat.identity, position = positionDodge(), width = 0.7) +
             labs(title = "Line use of an agent that senses with argo.limit(0)", x = "", y = "% of the line's time", fill = ""),
     )
 }
 
 private val SHARES = listOf(0.01, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 0.999, 1.0)
 
-private fun svg(plot: Plot): String = PlotSvgExport.buildSvgImageFromRawSpecs((plot + ggsize(WIDTH, HEIGHT) + themeMinimal()).toSpec().toMutableMap())
+private fun svg(plot: Plot): String =
+    PlotSvgExport.buildSvgImageFromRawSpecs((plot + ggsize(WIDTH, HEIGHT) + themeMinimal()).toSpec().toMutableMap())

@@ -16,7 +16,9 @@ import kotlin.concurrent.thread
 internal fun processorShare(): Double = PseudoTerminals.open().use { line ->
     val board = thread(isDaemon = true, name = "board") { runBoard("${line.board()}") }
     Agents().use { agents ->
-        agents.start("senses", "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud(115200)]); argo.limit(20); argo.percepts(open).\n")
+        agents.start(
+            "senses", "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud(115200)]); argo.limit(20); argo.percepts(open).\n",
+        )
         Thread.sleep(WARM_UP_MS)
         val before = processorNanos(board)
         val start = System.nanoTime()
@@ -34,7 +36,8 @@ private fun runBoard(port: String) {
 }
 
 private fun processorNanos(without: Thread): Long =
-    (ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime - ManagementFactory.getThreadMXBean().getThreadCpuTime(without.id)
+    (ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime -
+        ManagementFactory.getThreadMXBean().getThreadCpuTime(without.id)
 
 private const val WARM_UP_MS = 60_000L
 private const val MEASURED_MS = 10_000L

@@ -68,7 +68,9 @@ private class Realtime {
         for (sensors in listOf(12, 120, 1200)) for (plans in listOf(1, 10, 100)) {
             val distribution = SnapshotAge(sensors, plans).measure()
             ages += Ages(sensors, plans, distribution)
-            distribution.figures().forEach { (what, ms) -> show("age of the snapshot acted on, $sensors sensors, $plans plans a percept, $what", ms, "ms") }
+            distribution.figures().forEach { (what, ms) ->
+                show("age of the snapshot acted on, $sensors sensors, $plans plans a percept, $what", ms, "ms")
+            }
         }
     }
 

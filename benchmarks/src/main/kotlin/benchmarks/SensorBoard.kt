@@ -18,7 +18,7 @@ class SensorBoard(
     private val percepts: (Int) -> String,
     private val witness: Witness = object : Witness { },
 ) : SimulatedBoard {
-    /** Is told what happens, by the board's thread; times are of [System.nanoTime]. */
+    /** Called by the board's thread; times are those of [System.nanoTime]. */
     interface Witness {
         /** The answer to request [n], whose last byte leaves the line at [endNanos]; both together are [bytes] bytes. */
         fun answered(n: Int, endNanos: Long, bytes: Int) = Unit
@@ -48,10 +48,11 @@ class SensorBoard(
     companion object {
         private const val READ_MS = 1000
 
-        /** What a robot with sensors on its four sides says: twelve percepts, all of which differ from those of [n] - 1. */
+        /** The message of a robot with sensors on its four sides: twelve percepts, all of which differ from those of [n] - 1. */
         fun robot(n: Int): String {
             val sides = listOf("f", "b", "l", "r")
-            val readings = sides.map { "dist($it,${n % 100 + 20})" } + sides.map { "light($it,${n % 90})" } + sides.map { "temp($it,${n % 30})" }
+            val readings = sides.map { "dist($it,${n % 100 + 20})" } +
+                sides.map { "light($it,${n % 90})" } + sides.map { "temp($it,${n % 30})" }
             return readings.joinToString(";", postfix = ";")
         }
     }

@@ -11,15 +11,18 @@ import kotlin.math.min
  * event the agent has [plans] plans of which the last applies.
  */
 internal class SnapshotAge(private val sensors: Int, private val plans: Int) {
-    private val receivedAt = AtomicLongArray(MOST)
-    private val ages = LongArray(MOST)
+    private val receivedAt = AtomicLongArray(MAX_ACTIONS)
+    private val ages = LongArray(MAX_ACTIONS)
+
     @Volatile private var count = 0
+
     @Volatile private var measuring = false
 
     fun measure(): Distribution {
-        val board = SensorBoard(Protocol.AUTO, { n -> (1..sensors).joinToString("") { "s($it,$n);" } }, object : SensorBoard.Witness {
-            override fun answered(n: Int, endNanos: Long, bytes: Int) = receivedAt.set(n % MOST, endNanos)
-        })
+        val witness = object : SensorBoard.Witness {
+            override fun answered(n: Int, endNanos: Long, bytes: Int) = receivedAt.set(n % MAX_ACTIONS, endNanos)
+        }
+        val board = SensorBoard(Protocol.AUTO, { n -> (1..sensors).joinToString("") { "s($it,$n);" } }, witness)
         acts.heard = ::heard
         SimulatedBoards.plugIn("sensors", board)
         try {
@@ -34,21 +37,22 @@ internal class SnapshotAge(private val sensors: Int, private val plans: Int) {
             SimulatedBoards.unplug("sensors")
             acts.heard = { _, _ -> }
         }
-        return Distribution(ages.copyOf(min(count, MOST)))
+        return Distribution(ages.copyOf(min(count, MAX_ACTIONS)))
     }
 
-    private fun program() = "!start.\n+!start <- argo.port(\"sim:sensors\", [baud($BAUD)]); argo.limit($INTERVAL_MS); argo.percepts(open).\n" +
-        (1 until plans).joinToString("") { "+s(I,N) : N == -$it <- benchmarks.acts(0).\n" } + "+s(I,N) <- benchmarks.acts(N).\n"
+    private fun program() =
+        "!start.\n+!start <- argo.port(\"sim:sensors\", [baud($BAUD)]); argo.limit($INTERVAL_MS); argo.percepts(open).\n" +
+            (1 until plans).joinToString("") { "+s(I,N) : N == -$it <- benchmarks.acts(0).\n" } + "+s(I,N) <- benchmarks.acts(N).\n"
 
     private fun heard(n: Int, nanos: Long) {
-        if (measuring && count < MOST) ages[count++] = nanos - receivedAt.get(n % MOST)
+        if (measuring && count < MAX_ACTIONS) ages[count++] = nanos - receivedAt.get(n % MAX_ACTIONS)
     }
 
     companion object {
         /** So fast that the line does not hide what the agent does: 1,200 percepts take some 75 ms. */
         const val BAUD = 2_000_000
         const val INTERVAL_MS = 20
-        private const val MOST = 1_000_000
+        private const val MAX_ACTIONS = 1_000_000
         private const val WARM_UP_MS = 3000L
         private const val MEASURED_MS = 4000L
     }

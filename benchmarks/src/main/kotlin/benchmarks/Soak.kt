@@ -35,7 +35,9 @@ class Soak(private val agents: Int, private val seconds: Int) {
     /** Runs it, on this thread and those of the agents. */
     fun run(): Result {
         ran.heard = { agent, n, done -> boards[agent - 1].told(n, done) }
-        boards.forEachIndexed { i, account -> SimulatedBoards.plugIn("soak${i + 1}", SensorBoard(Protocol.AUTO, { "tick($it);" + SensorBoard.robot(it) }, account)) }
+        boards.forEachIndexed { i, account ->
+            SimulatedBoards.plugIn("soak${i + 1}", SensorBoard(Protocol.AUTO, { "tick($it);" + SensorBoard.robot(it) }, account))
+        }
         try {
             Agents().use { mas ->
                 for (i in 1..agents) mas.start("soak$i", program(i))
@@ -48,7 +50,8 @@ class Soak(private val agents: Int, private val seconds: Int) {
                 for (i in 1..agents) mas.achieve("soak$i", "end")
                 awaitAtMost(LIMIT_S) { boards.all { it.isSettled() } }
                 return Result(
-                    heap, heapLate, threads, threadsLate, boards.sumOf { it.answers }, boards.sumOf { it.confirmed }, boards.sumOf { it.failed },
+                    heap, heapLate, threads, threadsLate,
+                    boards.sumOf { it.answers }, boards.sumOf { it.confirmed }, boards.sumOf { it.failed },
                     boards.sumOf { it.carriedOut }, boards.sumOf { it.twice }, boards.sumOf { it.lost() },
                 )
             }

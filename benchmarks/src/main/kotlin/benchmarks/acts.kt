@@ -6,7 +6,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
-/** The internal action `benchmarks.acts(N)`: an intention acts now on what the board said in its nth answer. */
+/** The internal action `benchmarks.acts(N)`: an intention acts now on the board's nth answer. */
 @Suppress("ClassName") // Jason finds it by this name
 class acts : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
@@ -15,7 +15,7 @@ class acts : DefaultInternalAction() {
     }
 
     companion object {
-        /** Is told the answer's number and the time in ns, by the agent's thread; set by the benchmark that is running. */
+        /** Receives the answer's number and the time in ns, from the agent's thread; set by the running benchmark. */
         @Volatile
         var heard: (Int, Long) -> Unit = { _, _ -> }
     }

@@ -15,7 +15,7 @@ class ran : DefaultInternalAction() {
     }
 
     companion object {
-        /** Is told the agent, the action and what became of it, by the agent's thread; set by the benchmark that is running. */
+        /** Receives the agent, the action and its outcome, from the agent's thread; set by the running benchmark. */
         @Volatile
         var heard: (Int, Int, String) -> Unit = { _, _, _ -> }
     }

@@ -6,11 +6,11 @@ import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import samples.collision.CollisionCommand
-import samples.lamp.BlinkCommand
-import samples.lamp.TwoBoardsCommand
 import samples.delegation.DelegationCommand
 import samples.experiment.ExperimentCommand
 import samples.fleet.FleetCommand
+import samples.lamp.BlinkCommand
+import samples.lamp.TwoBoardsCommand
 import samples.typedfilters.TypedFiltersCommand
 import kotlin.system.exitProcess
 
@@ -38,7 +38,10 @@ private fun commandLine(command: Any, name: String) = CommandLine(command).setCo
 @Command(
     name = "samples",
     description = ["Jason agents that drive boards through ARGO."],
-    subcommands = [CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, TypedFiltersCommand::class, FleetCommand::class],
+    subcommands = [
+        CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, TypedFiltersCommand::class,
+        FleetCommand::class,
+    ],
 )
 private class Samples : Runnable {
     @CommandLine.Spec

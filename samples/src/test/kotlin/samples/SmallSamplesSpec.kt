@@ -35,7 +35,10 @@ class SmallSamplesSpec : FunSpec({
         }
     }
 
-    ends("two-boards", "[operator] the left LED is on", "[operator] the right LED is on", "[operator] the left LED is off", "[operator] the right LED is off")
+    ends(
+        "two-boards", "[operator] the left LED is on", "[operator] the right LED is on", "[operator] the left LED is off",
+        "[operator] the right LED is off",
+    )
 
     ends(
         "typed-filters",

@@ -12,13 +12,13 @@ import io.kotest.matchers.string.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
+import picocli.CommandLine
 import java.io.IOException
 import java.io.OutputStream
 import java.io.PrintWriter
 import java.io.StringWriter
 import java.nio.file.Path
 import kotlin.io.path.readText
-import picocli.CommandLine
 
 class CommandLineSpec : FunSpec({
     fun all(command: CommandLine): List<CommandLine> = listOf(command) + command.subcommands.values.flatMap(::all)
@@ -103,13 +103,13 @@ class CommandLineSpec : FunSpec({
         val folder = tempdir()
         val filter = folder.resolve("f.json").apply { writeText("""{"rules": [{"predicate": "d"}]}""") }
         fun convert(target: String) = argo("filter", "convert", "$filter", "--to", "xml", "-o", target)
-        convert("$folder/none/f.xml") shouldBe Said(1, "", "there is no folder $folder/none\n")
-        convert("$filter/f.xml") shouldBe Said(1, "", "$filter is no folder\n")
-        convert("$filter") shouldBe Said(1, "", "$filter exists already, and is not overwritten\n")
+        convert("$folder/none/f.xml") shouldBe Output(1, "", "there is no folder $folder/none\n")
+        convert("$filter/f.xml") shouldBe Output(1, "", "$filter is no folder\n")
+        convert("$filter") shouldBe Output(1, "", "$filter exists already, and is not overwritten\n")
         convert("$folder/f.xml").status shouldBe 0
-        argo("monitor", "sim:not-asked-for", "--record", "$folder/none/f.rec") shouldBe Said(1, "", "there is no folder $folder/none\n")
+        argo("monitor", "sim:not-asked-for", "--record", "$folder/none/f.rec") shouldBe Output(1, "", "there is no folder $folder/none\n")
         argo("filter", "explain", "$folder.xml", "d").status shouldBe 1
-        argo("replay", "$folder") shouldBe Said(1, "", "$folder is a folder, no file\n")
+        argo("replay", "$folder") shouldBe Output(1, "", "$folder is a folder, no file\n")
     }
 
     test("the version names the Java that runs it too") {

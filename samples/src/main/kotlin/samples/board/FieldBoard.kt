@@ -6,6 +6,9 @@ import javino.LineClock
 import javino.PerceptsRequest
 import javino.Transport
 import java.util.concurrent.TimeUnit
+import kotlin.math.ceil
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.nanoseconds
 
 /**
  * A board with the field's library: version 1 of the Javino protocol, one message at a time.
@@ -82,13 +85,13 @@ class FieldBoard(
 }
 
 /**
- * What has arrived at a board and has not been read: byte by byte, but all at once what came while it looked away.
+ * The unread bytes of a board: byte by byte, but at once those that arrived while it was busy.
  *
- * A machine that is busy with other things wakes the board too late. What has arrived since it should have looked again is not
- * part of the burst, or commands would be lost that no real board loses.
+ * A busy machine wakes the board too late. Bytes that arrived after its time are not part of the burst, or commands would be lost
+ * that no real board loses.
  */
 private class Unread(private val line: Transport, private val clock: LineClock) {
-    private val arrived = ByteArray(MOST_WAITING)
+    private val arrived = ByteArray(MAX_WAITING)
     private var waiting = ByteArray(0)
     private var burst = 0
 
@@ -96,7 +99,8 @@ private class Unread(private val line: Transport, private val clock: LineClock) 
     fun lookAwayUntil(end: Long) {
         do {
             val left = end - clock.nanos()
-            val count = read(arrived.size, (left.coerceAtLeast(0) + NANOS_PER_MILLI - 1) / NANOS_PER_MILLI)
+            val leftMs = ceil(left.coerceAtLeast(0).nanoseconds / 1.milliseconds).toLong()
+            val count = read(arrived.size, leftMs)
             val late = ((clock.nanos() - end) / line.line().byteNanos()).coerceIn(0, count.toLong()).toInt()
             burst = waiting.size - late
         } while (left > 0)
@@ -119,8 +123,7 @@ private class Unread(private val line: Transport, private val clock: LineClock) 
     private fun read(most: Int, limitMs: Long): Int = line.read(arrived, 0, most, limitMs.toInt()).also { waiting += arrived.copyOf(it) }
 
     private companion object {
-        const val MOST_WAITING = 4096
+        const val MAX_WAITING = 4096
         const val READ_LIMIT_MS = 100L
-        const val NANOS_PER_MILLI = 1_000_000L
     }
 }

@@ -8,7 +8,7 @@ import javino.Transport
 import javino.sim.BoardLoop
 
 /**
- * A board as the library in `javino-arduino/` makes it: it speaks version 2 of the Javino protocol with those who speak it, and
+ * A board as the library in `javino-arduino/` makes it: it speaks version 2 of the Javino protocol with computers that do, and
  * version 1 with others.
  *
  * It handles one message at a time and keeps those that arrive meanwhile. In version 2 it acknowledges an action when it has carried

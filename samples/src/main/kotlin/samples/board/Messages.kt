@@ -2,7 +2,7 @@ package samples.board
 
 import javino.Frame
 
-/** The percepts in what a sketch says, each with its `;`; what follows the last `;` goes as it is. */
+/** The percepts of a sketch's message, each with its `;`; text behind the last `;` is kept as it is. */
 internal fun perceptsOf(said: String): List<String> = said.split(BEHIND_SEMICOLON).filter { it.isNotEmpty() }
 
 private val BEHIND_SEMICOLON = Regex("(?<=;)")

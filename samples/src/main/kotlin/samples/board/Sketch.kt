@@ -5,6 +5,6 @@ interface Sketch {
     /** The percepts now, as the board sends them: each followed by `;`, of at most 255 bytes. */
     fun percepts(): String
 
-    /** Does what [command] says, the text that the agent sent. A command that the board does not know changes nothing. */
+    /** Executes [command], the text that the agent sent. An unknown command changes nothing. */
     fun act(command: String)
 }

@@ -8,7 +8,7 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Those who watch a run in a browser. The run waits for the first of them, since it is over before a browser could be opened.
+ * The spectators of a run in a browser. The run waits for the first of them, because it is too short to open a browser meanwhile.
  *
  * @property port where the agent's view is to be, 0 being any port that is free
  * @param waitS for how long the run waits, in s

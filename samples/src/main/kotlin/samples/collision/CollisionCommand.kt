@@ -29,19 +29,34 @@ internal class CollisionCommand : Callable<Int> {
     @Spec
     private lateinit var spec: CommandSpec
 
-    @Option(names = ["--filter"], paramLabel = "name", defaultValue = "frontDistance", description = ["the agent's filter: none, frontSide or frontDistance (default: \${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--filter"], paramLabel = "name", defaultValue = "frontDistance",
+        description = ["the agent's filter: none, frontSide or frontDistance (default: \${DEFAULT-VALUE})"],
+    )
     private lateinit var filter: String
 
-    @Option(names = ["--limit"], paramLabel = "cm", defaultValue = "40", description = ["the front distance at which the agent stops (default: \${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--limit"], paramLabel = "cm", defaultValue = "40",
+        description = ["the front distance at which the agent stops (default: \${DEFAULT-VALUE})"],
+    )
     private var limit = 0
 
-    @Option(names = ["--interval"], paramLabel = "ms", defaultValue = "20", description = ["the sensing interval; 0: as fast as the line allows (default: \${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--interval"], paramLabel = "ms", defaultValue = "20",
+        description = ["the sensing interval; 0: as fast as the line allows (default: \${DEFAULT-VALUE})"],
+    )
     private var interval = 0
 
-    @Option(names = ["--baud"], paramLabel = "n", defaultValue = "${LineSettings.DEFAULT_BAUD}", description = ["the line's rate, each byte takes ten bit times (default: \${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--baud"], paramLabel = "n", defaultValue = "${LineSettings.DEFAULT_BAUD}",
+        description = ["the line's rate, each byte takes ten bit times (default: \${DEFAULT-VALUE})"],
+    )
     private var baud = 0
 
-    @Option(names = ["--sensing"], paramLabel = "policy", defaultValue = "fresh", description = ["when the agent gets a snapshot of its sensors: fresh, every or in_cycle (default: \${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--sensing"], paramLabel = "policy", defaultValue = "fresh",
+        description = ["when the agent gets a snapshot of its sensors: fresh, every or in_cycle (default: \${DEFAULT-VALUE})"],
+    )
     private lateinit var sensing: String
 
     @Option(names = ["--port"], paramLabel = "device", description = ["the port of a real robot, such as ttyACM0 or COM5"])
@@ -50,10 +65,16 @@ internal class CollisionCommand : Callable<Int> {
     @Option(names = ["--seed"], paramLabel = "n", description = ["where the noise of the simulated sensors starts from (default: 1)"])
     private var seed: Long? = null
 
-    @Option(names = ["--view"], paramLabel = "port", arity = "0..1", fallbackValue = "0", description = ["shows the agent live on a page for browsers on this computer (default: on a port that is free)"])
+    @Option(
+        names = ["--view"], paramLabel = "port", arity = "0..1", fallbackValue = "0",
+        description = ["shows the agent live on a page for browsers on this computer (default: on a port that is free)"],
+    )
     private var view: Int? = null
 
-    @Option(names = ["--view-wait"], paramLabel = "s", description = ["with --view, how long the robot waits for the first browser, or Enter; 0: not at all (default: 60)"])
+    @Option(
+        names = ["--view-wait"], paramLabel = "s",
+        description = ["with --view, how long the robot waits for the first browser, or Enter; 0: not at all (default: 60)"],
+    )
     private var viewWait: Int? = null
 
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
@@ -87,20 +108,23 @@ internal class CollisionCommand : Callable<Int> {
     private fun levels(): Levels {
         requireOneOf("--filter", filter, "none", "frontSide", "frontDistance")
         requireOneOf("--sensing", sensing, "fresh", "every", "in_cycle")
-        val mostCm = if (port == null) Course.START_CM.toInt() - 1 else MOST_CM
-        spec.requireWithin("--limit", limit, 1..mostCm, "cm" + if (port == null) ", since the robot starts ${Course.START_CM.toInt()} cm from the wall" else "")
-        spec.requireWithin("--interval", interval, 0..MOST_MS, "ms")
-        spec.requireWithin("--baud", baud, LEAST_BAUD..MOST_BAUD, "bits a second")
+        val maxCm = if (port == null) Course.START_CM.toInt() - 1 else MAX_CM
+        spec.requireWithin(
+            "--limit", limit, 1..maxCm,
+            "cm" + if (port == null) ", since the robot starts ${Course.START_CM.toInt()} cm from the wall" else "",
+        )
+        spec.requireWithin("--interval", interval, 0..MAX_MS, "ms")
+        spec.requireWithin("--baud", baud, MIN_BAUD..MAX_BAUD, "bits a second")
         if (port?.isBlank() == true) spec.refuse("--port names no port")
         if (port != null && seed != null) spec.refuse("--seed is for the simulated robot, and --port asks for a real one")
         return Levels(filter, limit, interval, baud, sensing, port, seed ?: 1)
     }
 
     private fun audience(): Audience? {
-        view?.let { spec.requireWithin("--view", it, 0..MOST_PORT, "as a port, 0 being any that is free") }
+        view?.let { spec.requireWithin("--view", it, 0..MAX_PORT, "as a port, 0 being any that is free") }
         viewWait?.let {
             if (view == null) spec.refuse("--view-wait is for --view")
-            spec.requireWithin("--view-wait", it, 0..MOST_WAIT_S, "s")
+            spec.requireWithin("--view-wait", it, 0..MAX_WAIT_S, "s")
         }
         return view?.let { Audience(it, viewWait ?: WAIT_S, System.out, System.`in`) }
     }
@@ -111,12 +135,12 @@ internal class CollisionCommand : Callable<Int> {
 
     private companion object {
         const val INTERRUPTED = 130 // as shells report Ctrl-C
-        const val MOST_PORT = 65_535
+        const val MAX_PORT = 65_535
         const val WAIT_S = 60
-        const val MOST_WAIT_S = 3600
-        const val MOST_CM = 10_000
-        const val MOST_MS = 10_000
-        const val LEAST_BAUD = 300
-        const val MOST_BAUD = 4_000_000
+        const val MAX_WAIT_S = 3600
+        const val MAX_CM = 10_000
+        const val MAX_MS = 10_000
+        const val MIN_BAUD = 300
+        const val MAX_BAUD = 4_000_000
     }
 }

@@ -10,6 +10,7 @@ import javino.sim.SimulatedBoards
 import samples.project.MasRun
 import samples.project.Progress
 import samples.project.SampleProject
+import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
 /**
@@ -50,7 +51,12 @@ internal class CollisionRun(
     private fun project() = SampleProject("collision").apply {
         believe(
             AGENT,
-            createLiteral("board", createString(levels.port ?: SIMULATED), createList(createLiteral("baud", createNumber(levels.baud.toDouble())), createLiteral("timeout", createNumber(ANSWER_LIMIT_MS)))),
+            createLiteral(
+                "board", createString(levels.port ?: SIMULATED),
+                createList(
+                    createLiteral("baud", createNumber(levels.baud.toDouble())), createLiteral("timeout", createNumber(ANSWER_LIMIT_MS)),
+                ),
+            ),
             createLiteral("value", createNumber(levels.limit.toDouble())),
             createLiteral("interval", createNumber(levels.interval.toDouble())),
             createLiteral("view", createAtom(levels.filter)),
@@ -73,13 +79,13 @@ internal class CollisionRun(
     }
 
     /**
-     * Leaves the robot alone: a real one is stopped unless it has been, since a board holds its motors as it was told last.
+     * Leaves the robot alone: a real one is stopped unless it has been, because a board's motors keep their last command.
      * Takes [HALT_LIMIT_S] s at most; any thread may call it.
      */
     fun abandon() {
         progress.end()
         if (levels.port == null || witness.beliefs.port !in OPEN) return
-        val deadline = clock.nanos() + HALT_LIMIT_S * NANOS_PER_SECOND
+        val deadline = clock.nanos() + TimeUnit.SECONDS.toNanos(HALT_LIMIT_S)
         if (witness.beliefs.status != Witness.STOPPED) witness.haltRobot()
         while (witness.beliefs.status != Witness.STOPPED && clock.nanos() < deadline) mas.awaitEnd(LOOK_MS)
     }
@@ -96,9 +102,11 @@ internal class CollisionRun(
         while (true) {
             scene.verdict()?.let { return it }
             val elapsed = clock.nanos() - begin
-            if (elapsed > LONGEST_S * NANOS_PER_SECOND) return scene.overdue(LONGEST_S)
+            if (elapsed > TimeUnit.SECONDS.toNanos(MAX_S)) return scene.overdue(MAX_S)
             progress.show(scene.look(), elapsed)
-            if (mas.awaitEnd(LOOK_MS) != null) return Verdict.Failed("an agent has ended the system; last seen: ${scene.look().joinToString()}")
+            if (mas.awaitEnd(LOOK_MS) != null) return Verdict.Failed(
+                "an agent has ended the system; last seen: ${scene.look().joinToString()}",
+            )
         }
     }
 
@@ -110,8 +118,7 @@ internal class CollisionRun(
         /** How long the board may take to answer, in ms: three times what it takes at 9600 baud while a command waits. */
         const val ANSWER_LIMIT_MS = 1000.0
         const val LOOK_MS = 50L
-        const val LONGEST_S = 60L
-        const val NANOS_PER_SECOND = 1_000_000_000L
+        const val MAX_S = 60L
         const val HALT_LIMIT_S = 1L
     }
 }

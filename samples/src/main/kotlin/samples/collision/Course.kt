@@ -1,5 +1,9 @@
 package samples.collision
 
+import kotlin.time.Duration.Companion.nanoseconds
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.DurationUnit
+
 /**
  * The way of a robot towards a wall: where it is at any instant, as a function of time and of the commands it has been given.
  *
@@ -24,7 +28,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
     fun distanceAt(now: Long): Double = legs.last().distanceAt(now)
 
     private fun Leg.distanceAt(instant: Long): Double =
-        if (drives) (distance - speed * (instant - start) / NANOS_PER_SECOND).coerceAtLeast(0.0) else distance
+        if (drives) (distance - speed * (instant - start).nanoseconds.toDouble(DurationUnit.SECONDS)).coerceAtLeast(0.0) else distance
 
     /** What the robot does at [now], which is not before the last command. */
     fun stateAt(now: Long): State = when {
@@ -37,7 +41,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
     /** The instant at which the robot first drove, or null. */
     val departure: Long? get() = legs.firstOrNull { it.drives }?.start
 
-    /** The instant of the last command to stop that had an effect, or null if the robot was not told to stop or drives again. */
+    /** The instant of the last command to stop that had an effect, or null without one or if the robot drives again. */
     val halt: Long? get() = legs.last().takeIf { !it.drives && legs.size > 1 }?.start
 
     /** The instant at which the robot, as far as it has driven by [now], was first [cm] from the wall; null if it has not been. */
@@ -45,7 +49,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         legs.forEachIndexed { i, leg ->
             val end = legs.getOrNull(i + 1)?.start ?: now
             if (leg.drives && cm in leg.distanceAt(end)..leg.distance) {
-                return leg.start + ((leg.distance - cm) / speed * NANOS_PER_SECOND).toLong()
+                return leg.start + ((leg.distance - cm) / speed).seconds.inWholeNanoseconds
             }
         }
         return null
@@ -73,9 +77,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         /** How fast it drives, in cm/s. */
         const val SPEED_CM_S = 10.0
 
-        private const val NANOS_PER_SECOND = 1e9
-
-        /** A robot that stands [distance] cm from the wall since [now] and drives at [speed] cm/s when told to. */
+        /** A robot that stands [distance] cm from the wall since [now] and drives at [speed] cm/s on command. */
         fun standing(now: Long, distance: Double = START_CM, speed: Double = SPEED_CM_S): Course {
             require(distance > 0 && speed > 0) { "distance $distance cm and speed $speed cm/s must be above 0" }
             return Course(speed, listOf(Leg(now, distance, drives = false)))

@@ -11,14 +11,18 @@ import kotlin.random.Random
  *
  * @param clock the time that it lives in
  * @param sensors what it has for senses
- * @param noticed is told each change of what the robot does when the board notices it, which is at the next message
+ * @param noticed receives each change of the robot's state when the board notices it, at the next message
  */
-class Robot(private val clock: LineClock, private val sensors: Sensors, private val noticed: (Course, Course.State) -> Unit = { _, _ -> }) : Sketch {
+class Robot(
+    private val clock: LineClock, private val sensors: Sensors, private val noticed: (Course, Course.State) -> Unit = { _, _ -> },
+) : Sketch {
     private val way = AtomicReference(Course.standing(clock.nanos()))
     private var lastNoticed = Course.State.STANDING
 
     /** A robot with twelve sensors whose noise is [random]. */
-    constructor(clock: LineClock, random: Random, noticed: (Course, Course.State) -> Unit = { _, _ -> }) : this(clock, Sensors(random), noticed)
+    constructor(
+        clock: LineClock, random: Random, noticed: (Course, Course.State) -> Unit = { _, _ -> },
+    ) : this(clock, Sensors(random), noticed)
 
     /** Its course by the commands so far; any thread may ask. */
     val course: Course get() = way.get()

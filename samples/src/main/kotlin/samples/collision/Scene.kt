@@ -4,7 +4,7 @@ import javino.LineClock
 import samples.cm
 import samples.seconds
 
-/** What there is to see of a run while it lasts. */
+/** A running experiment as spectators see it. */
 internal interface Scene {
     /** The run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
     fun look(): List<String>
@@ -12,7 +12,7 @@ internal interface Scene {
     /** The same as a picture. Any thread may call it. */
     fun picture(): TrackPicture
 
-    /** How it ended, or null while it lasts. */
+    /** The result, or null while the run lasts. */
     fun verdict(): Verdict?
 
     /** The verdict when it has lasted [seconds] s, which is too long. */
@@ -20,14 +20,18 @@ internal interface Scene {
 }
 
 /**
- * The simulated [robot], whose place is known whatever its agent believes. A robot that stands has ended its run when its agent believes so: one
- * that waits for its board to answer will go on.
+ * The simulated [robot], whose place is known whatever its agent believes. A robot that stands has ended its run when its agent believes
+ * so: one that waits for its board to answer will go on.
  */
-internal class SimulatedScene(private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock) : Scene {
+internal class SimulatedScene(
+    private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock,
+) : Scene {
     override fun look(): List<String> {
         val now = clock.nanos()
         val course = robot.course
-        return listOf("distance ${cm(course.distanceAt(now))} cm", words(course.stateAt(now)), "${seconds(now - (course.departure ?: now))} s")
+        return listOf(
+            "distance ${cm(course.distanceAt(now))} cm", words(course.stateAt(now)), "${seconds(now - (course.departure ?: now))} s",
+        )
     }
 
     override fun picture(): TrackPicture {
@@ -42,14 +46,16 @@ internal class SimulatedScene(private val robot: Robot, private val beliefs: () 
         val state = course.stateAt(now)
         val (_, status, trouble) = beliefs()
         return when {
-            state == Course.State.COLLIDED -> Verdict.Collided(limit, between(course.reached(limit.toDouble(), now), course.reached(0.0, now)) ?: 0)
+            state == Course.State.COLLIDED ->
+                Verdict.Collided(limit, between(course.reached(limit.toDouble(), now), course.reached(0.0, now)) ?: 0)
             state == Course.State.STOPPED && status == Witness.STOPPED ->
                 Verdict.Stopped(course.distanceAt(now), limit, between(course.reached(limit.toDouble(), now), course.halt))
             else -> trouble?.let { Verdict.Failed(it) }
         }
     }
 
-    override fun overdue(seconds: Long) = Verdict.Failed("the robot has neither stopped nor reached the wall within $seconds s; last seen: ${look().joinToString()}")
+    override fun overdue(seconds: Long) =
+        Verdict.Failed("the robot has neither stopped nor reached the wall within $seconds s; last seen: ${look().joinToString()}")
 
     private fun between(earlier: Long?, later: Long?): Long? = if (earlier == null || later == null) null else later - earlier
 
@@ -57,7 +63,9 @@ internal class SimulatedScene(private val robot: Robot, private val beliefs: () 
 }
 
 /** A robot on a [port], of which no more is known than its agent believes. */
-internal class BoardScene(private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock) : Scene {
+internal class BoardScene(
+    private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock,
+) : Scene {
     private val begin = clock.nanos()
 
     override fun look(): List<String> {

@@ -21,12 +21,13 @@ internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
     class Collided(limit: Int, nanosAfter: Long) :
         Verdict("ran into the wall: the agent had not stopped the robot ${seconds(nanosAfter)} s after the $limit cm limit", 1)
 
-    /** The agent has sent `stop` to a real robot, whose front sensor said [distance] cm. */
+    /** The agent has sent `stop` to a real robot, whose front sensor showed [distance] cm. */
     class Sent(distance: Double?, limit: Int) : Verdict(
-        "stopped: " + (distance?.let { "the front sensor says ${cm(it)} cm" } ?: "the front sensor says nothing") + ", the limit is $limit cm",
+        "stopped: " + (distance?.let { "the front sensor says ${cm(it)} cm" } ?: "the front sensor says nothing") +
+            ", the limit is $limit cm",
         0,
     )
 
-    /** There was nothing to measure. */
+    /** There is no measurement. */
     class Failed(why: String) : Verdict(why, 1)
 }

@@ -11,10 +11,10 @@ import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArch
 import jason.infra.local.LocalRuntimeServices
 import jason.infra.local.RunLocalMAS
-import jason.runtime.Settings as AgentSettings
 import samples.project.SampleProject
+import jason.runtime.Settings as AgentSettings
 
-/** What an agent of the experiment is told at its birth. [port] with its options, the rest as in [Trial]. */
+/** The initial beliefs of an agent of the experiment: [port] with its options, the rest as in [Trial]. */
 internal data class Orders(
     val port: String,
     val baud: Int,

@@ -14,12 +14,12 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** An experiment cannot be continued as asked; [message] says why and what to do. */
+/** An experiment cannot be continued; [message] gives the reason and the remedy. */
 internal class ContinuationException(message: String) : Exception(message)
 
 /**
- * The directory that an experiment keeps its settings and its records in: `settings.json` and `runs/`. From [open] to [close] it belongs to one
- * experiment alone, among all programs.
+ * The directory that an experiment keeps its settings and its records in: `settings.json` and `runs/`. From [open] to [close] it belongs
+ * to one experiment alone, among all programs.
  */
 internal class Archive(val directory: Path) : AutoCloseable {
     private val settingsFile = directory.resolve("settings.json")
@@ -32,7 +32,10 @@ internal class Archive(val directory: Path) : AutoCloseable {
         return try {
             JSON.decodeFromString(Settings.serializer(), settingsFile.readText())
         } catch (damaged: SerializationException) {
-            throw ContinuationException("$settingsFile cannot be read (${damaged.message?.lineSequence()?.first()}); choose another directory with --out, or delete it")
+            throw ContinuationException(
+                "$settingsFile cannot be read (${damaged.message?.lineSequence()?.first()}); " +
+                    "choose another directory with --out, or delete it",
+            )
         }
     }
 
@@ -47,14 +50,16 @@ internal class Archive(val directory: Path) : AutoCloseable {
         if (claim == null) claim = claimed()
         val present = settings()
         if (present != null && present != asked) throw ContinuationException(
-            "$directory holds an experiment with other settings: ${differences(present, asked)}. Continue it with its own, or choose another directory with --out",
+            "$directory holds an experiment with other settings: ${differences(present, asked)}. Continue it with its own, or choose " +
+                "another directory with --out",
         )
         if (present == null) begin(asked)
     }
 
     /** Locked, which the operating system ends with the program, however that ends. */
     private fun claimed(): FileChannel {
-        val channel = FileChannel.open(directory.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE) // nobody else opens this file: closing it would end the lock
+        // no other code opens this file: closing it would end the lock
+        val channel = FileChannel.open(directory.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)
         val lock = try {
             channel.tryLock()
         } catch (_: OverlappingFileLockException) {
@@ -62,7 +67,9 @@ internal class Archive(val directory: Path) : AutoCloseable {
         }
         if (lock != null) return channel
         channel.close()
-        throw ContinuationException("an experiment is being made in $directory right now; wait for its end, or choose another directory with --out")
+        throw ContinuationException(
+            "an experiment is being made in $directory right now; wait for its end, or choose another directory with --out",
+        )
     }
 
     /** All of the settings or nothing: a program that is killed meanwhile leaves no half of them. */
@@ -84,7 +91,8 @@ internal class Archive(val directory: Path) : AutoCloseable {
         difference("the port", present.port ?: "none", asked.port ?: "none"),
     ).joinToString()
 
-    private fun difference(what: String, present: Any, asked: Any) = if (present == asked) null else "$what is $present there and $asked was asked for"
+    private fun difference(what: String, present: Any, asked: Any) =
+        if (present == asked) null else "$what is $present there and $asked was asked for"
 
     /** Where the record of [trial] is, or will be. */
     fun file(trial: Trial): Path = runs.resolve("${trial.id}.jsonl")

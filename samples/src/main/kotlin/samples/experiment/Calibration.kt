@@ -8,7 +8,7 @@ import kotlin.math.sqrt
  * How fast this computer is beside a single-board computer of 2016, by the work of `sysbench cpu`: counting the primes up to 10,000 by
  * trial division.
  *
- * It compares one thing, the division of whole numbers by compiled code in one thread, and says nothing about caches and memory. So
+ * It compares one thing, the division of whole numbers by compiled code in one thread, and not caches and memory. So
  * the factor is a stated assumption, and a parameter of the experiment.
  */
 internal object Calibration {
@@ -35,7 +35,8 @@ internal object Calibration {
     }
 
     /**
-     * Events a second of this computer: the best of some rounds, since other programs make it slower and nothing makes it faster. Takes 1.5 s.
+     * Events a second of this computer: the best of some rounds, since other programs make it slower and nothing makes it faster. Takes
+     * 1.5 s.
      *
      * @param nanoTime the time that the calling thread has worked, in ns; what others do meanwhile does not count
      */
@@ -52,10 +53,12 @@ internal object Calibration {
     private const val PRIMES = 1229
 
     /** The factor by which reasoning is to be slowed on a computer that does [eventsPerSecond]; 1 on one that is not faster. */
-    fun slowdown(eventsPerSecond: Double): Double = String.format(Locale.ROOT, "%.1f", (eventsPerSecond / REFERENCE_EVENTS_PER_S).coerceAtLeast(1.0)).toDouble()
+    fun slowdown(eventsPerSecond: Double): Double =
+        String.format(Locale.ROOT, "%.1f", (eventsPerSecond / REFERENCE_EVENTS_PER_S).coerceAtLeast(1.0)).toDouble()
 
     /** Where [slowdown] comes from, for the report. */
     fun words(eventsPerSecond: Double): String = String.format(
-        Locale.ROOT, "%.0f events a second here, %.0f on a Raspberry Pi 3 Model B (sysbench cpu, primes up to 10,000, one thread)", eventsPerSecond, REFERENCE_EVENTS_PER_S,
+        Locale.ROOT, "%.0f events a second here, %.0f on a Raspberry Pi 3 Model B (sysbench cpu, primes up to 10,000, one thread)",
+        eventsPerSecond, REFERENCE_EVENTS_PER_S,
     )
 }

@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicInteger
 /**
  * Makes the runs of an experiment that have not been made, [jobs] at a time in their order, and keeps their records.
  *
- * A run in which this machine was too late for its own simulation is made anew, [MOST_TRIES] times at most; the last one stands, and its
- * result says how late it was.
+ * A run in which this machine was too late for its own simulation is repeated, at most [MAX_TRIES] times; the last one counts, and its
+ * result records the delay.
  */
 internal class Campaign(
     private val archive: Archive,
@@ -57,7 +57,7 @@ internal class Campaign(
             makeAll(missing, over, all)
             isDone = true
         } finally {
-            if (!isDone) given.giveUp() // or the others would go on for an hour before somebody is told
+            if (!isDone) given.giveUp() // or the others would run for an hour before the failure is reported
         }
     }
 
@@ -70,9 +70,9 @@ internal class Campaign(
     }
 
     private fun punctual(trial: Trial): Entry.Result? {
-        repeat(MOST_TRIES - 1) {
+        repeat(MAX_TRIES - 1) {
             val result = recorded(trial) ?: return null
-            if (result.lateMs <= MOST_LATE_MS) return result
+            if (result.lateMs <= MAX_LATE_MS) return result
             repeated.incrementAndGet()
         }
         return recorded(trial)
@@ -85,10 +85,10 @@ internal class Campaign(
 
     companion object {
         /** How late the machine may be in a run, in ms: a third of what one exchange takes at 9600 baud. */
-        const val MOST_LATE_MS = 60.0
+        const val MAX_LATE_MS = 60.0
 
         /** How often a run is made at most. */
-        const val MOST_TRIES = 3
+        const val MAX_TRIES = 3
 
         /** About how long [trial] takes, in ms: to the limit and a little further, or to the wall if that is to be expected. */
         fun expectedMs(trial: Trial): Long {

@@ -40,7 +40,10 @@ internal class ExperimentCommand : Callable<Int> {
     @Option(names = ["--smoke"], hidden = true, description = ["the shortest plan, to try the program"])
     private var smoke = false
 
-    @Option(names = ["--condition"], paramLabel = "a|b|c|all", defaultValue = "all", description = ["a: as published, b: this project's defaults, c: version 2 with subscription (default: \${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--condition"], paramLabel = "a|b|c|all", defaultValue = "all",
+        description = ["a: as published, b: this project's defaults, c: version 2 with subscription (default: \${DEFAULT-VALUE})"],
+    )
     private lateinit var condition: String
 
     @Option(names = ["--scaling"], description = ["also more sensors (to 768) and faster lines (to 1,000,000 baud)"])
@@ -49,16 +52,31 @@ internal class ExperimentCommand : Callable<Int> {
     @Option(names = ["--jobs"], paramLabel = "N", description = ["robots at once (default: two for each processor)"])
     private var jobs: Int? = null
 
-    @Option(names = ["--seed"], paramLabel = "S", description = ["where the order of the runs and the noise of the sensors start from (default: another one each time)"])
+    @Option(
+        names = ["--seed"], paramLabel = "S",
+        description = ["the seed for the order of the runs and the noise of the sensors (default: random)"],
+    )
     private var seed: Long? = null
 
-    @Option(names = ["--slowdown"], paramLabel = "X", description = ["how many times slower than this computer simulated robots' agents reason, at least 1 (default: measured, as slow as a Raspberry Pi 3 of 2016)"])
+    @Option(
+        names = ["--slowdown"], paramLabel = "X",
+        description = [
+            "how many times slower than this computer the agents of simulated robots reason, at least 1 " +
+                "(default: measured, as slow as a Raspberry Pi 3 of 2016)",
+        ],
+    )
     private var slowdown: Double? = null
 
-    @Option(names = ["--out"], paramLabel = "DIR", defaultValue = "experiment-results", description = ["where records and report go (default: \${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--out"], paramLabel = "DIR", defaultValue = "experiment-results",
+        description = ["where records and report go (default: \${DEFAULT-VALUE})"],
+    )
     private lateinit var out: Path
 
-    @Option(names = ["--port"], paramLabel = "device", description = ["the port of a real robot, such as ttyACM0 or COM5; one run after the other, and you put the robot back before each"])
+    @Option(
+        names = ["--port"], paramLabel = "device",
+        description = ["the port of a real robot, such as ttyACM0 or COM5; you put the robot back before each run"],
+    )
     private var port: String? = null
 
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
@@ -78,11 +96,16 @@ internal class ExperimentCommand : Callable<Int> {
             spec.refuse("--out $out cannot be written to: $unwritable")
         }
         val workers = if (port == null) jobs ?: (2 * Runtime.getRuntime().availableProcessors()) else 1
-        println("seed ${settings.seed}; agents reason ${if (port == null) "${settings.slowdown} times slower than here" else "as fast as they can"} (${settings.computer})")
+        println(
+            "seed ${settings.seed}; agents reason " +
+                "${if (port == null) "${settings.slowdown} times slower than here" else "as fast as they can"} (${settings.computer})",
+        )
         return try {
             make(archive, settings, conditions, workers)
         } catch (unwritable: IOException) {
-            spec.commandLine().err.println("experiment: ${unwritable.message}. What is recorded is kept: make room, and the same command with --out $out continues")
+            spec.commandLine().err.println(
+                "experiment: ${unwritable.message}. What is recorded is kept: make room, and the same command with --out $out continues",
+            )
             1
         }
     }
@@ -102,8 +125,8 @@ internal class ExperimentCommand : Callable<Int> {
             if (scaling) randomised(conditions.flatMap(settings.plan::scaling), settings.seed) else emptyList()
 
     private fun conditions(): List<Condition> {
-        jobs?.let { spec.requireWithin("--jobs", it, 1..MOST_JOBS) }
-        slowdown?.let { if (!(it in 1.0..MOST_SLOWDOWN)) spec.refuse("--slowdown is from 1 to ${MOST_SLOWDOWN.toInt()}, not $it") }
+        jobs?.let { spec.requireWithin("--jobs", it, 1..MAX_JOBS) }
+        slowdown?.let { if (!(it in 1.0..MAX_SLOWDOWN)) spec.refuse("--slowdown is from 1 to ${MAX_SLOWDOWN.toInt()}, not $it") }
         if (port?.isBlank() == true) spec.refuse("--port names no port")
         if (port != null && (jobs ?: 1) > 1) spec.refuse("--jobs is for simulated robots, and --port asks for a real one")
         if (port != null && slowdown != null) spec.refuse("--slowdown is for simulated robots, and --port asks for a real one")
@@ -112,31 +135,38 @@ internal class ExperimentCommand : Callable<Int> {
         return listOf(Condition.entries.find { it.letter == condition } ?: spec.refuse("--condition is a, b, c or all, not $condition"))
     }
 
-    /** Those of the experiment that is to be continued, unless options say otherwise. */
+    /** The settings of the experiment to continue, changed by the options. */
     private fun settings(archive: Archive): Settings {
         val present = archive.settings()
         val plan = if (smoke) Plan.SMOKE else if (quick) Plan.QUICK else Plan.FULL
-        if (present != null) return present.copy(plan = plan, seed = seed ?: present.seed, slowdown = slowdown ?: present.slowdown, port = port)
+        if (present != null) return present.copy(
+            plan = plan, seed = seed ?: present.seed, slowdown = slowdown ?: present.slowdown, port = port,
+        )
         val chosen = if (port == null) slowdown else NOT_SLOWED
         val events = if (chosen == null) Calibration.eventsPerSecond() else 0.0
         return Settings(
             plan = plan,
-            seed = seed ?: Random.nextInt(1, MOST_SEED).toLong(),
+            seed = seed ?: Random.nextInt(1, MAX_SEED).toLong(),
             slowdown = chosen ?: Calibration.slowdown(events),
-            computer = if (port != null) "those of a real robot are not slowed" else if (chosen == null) Calibration.words(events) else "as asked for with --slowdown",
+            computer = when {
+                port != null -> "those of a real robot are not slowed"
+                chosen == null -> Calibration.words(events)
+                else -> "set with --slowdown"
+            },
             port = port,
         )
     }
 
-    private fun machine(workers: Int): String = listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
-        .let { "At most $workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
+    private fun machine(workers: Int): String =
+        listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
+            .let { "At most $workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
 
     private companion object {
         const val INTERRUPTED = 130
-        const val MOST_JOBS = 256
-        const val MOST_SLOWDOWN = 1000.0
+        const val MAX_JOBS = 256
+        const val MAX_SLOWDOWN = 1000.0
         const val NOT_SLOWED = 1.0
-        const val MOST_SEED = 1_000_000
+        const val MAX_SEED = 1_000_000
     }
 }
 
@@ -156,19 +186,29 @@ internal class Experiment(private val archive: Archive, private val settings: Se
     }
 
     private fun made(trials: List<Trial>, progress: Progress, begin: Long): List<Finished> =
-        PrintStream(Files.newOutputStream(archive.directory.resolve("log.txt"), StandardOpenOption.CREATE, StandardOpenOption.APPEND), true, Charsets.UTF_8).use { log ->
+        PrintStream(
+            Files.newOutputStream(archive.directory.resolve("log.txt"), StandardOpenOption.CREATE, StandardOpenOption.APPEND), true,
+            Charsets.UTF_8,
+        ).use { log ->
             Logs.to(log)
             Punctuality().use { punctuality ->
-                val campaign = Campaign(archive, settings, laboratory(punctuality), jobs, given) { progress.show(facts(it), System.nanoTime() - begin) }
+                val campaign = Campaign(archive, settings, laboratory(punctuality), jobs, given) {
+                    progress.show(facts(it), System.nanoTime() - begin)
+                }
                 campaign.run(trials)
             }
         }
 
     private fun laboratory(punctuality: Punctuality): Laboratory =
-        settings.port?.let { RealLaboratory(AgentHost(), it, Attendant(System.`in`.bufferedReader(), given) { what -> println("\n$what") }) } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)
+        settings.port?.let { port ->
+            RealLaboratory(AgentHost(), port, Attendant(System.`in`.bufferedReader(), given) { println("\n$it") })
+        } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)
 
     private fun facts(status: Campaign.Status): List<String> {
         val seconds = status.left / 1000
-        return listOf("run ${status.done} of ${status.all}", "${status.collisions} at the wall", "about ${seconds / 60}:${"${seconds % 60}".padStart(2, '0')} left")
+        return listOf(
+            "run ${status.done} of ${status.all}", "${status.collisions} at the wall",
+            "about ${seconds / 60}:${"${seconds % 60}".padStart(2, '0')} left",
+        )
     }
 }

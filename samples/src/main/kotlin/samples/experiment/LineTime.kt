@@ -6,41 +6,41 @@ import javino.PerceptsRequest
 import samples.collision.Course
 import samples.collision.Sensors
 import kotlin.random.Random
+import kotlin.time.Duration.Companion.seconds
 
-private const val NANOS_PER_S = 1_000_000_000L
-
-/** How long the board may take to answer: a second, or three times what the answer takes on the line. */
+/** The answer timeout: a second, or three times the time of the answer on the line. */
 internal fun answerLimitMs(trial: Trial): Int = maxOf(1000L, 3 * exchangeNanos(trial.copy(view = View.NONE)) / 1_000_000).toInt()
 
-/** What a request and its whole answer take on the line alone, in ns. A board of version 2 answers what the filter keeps. */
+/** The time of a request and its whole answer on the line, in ns. A version 2 board answers with the percepts that the filter keeps. */
 internal fun exchangeNanos(trial: Trial): Long {
     val percepts = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM)
     val asked = if (trial.condition == Condition.VERSION_2) trial.view.functors else null
-    val answer = if (asked == null) percepts.length else percepts.split(';').filter { it.substringBefore('(') in asked }.sumOf { it.length + 1 }
+    val answer = if (asked == null) percepts.length
+    else percepts.split(';').filter { it.substringBefore('(') in asked }.sumOf { it.length + 1 }
     val request = PerceptsRequest.ALL.length + if (asked == null) 0 else asked.joinToString(",", "(", ")").length
     val frames = (answer + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
     return (request + answer + (1 + frames) * around(trial)) * byteNanos(trial)
 }
 
 /**
- * What the line and the sensors alone can take, in ns, from the instant at which the robot crosses its limit to the one at which `stop` takes effect
- * on its board, whatever program drives it and however fast: the reading that crosses the limit comes as late as the sensor's noise lets it, just after
- * the board has begun an answer without it; it is in the answer to the next request, which starts when that exchange is over or the sensing
- * interval is; and then there is the command.
+ * The worst-case delay of line and sensors, in ns, from the instant at which the robot crosses its limit to the effect of `stop` on its
+ * board, whatever program drives it: the reading below the limit comes as late as the sensor's noise allows, just after the board has begun
+ * an answer without it; it is in the answer to the next request, which starts at the end of that exchange or of the sensing interval; then
+ * follows the command.
  */
 internal fun leastStopNanos(trial: Trial): Long {
     val exchange = exchangeNanos(trial)
-    val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S * NANOS_PER_S).toLong()
+    val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds
     return reading + maxOf(exchange, trial.interval * 1_000_000L) + exchange + ("stop".length + around(trial)) * byteNanos(trial)
 }
 
 /** How long the robot drives from its limit to the wall, in ns. */
-internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S * NANOS_PER_S).toLong()
+internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds
 
 /** Whether the limit leaves the physical time to stop: no less than [leastStopNanos]. */
 internal fun leavesTime(trial: Trial): Boolean = limitNanos(trial) >= leastStopNanos(trial)
 
-/** What a frame has around its payload, in bytes. */
+/** The bytes of a frame besides its payload. */
 private fun around(trial: Trial): Int = if (trial.condition == Condition.VERSION_2) 12 else Frame.HEADER_LENGTH
 
 private fun byteNanos(trial: Trial): Long = LineSettings(trial.baud).byteNanos()

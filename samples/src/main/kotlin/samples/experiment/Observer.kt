@@ -12,7 +12,7 @@ import jason.asSyntax.StringTerm
  * Sees from outside what an agent of the experiment believes. Jason's belief base belongs to the agent's thread, so it is read there, at
  * the end of each reasoning cycle.
  *
- * @param changed is told by the agent's thread when it believes another front distance than before
+ * @param changed is called by the agent's thread for each change of the believed front distance
  */
 internal class Observer(private val changed: (front: Double?, events: Int, intentions: Int) -> Unit) : AgArch() {
     private var front: Double? = null
@@ -23,7 +23,7 @@ internal class Observer(private val changed: (front: Double?, events: Int, inten
     @Volatile
     private var seenFront: Double? = null
 
-    /** Whether the agent has stopped its robot, as it says. */
+    /** Whether the agent believes that it has stopped its robot. */
     @Volatile
     var hasStopped = false
         private set
@@ -34,7 +34,9 @@ internal class Observer(private val changed: (front: Double?, events: Int, inten
         private set
 
     override fun reasoningCycleFinished() {
-        val now = all("dist").firstOrNull { it.arity == 2 && it.getTerm(0).toString() == "f" }?.let { (it.getTerm(1) as? NumberTerm)?.solve() }
+        val now = all("dist").firstOrNull { it.arity == 2 && it.getTerm(0).toString() == "f" }?.let {
+            (it.getTerm(1) as? NumberTerm)?.solve()
+        }
         if (now != front) changed(now, ts.c.events.size, ts.c.runningIntentions.size)
         front = now
         seenFront = now

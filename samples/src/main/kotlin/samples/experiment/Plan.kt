@@ -12,7 +12,9 @@ import kotlin.random.Random
  * @property replications runs of each combination
  */
 @Serializable
-internal enum class Plan(val limits: List<Int>, val intervals: List<Int>, val replications: Int, val sensors: List<Int>, val bauds: List<Int>) {
+internal enum class Plan(
+    val limits: List<Int>, val intervals: List<Int>, val replications: Int, val sensors: List<Int>, val bauds: List<Int>,
+) {
     /** The published one: 27 combinations, 81 runs. */
     @SerialName("full")
     FULL(listOf(40, 80, 120), listOf(20, 35, 50), 3, listOf(12, 48, 192, 768), listOf(9_600, 38_400, 115_200, 250_000, 1_000_000)),
@@ -21,9 +23,10 @@ internal enum class Plan(val limits: List<Int>, val intervals: List<Int>, val re
     @SerialName("quick")
     QUICK(listOf(80, 120), listOf(20, 50), 2, listOf(12, 192), listOf(9_600, 115_200)),
 
-    /** One combination for each filter, to try the experiment itself; replicated, so that there is an error to tell of. */
+    /** One combination for each filter, to try the experiment itself; replicated, so that there is an error term. */
     @SerialName("smoke")
-    SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200));
+    SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
+    ;
 
     /** The runs of the factorial design under [condition]. */
     fun trials(condition: Condition): List<Trial> = buildList {

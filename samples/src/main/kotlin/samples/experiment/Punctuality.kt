@@ -20,7 +20,7 @@ internal class Punctuality : AutoCloseable {
                 LockSupport.parkNanos(wait)
                 continue
             }
-            if (-wait > LEAST_NANOS) delays.add(Delay(due, -wait))
+            if (-wait > MIN_NANOS) delays.add(Delay(due, -wait))
             due = System.nanoTime() + STEP_NANOS
         }
     }
@@ -35,6 +35,6 @@ internal class Punctuality : AutoCloseable {
 
     private companion object {
         const val STEP_NANOS = 5_000_000L
-        const val LEAST_NANOS = 1_000_000L
+        const val MIN_NANOS = 1_000_000L
     }
 }

@@ -9,16 +9,16 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
-/** Who puts the robot back before each run of a real one; returns false if the experiment is given up. */
+/** Puts a real robot back before each run; returns false if the experiment is aborted. */
 internal fun interface Assistant {
     /** Has the robot put at the start for [trial]. */
     fun ready(trial: Trial): Boolean
 }
 
 /**
- * Asks a person, who answers each time with a line of [keyboard]; when there are no more lines the experiment is given up. For one thread.
+ * Asks a person, whose answer is a line of [keyboard]; the end of its lines aborts the experiment. For one thread.
  *
- * @param tell takes what the person is to do
+ * @param tell receives the instruction for the person
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) : Assistant {
     private val answers = LinkedBlockingQueue<Boolean>() // false: there are no more
@@ -42,9 +42,9 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 }
 
 /**
- * A real robot on [port]; one run at a time. Nobody but its own front sensor says where it is: the response time counts from the first reading
- * at or below the limit that the agent believes to the moment its `stop` has left, and the robot has collided when it believes [WALL_CM] cm or
- * less. A run that the agent does not end is ended with `stop`.
+ * A real robot on [port]; one run at a time. The front sensor is the only source of its position: the response time counts from the first
+ * reading at or below the limit that the agent believes to the moment its `stop` has left, and the robot has collided when it believes
+ * [WALL_CM] cm or less. A run that the agent does not end is ended with `stop`.
  */
 internal class RealLaboratory(
     private val host: AgentHost,
@@ -71,7 +71,8 @@ internal class RealLaboratory(
                 val outcome = outcome(observer, now - begin) ?: continue
                 halt(observer)
                 pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the newest readings are of the robot at rest
-                val reason = if (outcome != Outcome.FAILED) null else observer.trouble ?: "the agent has not stopped the robot on $port within $LONGEST_S s; the front sensor says ${observer.believedFront}"
+                val reason = if (outcome != Outcome.FAILED) null else observer.trouble
+                    ?: "the agent has not stopped the robot on $port within $MAX_S s; the front sensor says ${observer.believedFront}"
                 return Entry.Result(outcome, observer.believedFront ?: 0.0, response, 0, 0, 0.0, reason)
             }
             halt(observer)
@@ -87,18 +88,19 @@ internal class RealLaboratory(
         return when {
             observer.hasStopped -> Outcome.STOPPED
             front != null && front <= WALL_CM -> Outcome.COLLIDED
-            observer.trouble != null || nanos > LONGEST_S * NANOS_PER_S -> Outcome.FAILED
+            observer.trouble != null || nanos > TimeUnit.SECONDS.toNanos(MAX_S) -> Outcome.FAILED
             else -> null
         }
     }
 
-    /** A board holds its motors as it was told last. An agent in trouble has no board to tell anything. */
+    /** A board's motors keep their last command. An agent in trouble has no board for a command. */
     private fun halt(observer: Observer) {
         if (!observer.hasStopped && observer.trouble == null) observer.haltRobot()
     }
 
     private fun orders(trial: Trial) = Orders(
-        port, trial.baud, answerLimitMs(trial), trial.condition.protocol, trial.limit, trial.interval, trial.view.filter(trial.condition), trial.condition.sensing,
+        port, trial.baud, answerLimitMs(trial), trial.condition.protocol, trial.limit, trial.interval,
+        trial.view.filter(trial.condition), trial.condition.sensing,
     )
 
     companion object {
@@ -106,7 +108,6 @@ internal class RealLaboratory(
         const val WALL_CM = 3.0
         private const val LOOK_MS = 5L
         private const val SETTLE_MS = 1_000L
-        private const val LONGEST_S = 60L
-        private const val NANOS_PER_S = 1_000_000_000L
+        private const val MAX_S = 60L
     }
 }

@@ -78,8 +78,8 @@ internal val JSON = Json { encodeDefaults = true }
 /**
  * Writes the record of one run to [file], line by line; safe on any thread. What was there is overwritten.
  *
- * Those who write are an agent and its board in the middle of a run, so a disk that is full does not throw there: the record ends, and
- * [requireWhole] tells.
+ * The writers are an agent and its board in the middle of a run, so a full disk does not throw there: the record ends, and
+ * [requireWhole] reports it.
  */
 internal class RecordWriter(private val file: Path) : AutoCloseable {
     private val lock = ReentrantLock()
@@ -88,8 +88,8 @@ internal class RecordWriter(private val file: Path) : AutoCloseable {
     private var trouble: IOException? = null
 
     /**
-     * Adds [entry] as one whole line; after the result, [close], or a line that could not be written, nothing is added any more: a board may still
-     * be answering when its run is over.
+     * Adds [entry] as one whole line; after the result, [close], or a line that could not be written, nothing is added any more: a board
+     * may still be answering when its run is over.
      */
     fun write(entry: Entry) = lock.withLock {
         if (!isEnded && trouble == null) {
@@ -105,7 +105,7 @@ internal class RecordWriter(private val file: Path) : AutoCloseable {
     /**
      * Does nothing if all lines have been written.
      *
-     * @throws IOException with why one has not
+     * @throws IOException with the cause of the missing line
      */
     fun requireWhole() = lock.withLock { trouble?.let { throw IOException("$file cannot be written: ${it.message}", it) } }
 

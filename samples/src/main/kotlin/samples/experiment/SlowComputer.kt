@@ -20,7 +20,7 @@ internal class SlowTime(private val factor: Double) {
     /** A cycle has taken [cpuNanos] of this computer's time; returns the ns to wait now. */
     fun owedAfter(cpuNanos: Long): Long {
         owed += cpuNanos * (factor - 1)
-        return if (owed >= LEAST_WAIT_NANOS) owed.toLong() else 0
+        return if (owed >= MIN_WAIT_NANOS) owed.toLong() else 0
     }
 
     /** That many ns have been waited. */
@@ -30,7 +30,7 @@ internal class SlowTime(private val factor: Double) {
 
     companion object {
         /** Machines do not wait for less with any accuracy. */
-        const val LEAST_WAIT_NANOS = 200_000L
+        const val MIN_WAIT_NANOS = 200_000L
     }
 }
 

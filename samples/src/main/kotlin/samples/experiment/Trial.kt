@@ -19,7 +19,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("a")
     PUBLISHED("a", "as published", "in_cycle", "1"),
 
-    /** What ARGO does unless it is told otherwise, with a board of version 1. */
+    /** ARGO's defaults, with a board of version 1. */
     @SerialName("b")
     DEFAULTS("b", "this project's defaults", "fresh", null),
 
@@ -45,7 +45,8 @@ internal enum class View(val word: String) {
 
     /** The front distance sensor. */
     @SerialName("frontDistance")
-    FRONT_DISTANCE("frontDistance");
+    FRONT_DISTANCE("frontDistance"),
+    ;
 
     /** The functors of what is kept, which a board of version 2 is asked for; null: all are. */
     val functors: List<String>?
@@ -55,7 +56,7 @@ internal enum class View(val word: String) {
             FRONT_DISTANCE -> listOf("dist")
         }
 
-    /** The agent's filter under [condition]: with version 2 one that says what is kept, which the board can be asked for. */
+    /** The agent's filter under [condition]: with version 2 a keep filter, which the board can be asked for. */
     fun filter(condition: Condition): String = when {
         this == NONE -> "none"
         condition == Condition.VERSION_2 -> "keep" + word.replaceFirstChar(Char::uppercase)

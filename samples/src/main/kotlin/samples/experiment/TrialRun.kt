@@ -20,7 +20,7 @@ internal fun interface Laboratory {
     fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result?
 }
 
-/** Says to those who wait that the whole experiment is given up. */
+/** Signals waiting threads that the whole experiment is aborted. */
 internal class GivenUp {
     private val latch = CountDownLatch(1)
 
@@ -46,7 +46,9 @@ internal class SimulatedLaboratory(
         val robot = Robot(clock, Sensors(Random(noiseSeed(trial, settings.seed)), trial.sensors / Sensors.PER_SET))
         val sketch = RecordedSketch(robot, record, begin, clock)
         SimulatedBoards.plugIn(trial.id, board(trial, sketch))
-        val observer = Observer { front, events, intentions -> record.write(Entry.Belief(clock.nanos() - begin, front, events, intentions)) }
+        val observer = Observer { front, events, intentions ->
+            record.write(Entry.Belief(clock.nanos() - begin, front, events, intentions))
+        }
         val agent = host.begin(trial.id, orders(trial), listOf(observer, SlowComputer(settings.slowdown)))
         try {
             while (!given.await(LOOK_MS)) {
@@ -55,7 +57,9 @@ internal class SimulatedLaboratory(
                 val reason = if (measured != null) null else observer.trouble ?: overdue(robot.course, now - begin) ?: continue
                 val outcome = if (observer.trouble == null && robot.course.departure == null) Outcome.IDLE else Outcome.FAILED
                 val (ending, distance, response) = measured ?: Measured(outcome, robot.course.distanceAt(now), 0.0)
-                return Entry.Result(ending, distance, response, sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason)
+                return Entry.Result(
+                    ending, distance, response, sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason,
+                )
             }
             return null
         } finally {
@@ -65,13 +69,14 @@ internal class SimulatedLaboratory(
     }
 
     private fun overdue(course: Course, nanos: Long): String? = when {
-        nanos <= LONGEST_S * NANOS_PER_S -> null
-        course.departure == null -> "no command to drive has reached the board within $LONGEST_S s"
-        else -> "the robot has neither stopped nor reached the wall within $LONGEST_S s"
+        nanos <= TimeUnit.SECONDS.toNanos(MAX_S) -> null
+        course.departure == null -> "no command to drive has reached the board within $MAX_S s"
+        else -> "the robot has neither stopped nor reached the wall within $MAX_S s"
     }
 
     private fun board(trial: Trial, sketch: Sketch): SimulatedBoard =
-        if (trial.condition == Condition.VERSION_2) SimulatedBoard { LibraryBoard(sketch, clock).run(it) } else SimulatedBoard { FieldBoard(sketch, clock).run(it) }
+        if (trial.condition == Condition.VERSION_2) SimulatedBoard { LibraryBoard(sketch, clock).run(it) }
+        else SimulatedBoard { FieldBoard(sketch, clock).run(it) }
 
     private fun orders(trial: Trial) = Orders(
         port = "${SimulatedBoards.SCHEME}:${trial.id}",
@@ -86,15 +91,16 @@ internal class SimulatedLaboratory(
 
     private companion object {
         const val LOOK_MS = 20L
-        const val LONGEST_S = 60L
-        const val NANOS_PER_S = 1_000_000_000L
+        const val MAX_S = 60L
     }
 }
 
 /** [distance] in cm from the wall at the end of a run, and [responseMs] from crossing the limit to that end. */
 internal data class Measured(val outcome: Outcome, val distance: Double, val responseMs: Double)
 
-/** What there is to measure of a robot on [course] whose agent was to stop it at [limit] cm; null while it drives or stands at the start. */
+/**
+ * What there is to measure of a robot on [course] whose agent was to stop it at [limit] cm; null while it drives or stands at the start.
+ */
 internal fun measured(course: Course, limit: Int, now: Long): Measured? {
     val crossed = course.reached(limit.toDouble(), now)
     fun sinceCrossed(end: Long?) = if (crossed == null || end == null) 0.0 else (end - crossed) / 1e6
@@ -106,7 +112,9 @@ internal fun measured(course: Course, limit: Int, now: Long): Measured? {
 }
 
 /** A robot whose senses and deeds are recorded, with the robot's true place. */
-internal class RecordedSketch(private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock) : Sketch {
+internal class RecordedSketch(
+    private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock,
+) : Sketch {
     /** Commands that took effect so far; any thread may ask. */
     val commands = AtomicInteger()
 

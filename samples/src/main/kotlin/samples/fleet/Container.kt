@@ -10,12 +10,14 @@ import kotlin.concurrent.thread
  *
  * @property name what it is called in the `.mas2j`, behind `at`
  * @property port where it listens
- * @param said is told each line that it prints, by a thread of its own
+ * @param printed receives each line that it prints, from a thread of its own
  */
-internal class Container private constructor(val name: String, val port: Int, private val process: Process, said: (String) -> Unit) : AutoCloseable {
+internal class Container private constructor(
+    val name: String, val port: Int, private val process: Process, printed: (String) -> Unit,
+) : AutoCloseable {
     private val reader = thread(isDaemon = true, name = "container $name") {
         try {
-            process.inputStream.bufferedReader().forEachLine(said)
+            process.inputStream.bufferedReader().forEachLine(printed)
         } catch (_: IOException) {
             // a process that is destroyed takes with it what it has printed and nobody has read
         }
@@ -46,18 +48,22 @@ internal class Container private constructor(val name: String, val port: Int, pr
          * @param port where it listens
          * @param mainPort where the main container listens; the same for that one
          */
-        fun start(project: Path, name: String, port: Int, mainPort: Int, said: (String) -> Unit): Container {
+        fun start(project: Path, name: String, port: Int, mainPort: Int, printed: (String) -> Unit): Container {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-            val command = listOf(java, "-cp", System.getProperty("java.class.path")) + program("${project.fileName}", name, Address(HOST, port), Address(HOST, mainPort))
+            val command = listOf(java, "-cp", System.getProperty("java.class.path")) +
+                program("${project.fileName}", name, Address(HOST, port), Address(HOST, mainPort))
             val process = ProcessBuilder(command).directory(project.parent.toFile()).redirectErrorStream(true).start()
-            return Container(name, port, process, said)
+            return Container(name, port, process, printed)
         }
 
         /** What Java is to run for the container [name] of [project] that listens at [own], while the main container listens at [main]. */
         fun program(project: String, name: String, own: Address, main: Address): List<String> {
             val role = if (own == main) emptyList() else listOf("-container")
             return listOf("jason.infra.jade.RunJadeMAS", project) + role +
-                listOf("-container-name", name, "-host", main.host, "-port", "${main.port}", "-local-host", own.host, "-local-port", "${own.port}", "-nomtp") +
+                listOf(
+                    "-container-name", name, "-host", main.host, "-port", "${main.port}", "-local-host", own.host, "-local-port",
+                    "${own.port}", "-nomtp",
+                ) +
                 listOf("-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true", "--no-net", "true")
         }
 

@@ -27,25 +27,27 @@ internal class Fleet private constructor(private val containers: List<Container>
 
         /**
          * Starts them, the coordinator first.
-         * @param said is told each line that they print, by threads of their own
+         * @param printed receives each line that they print, from threads of their own
          * @throws IllegalStateException if the coordinator does not start
          */
-        fun start(said: (String) -> Unit): Fleet {
+        fun start(printed: (String) -> Unit): Fleet {
             val ports = freePorts(SCOUTS.size + 1)
             val started = CountDownLatch(1)
             val main = Container.start(project(), "main", ports[0], ports[0]) {
                 if ("starting coordinator" in it) started.countDown()
-                said(it)
+                printed(it)
             }
             if (!started.await(START_LIMIT_S, TimeUnit.SECONDS)) {
                 main.close()
                 error("the main container has not started its agent within $START_LIMIT_S s")
             }
-            return Fleet(listOf(main) + SCOUTS.mapIndexed { i, name -> Container.start(project(), name, ports[i + 1], ports[0], said) })
+            return Fleet(listOf(main) + SCOUTS.mapIndexed { i, name -> Container.start(project(), name, ports[i + 1], ports[0], printed) })
         }
 
         private fun project(): Path {
-            val source: URL = checkNotNull(Fleet::class.java.getResource("/fleet/fleet.mas2j")) { "fleet/fleet.mas2j is not on the class path" }
+            val source: URL = checkNotNull(Fleet::class.java.getResource("/fleet/fleet.mas2j")) {
+                "fleet/fleet.mas2j is not on the class path"
+            }
             check(source.protocol == "file") { "JADE reads agents from files only, and the project is in an archive: $source" }
             return Path.of(source.toURI())
         }

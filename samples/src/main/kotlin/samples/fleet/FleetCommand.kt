@@ -23,7 +23,10 @@ internal class FleetCommand : Callable<Int> {
     @Spec
     private lateinit var spec: CommandSpec
 
-    @Option(names = ["--seconds"], paramLabel = "n", defaultValue = "8", description = ["how long before and after that (default: \${DEFAULT-VALUE})"])
+    @Option(
+        names = ["--seconds"], paramLabel = "n", defaultValue = "8",
+        description = ["how long before and after that (default: \${DEFAULT-VALUE})"],
+    )
     private var seconds = 0
 
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
@@ -38,7 +41,10 @@ internal class FleetCommand : Callable<Int> {
         }
         Runtime.getRuntime().addShutdownHook(thread(start = false) { fleet.close() })
         fleet.use {
-            if (!ready.await(START_LIMIT_S, TimeUnit.SECONDS)) return 1.also { System.err.println("the scouts have not come within $START_LIMIT_S s") }
+            if (!ready.await(START_LIMIT_S, TimeUnit.SECONDS)) {
+                System.err.println("the scouts have not started within $START_LIMIT_S s")
+                return 1
+            }
             TimeUnit.SECONDS.sleep(seconds.toLong())
             fleet.kill("scout2")
             println("the process of scout2 has been killed")

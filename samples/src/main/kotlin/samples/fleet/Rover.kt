@@ -7,7 +7,7 @@ import samples.board.FieldBoard
 import samples.board.Sketch
 
 /**
- * The firmware of a robot that drives where it is told: after `goto(P)` it is on its way, `driving(P)`, and [TRAVEL_MS] ms later there,
+ * The firmware of a robot that drives to ordered places: after `goto(P)` it is on its way, `driving(P)`, and [TRAVEL_MS] ms later there,
  * `at(P)`. It starts `at(home)`.
  *
  * @param clock what its journeys take their time by

@@ -21,7 +21,10 @@ internal class BlinkCommand : Callable<Int> {
     @Spec
     private lateinit var spec: CommandSpec
 
-    @Option(names = ["--port"], paramLabel = "device", defaultValue = "sim:blink", description = ["the board's port, such as ttyACM0 or COM5 (default: \${DEFAULT-VALUE}, which is simulated)"])
+    @Option(
+        names = ["--port"], paramLabel = "device", defaultValue = "sim:blink",
+        description = ["the board's port, such as ttyACM0 or COM5 (default: \${DEFAULT-VALUE}, which is simulated)"],
+    )
     private lateinit var port: String
 
     @Option(names = ["--seconds"], paramLabel = "n", defaultValue = "10", description = ["how long (default: \${DEFAULT-VALUE})"])

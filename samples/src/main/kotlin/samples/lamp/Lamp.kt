@@ -7,7 +7,7 @@ import samples.board.Sketch
  * `led(Name,off)`.
  *
  * @param name what the board calls itself in its percept, an atom
- * @param switched is told each change of the LED, by the board's thread
+ * @param switched receives each change of the LED, from the board's thread
  */
 class Lamp(private val name: String, private val switched: (on: Boolean) -> Unit) : Sketch {
     private var on = false

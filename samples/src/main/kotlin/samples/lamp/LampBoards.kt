@@ -6,7 +6,8 @@ import samples.board.FieldBoard
 
 /** A simulated board with a [Lamp], which logs what the lamp does. */
 abstract class LampBoard internal constructor(private val name: String) : SimulatedBoard {
-    private val board = FieldBoard(Lamp(name) { on -> System.getLogger("samples.$name").log(System.Logger.Level.INFO, "LED ${if (on) "on" else "off"}") })
+    private val board =
+        FieldBoard(Lamp(name) { on -> System.getLogger("samples.$name").log(System.Logger.Level.INFO, "LED ${if (on) "on" else "off"}") })
 
     final override fun name() = name
 

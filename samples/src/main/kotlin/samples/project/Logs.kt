@@ -10,7 +10,7 @@ import java.util.logging.LogRecord
 import java.util.logging.Logger
 import java.util.logging.StreamHandler
 
-/** What Jason, ARGO and the agents say during a run, one line each: `[robot] port "sim:robot" is on`. */
+/** The log of Jason, ARGO and the agents during a run, one line each: `[robot] port "sim:robot" is on`. */
 internal object Logs {
     /** Sends it to [out]. */
     fun to(out: PrintStream) {
@@ -37,7 +37,7 @@ internal object Logs {
 }
 
 /**
- * A file that takes what Jason, ARGO and the agents say, and whatever else would have been printed, from its creation until
+ * A file that receives the log of Jason, ARGO and the agents, and all other printed text, from its creation until
  * it is closed.
  *
  * @property path where it is

@@ -7,7 +7,7 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * One line that says how a run gets on: written anew in its place on a terminal; elsewhere a plain line now and then.
+ * The progress of a run in one line: rewritten in place on a terminal; elsewhere a plain line now and then.
  * Safe for use by several threads.
  *
  * @param inPlace whether [out] is a terminal
@@ -50,13 +50,16 @@ internal class Progress(private val out: PrintStream, private val inPlace: Boole
         /** Progress on this program's standard output. */
         fun onStandardOutput() = Progress(System.out, isTerminal(), charset())
 
-        private fun charset(): Charset = OUTPUT_ENCODINGS.firstNotNullOfOrNull(System::getProperty)?.let(Charset::forName) ?: Charset.defaultCharset()
+        private fun charset(): Charset =
+            OUTPUT_ENCODINGS.firstNotNullOfOrNull(System::getProperty)?.let(Charset::forName) ?: Charset.defaultCharset()
 
-        private val OUTPUT_ENCODINGS = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding") // which of them there are depends on the Java version
+        /** The properties for the terminal's character set in several versions of Java. */
+        private val OUTPUT_ENCODINGS = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding")
 
         private fun isTerminal(): Boolean {
             val console = System.console() ?: return false
-            val asked = Console::class.java.methods.find { it.name == "isTerminal" } // from Java 22 on there is a console without a terminal, too
+            // since Java 22 a console may have no terminal
+            val asked = Console::class.java.methods.find { it.name == "isTerminal" }
             return asked == null || asked.invoke(console) == true
         }
     }

@@ -1,11 +1,11 @@
 package samples.project
 
-/** One run of a sample in this program, which prints what its agents and boards say. */
+/** One run of a sample in this program, which prints the log of its agents and boards. */
 internal class SystemRun(project: SampleProject) {
     private val mas = MasRun(project)
 
-    /** Runs it until its agents end it, and returns the exit status that they want; 1 if they have not ended it within [LONGEST_S] s. */
-    fun toItsEnd(): Int = run(LONGEST_S) ?: 1.also { System.err.println("the agents have not come to an end within $LONGEST_S s") }
+    /** Runs it until its agents end it, and returns their exit status; 1 if they have not ended it within [MAX_S] s. */
+    fun toItsEnd(): Int = run(MAX_S) ?: 1.also { System.err.println("the agents have not ended within $MAX_S s") }
 
     /** Runs it for [seconds] s, exit status 0, or until its agents end it, with the exit status that they want. */
     fun forAtMost(seconds: Int): Int = run(seconds) ?: 0
@@ -21,6 +21,6 @@ internal class SystemRun(project: SampleProject) {
     }
 
     private companion object {
-        const val LONGEST_S = 60
+        const val MAX_S = 60
     }
 }

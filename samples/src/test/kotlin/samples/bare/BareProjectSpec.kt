@@ -18,9 +18,15 @@ import kotlin.io.path.writeText
  * the EMAS 2016 paper, as published but for the port.
  */
 class BareProjectSpec : FunSpec({
-    val pairs: EnabledOrReasonIf = { if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal: install it with your package manager") }
+    val pairs: EnabledOrReasonIf = {
+        if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled(
+            "there is no socat for a pseudo-terminal: install it with your package manager",
+        )
+    }
     val recentJava: EnabledOrReasonIf = { test ->
-        if (newestJava().feature >= 21) pairs(test) else Enabled.disabled("Jason 3.3.0 needs Java 21 or newer, the newest here is ${newestJava().feature}")
+        if (newestJava().feature >= 21) pairs(test) else Enabled.disabled(
+            "Jason 3.3.0 needs Java 21 or newer, the newest here is ${newestJava().feature}",
+        )
     }
 
     test("the published agent stops its robot with Jason 3.2.1 and argo.jar").config(enabledOrReasonIf = pairs) {
@@ -63,7 +69,11 @@ private fun project(port: File): Path {
     fun file(name: String, text: String) = project.resolve(name).writeText(text)
     file("bare.mas2j", "MAS bare {\n    agents: robot agentArchClass argo.Arch;\n}\n")
     file("robot.asl", publishedAgent(port))
-    file("byValue.xml", "<PerceptionFilter><filter><predicate>dist</predicate><parameter operator=\"EQ\" id=\"0\">b</parameter></filter></PerceptionFilter>\n")
+    file(
+        "byValue.xml",
+        "<PerceptionFilter><filter><predicate>dist</predicate><parameter operator=\"EQ\" " +
+            "id=\"0\">b</parameter></filter></PerceptionFilter>\n",
+    )
     file("logging.properties", "handlers = java.util.logging.ConsoleHandler\n.level = INFO\n") // Jason's default opens a window
     return project
 }

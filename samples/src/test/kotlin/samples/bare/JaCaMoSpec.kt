@@ -21,10 +21,12 @@ class JaCaMoSpec : FunSpec({
     val libraries = System.getenv("JACAMO_LIB")?.let(::Path)
     val isThere: EnabledOrReasonIf = {
         if (libraries?.isDirectory() == true) Enabled.enabled
-        else Enabled.disabled("JaCaMo is not on Maven Central: JACAMO_LIB names a folder with its jars and those that they need, Jason's too")
+        else Enabled.disabled(
+            "JaCaMo is not on Maven Central: JACAMO_LIB names a folder with its jars and those that they need, Jason's too",
+        )
     }
 
-    test("an agent perceives through its board and through an artifact, acts on both, and its system ends without a complaint").config(enabledOrReasonIf = isThere) {
+    test("an agent perceives through its board and an artifact, acts on both, and ends its system").config(enabledOrReasonIf = isThere) {
         val project = tempdir().toPath()
         val root = Path.of("..").toRealPath()
         val page = Document.all(root).single { it.name == "docs/migrating.md" }
@@ -33,9 +35,12 @@ class JaCaMoSpec : FunSpec({
         project.resolve("logging.properties").writeText("handlers = java.util.logging.ConsoleHandler\n")
         root.resolve("argo-tools/src/main/resources/argo/tools/project/drive.rec").copyTo(project.resolve("drive.rec"))
 
-        val classPath = listOf("$libraries/*", "${Path.of(System.getProperty("argo.jar")).toAbsolutePath()}").joinToString(File.pathSeparator)
+        val classPath =
+            listOf("$libraries/*", "${Path.of(System.getProperty("argo.jar")).toAbsolutePath()}").joinToString(File.pathSeparator)
         val ended = JarProgram.run(
-            ProcessBuilder(newestJava().program, "-Duser.home=$project", "-cp", classPath, "jacamo.infra.JaCaMoLauncher", "robot.jcm", "--no-net").directory(project.toFile()),
+            ProcessBuilder(
+                newestJava().program, "-Duser.home=$project", "-cp", classPath, "jacamo.infra.JaCaMoLauncher", "robot.jcm", "--no-net",
+            ).directory(project.toFile()),
         )
         withClue(ended.printed) {
             ended.printed shouldContain Regex("tick \\d+ with \\d+ cm in front")

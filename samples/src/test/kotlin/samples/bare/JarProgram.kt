@@ -23,7 +23,8 @@ internal class JarProgram private constructor(private val process: Process) : Au
     fun awaitLine(text: String): String {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_S)
         while (true) {
-            val line = lines.poll(deadline - System.nanoTime(), TimeUnit.NANOSECONDS) ?: throw AssertionError("no line with \"$text\" in:\n$all")
+            val line = lines.poll(deadline - System.nanoTime(), TimeUnit.NANOSECONDS)
+                ?: throw AssertionError("no line with \"$text\" in:\n$all")
             if (text in line) return line
         }
     }

@@ -16,12 +16,14 @@ import java.nio.file.Path
 class JarToolsSpec : FunSpec({
     val folder = tempdir().toPath()
     val jar = System.getProperty("argo.jar").let { Path.of(it).toAbsolutePath().normalize().toString() }
-    val pairs: EnabledOrReasonIf = { if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal") }
+    val pairs: EnabledOrReasonIf = {
+        if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal")
+    }
     val recording = folder.resolve("drive.rec").toFile().apply {
         writeText("javino-recording 1\n0\tout\tgetPercepts\n5\tin\tdist(f,30);\n905\tin\tdist(f,20);\n")
     }
 
-    test("the jar runs, and says which version it is") {
+    test("the jar runs, and prints its version") {
         val said = JarProgram.run(folder, "-jar", jar, "--version")
         said.status shouldBe 0
         said.printed shouldContain Regex("ARGO \\d+\\.\\d+\\.\\d+, Java ")
@@ -31,7 +33,8 @@ class JarToolsSpec : FunSpec({
         JarProgram.run(folder, "-jar", jar, "ports", "--json").status shouldBe 0
         JarProgram.run(folder, "-jar", jar, "doctor").printed shouldContain "the serial driver's native library runs"
         folder.resolve("f.json").toFile().writeText("""{"rules": [{"predicate": "dist", "arity": 1}]}""")
-        JarProgram.run(folder, "-jar", jar, "filter", "convert", "f.json", "--to", "kotlin").printed shouldContain "drop(\"dist\") { arity(1) }"
+        JarProgram.run(folder, "-jar", jar, "filter", "convert", "f.json", "--to", "kotlin")
+            .printed shouldContain "drop(\"dist\") { arity(1) }"
         val refused = JarProgram.run(folder, "-jar", jar, "fly")
         refused.status shouldBe 2
         refused.printed shouldContain "there is no command 'fly'"
@@ -57,7 +60,7 @@ class JarToolsSpec : FunSpec({
         said.printed.lines().filter { it.isNotEmpty() }.size shouldBe 2
     }
 
-    test("a recording is a board on a pseudo-terminal, which shows its commands and is taken away at the end").config(enabledOrReasonIf = pairs) {
+    test("a recording is a board on a pseudo-terminal, with its commands shown, until Ctrl-C").config(enabledOrReasonIf = pairs) {
         JarProgram.start(folder, "-jar", jar, "replay", "$recording").use { replay ->
             val port = replay.awaitLine("/").trim()
             JarProgram.run(folder, "-jar", jar, "request", port, "getPercepts").printed shouldContain "dist(f,30);"

@@ -13,8 +13,9 @@ fun thisJava() = InstalledJava(Path.of(System.getProperty("java.home"), "bin", "
 /** The newest Java on this machine, looked for where `JAVA_HOME…` variables, Linux distributions and SDKMAN put them. */
 fun newestJava(): InstalledJava {
     val named = System.getenv().filterKeys { it.startsWith("JAVA_HOME") }.values.map(Path::of)
-    val installed = listOf(Path.of("/usr/lib/jvm"), Path.of(System.getProperty("user.home"), ".sdkman/candidates/java")).filter(Files::isDirectory)
-        .flatMap { folder -> Files.list(folder).use { it.toList() } }
+    val installed =
+        listOf(Path.of("/usr/lib/jvm"), Path.of(System.getProperty("user.home"), ".sdkman/candidates/java")).filter(Files::isDirectory)
+            .flatMap { folder -> Files.list(folder).use { it.toList() } }
     return (named + installed).map { it.resolve("bin/java") }.filter(Files::isExecutable)
         .mapNotNull { java -> feature(java.toString())?.let { InstalledJava(java.toString(), it) } }
         .plus(thisJava()).maxBy { it.feature }

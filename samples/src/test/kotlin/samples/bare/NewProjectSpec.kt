@@ -19,12 +19,17 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.name
 import kotlin.io.path.useDirectoryEntries
 
-/** What `java -jar argo.jar new` makes is compiled, tested and run as its own builds do it, with nothing but what they put on the class path. */
+/**
+ * What `java -jar argo.jar new` makes is compiled, tested and run as its own builds do it, with nothing but what they put on the class
+ * path.
+ */
 class NewProjectSpec : FunSpec({
     val folder = tempdir().toPath()
     val project = folder.resolve("my-robot")
     val avr: EnabledOrReasonIf = {
-        if (ARDUINO_CORE.isDirectory()) Enabled.enabled else Enabled.disabled("there is no Arduino core: ./argo firmware says what it needs")
+        if (ARDUINO_CORE.isDirectory()) Enabled.enabled else Enabled.disabled(
+            "there is no Arduino core: ./argo firmware says what it needs",
+        )
     }
 
     beforeSpec {
@@ -36,7 +41,9 @@ class NewProjectSpec : FunSpec({
     }
 
     test("its agent runs without a board, through its filter in Kotlin") {
-        val run = JarProgram.start(project, "-cp", path(main(project) + jason()), "jason.infra.local.RunLocalMAS", "my_robot.mas2j", "--no-net")
+        val run = JarProgram.start(
+            project, "-cp", path(main(project) + jason()), "jason.infra.local.RunLocalMAS", "my_robot.mas2j", "--no-net",
+        )
         run.use { it.awaitLine("[robot] something is ") }
     }
 
@@ -58,7 +65,10 @@ class NewProjectSpec : FunSpec({
     test("its sketch compiles for an Uno").config(enabledOrReasonIf = avr) {
         val sketch = project.resolve("sketch/my_robot/my_robot.ino")
         val library = Path.of("../javino-arduino").toAbsolutePath().normalize()
-        val make = ProcessBuilder("make", "-s", "-C", "$library", "SKETCHES=$sketch", "BUILD=${folder.resolve("avr")}", "${folder.resolve("avr")}/avr/uno/my_robot.elf")
+        val make = ProcessBuilder(
+            "make", "-s", "-C", "$library", "SKETCHES=$sketch", "BUILD=${folder.resolve("avr")}",
+            "${folder.resolve("avr")}/avr/uno/my_robot.elf",
+        )
         val run = JarProgram.run(make)
         withClue(run.printed) { run.status shouldBe 0 }
         folder.resolve("avr/avr/uno/my_robot.elf").exists() shouldBe true
@@ -74,16 +84,23 @@ private fun jason(): List<Path> =
     listOf(Agent::class.java, Class.forName("javax.json.Json"), Class.forName("org.glassfish.json.JsonProviderImpl")).map(::jarOf)
 
 /** Kotest with what it needs, from this test's own class path, and nothing of ARGO. */
-private fun kotest(): List<Path> = (System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")).split(File.pathSeparator)
-    .map(Path::of).filter { jar -> KOTEST.any(jar.name::startsWith) }
+private fun kotest(): List<Path> =
+    (System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")).split(File.pathSeparator)
+        .map(Path::of).filter { jar -> KOTEST.any(jar.name::startsWith) }
 
-private val KOTEST = listOf("kotest-", "kotlin-stdlib", "kotlin-reflect", "kotlinx-", "opentest4j", "java-diff-utils", "classgraph", "mordant", "jna", "diffutils", "annotations-")
+private val KOTEST = listOf(
+    "kotest-", "kotlin-stdlib", "kotlin-reflect", "kotlinx-", "opentest4j", "java-diff-utils", "classgraph", "mordant", "jna", "diffutils",
+    "annotations-",
+)
 
 private fun path(entries: List<Path>) = entries.joinToString(File.pathSeparator)
 
 private fun compile(sources: Path, target: Path, libraries: List<Path>) {
     val messages = ByteArrayOutputStream()
     val own = libraries + listOf(Path.of(System.getProperty("argo.jar")), jarOf(Unit::class.java))
-    val exit = K2JVMCompiler().exec(PrintStream(messages), "-no-stdlib", "-no-reflect", "-Werror", "-classpath", path(own), "-jvm-target", "17", "-d", "$target", "$sources")
+    val exit = K2JVMCompiler().exec(
+        PrintStream(messages), "-no-stdlib", "-no-reflect", "-Werror", "-classpath", path(own), "-jvm-target", "17", "-d", "$target",
+        "$sources",
+    )
     withClue(messages) { exit shouldBe ExitCode.OK }
 }

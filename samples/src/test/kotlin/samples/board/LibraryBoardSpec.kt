@@ -92,7 +92,9 @@ class LibraryBoardSpec : FunSpec({
     test("messages that arrive while it answers are handled afterwards, in their order") {
         FastBench("dist(f,9);").use { bench ->
             val expected = "${version2("dist(f,9);")}${version2("", Frame.ACK, 1)}${version2("", Frame.ACK, 2)}"
-            bench.answer(expected, version2("getPercepts"), version2("one", Frame.ACK_WANTED, 1), version2("two", Frame.ACK_WANTED, 2)) shouldBe expected
+            bench.answer(
+                expected, version2("getPercepts"), version2("one", Frame.ACK_WANTED, 1), version2("two", Frame.ACK_WANTED, 2),
+            ) shouldBe expected
             bench.deeds shouldBe listOf("one", "two")
         }
     }

@@ -18,7 +18,9 @@ private val stopped = Regex("""stopped (\d+\.\d) cm from the wall, \d+ ms after 
 
 class CollisionSpec : FunSpec({
     val pairs: EnabledOrReasonIf = {
-        if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("there is no socat for a pseudo-terminal: install it with your package manager")
+        if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled(
+            "there is no socat for a pseudo-terminal: install it with your package manager",
+        )
     }
 
     context("at 9600 baud the agent stops the robot in front of the wall with the filter") {

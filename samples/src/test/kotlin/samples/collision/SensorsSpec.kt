@@ -6,8 +6,8 @@ import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.property.Arb
-import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.checkAll
 import javino.Frame
 import kotlin.math.ceil

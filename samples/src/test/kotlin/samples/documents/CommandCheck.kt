@@ -9,7 +9,10 @@ import kotlin.io.path.isExecutable
 import kotlin.io.path.name
 import kotlin.io.path.readText
 
-/** Tells of a command, without running it, whether the repository that lies at [root] has all that it names: programs, their options, tasks, modules, files. */
+/**
+ * Checks, without running a command, whether the repository at [root] has everything that the command names: programs, their options,
+ * tasks, modules, files.
+ */
 class CommandCheck(private val root: Path) {
     private val usage = ProcessBuilder("$root/argo").start().inputReader().use { it.readText() }
 
@@ -24,9 +27,13 @@ class CommandCheck(private val root: Path) {
             "java" -> java(rest)
             "mvn" -> maven(rest)
             "gradle", "./gradlew" -> gradle(rest)
-            "make" -> rest.firstOrNull { !Regex("(?m)^$it:").containsMatchIn(root.resolve("javino-arduino/Makefile").readText()) }?.let { "the Makefile has no target $it" }
-            "./check", "./package" -> missing(root.resolve("javino-arduino/${words.first()}").takeIf { it.isExecutable() }, words.first()) ?: unheardOf(root.resolve("javino-arduino/${words.first()}"), rest)
-            "build/simulator" -> unheardOf(root.resolve("javino-arduino/simulator/main.c"), rest.map { it.trim('[', ']') }.filter { it.startsWith("--") })
+            "make" -> root.resolve("javino-arduino/Makefile").readText().let { makefile ->
+                rest.firstOrNull { !Regex("(?m)^$it:").containsMatchIn(makefile) }?.let { "the Makefile has no target $it" }
+            }
+            "./check", "./package" -> missing(root.resolve("javino-arduino/${words.first()}").takeIf { it.isExecutable() }, words.first())
+                ?: unheardOf(root.resolve("javino-arduino/${words.first()}"), rest)
+            "build/simulator" ->
+                unheardOf(root.resolve("javino-arduino/simulator/main.c"), rest.map { it.trim('[', ']') }.filter { it.startsWith("--") })
             "alias" -> java(rest.single().substringAfter("=").split(" ").drop(1))
             "source" -> tool(rest.joinToString(" ").removePrefix("<(argo ").removeSuffix(")").split(" "))
             else -> "nothing is known of ${words.first()}"
@@ -48,7 +55,9 @@ class CommandCheck(private val root: Path) {
         }
     }
 
-    private fun sample(words: List<String>): String? = program(words.toTypedArray()).let { (commands, arguments) -> refusal(commands, arguments.asList()) }
+    private fun sample(words: List<String>): String? = program(words.toTypedArray()).let { (commands, arguments) ->
+        refusal(commands, arguments.asList())
+    }
 
     private fun tool(words: List<String>): String? = refusal(TOOLS(), words)
 
@@ -76,10 +85,13 @@ class CommandCheck(private val root: Path) {
         val module = words.getOrNull(words.indexOf("-pl") + 1).takeIf { "-pl" in words }
         return words.filterNot { it == module }.firstNotNullOfOrNull { word ->
             when {
-                word in setOf("-q", "-o", "-B", "-am", "-pl", "-Dmaven.test.skip") || word in GOALS || word.startsWith("-Dsurefire.") -> null
-                word.startsWith("-DincludeScope=") || word.startsWith("-DoutputDirectory=") -> missing("dependency:copy-dependencies".takeIf { it in words }, "goal for $word")
+                word in setOf("-q", "-o", "-B", "-am", "-pl", "-Dmaven.test.skip") || word in GOALS || word.startsWith("-Dsurefire.") ->
+                    null
+                word.startsWith("-DincludeScope=") || word.startsWith("-DoutputDirectory=") ->
+                    missing("dependency:copy-dependencies".takeIf { it in words }, "goal for $word")
                 word.startsWith("-Dtest=") -> missing(source("${word.removePrefix("-Dtest=")}.kt"), word)
-                ":" in word -> missing("<artifactId>${word.substringBefore(':')}-maven-plugin</artifactId>".takeIf { it in own }, "a plugin for $word")
+                ":" in word ->
+                    missing("<artifactId>${word.substringBefore(':')}-maven-plugin</artifactId>".takeIf { it in own }, "a plugin for $word")
                 else -> "Maven has no $word"
             }
         } ?: module?.let { missing(root.resolve("$it/pom.xml").takeIf { pom -> pom.exists() }, "a module $it") }
@@ -87,7 +99,9 @@ class CommandCheck(private val root: Path) {
 
     private fun gradle(words: List<String>): String? = words.firstNotNullOfOrNull { word ->
         val task = word.substringAfterLast(':')
-        val build = word.substringBeforeLast(':', "").trim(':').let { if (it.isEmpty()) root.resolve("build.gradle.kts") else root.resolve("$it/build.gradle.kts") }
+        val build = word.substringBeforeLast(':', "").trim(':').let {
+            if (it.isEmpty()) root.resolve("build.gradle.kts") else root.resolve("$it/build.gradle.kts")
+        }
         when {
             word.startsWith("--args=") -> sample(word.removePrefix("--args=").split(" "))
             !build.exists() -> "there is no project for $word"
@@ -101,7 +115,10 @@ class CommandCheck(private val root: Path) {
     private fun source(name: String): Path? = root.toFile().walk()
         .onEnter { it == root.toFile() || it.name !in setOf("target", "build", ".git") }.find { it.name == name }?.toPath()
 
-    private fun unheardOf(program: Path, options: List<String>): String? = program.readText().let { text -> options.find { it !in text } }?.let { "$program knows nothing of $it" }
+    private fun unheardOf(program: Path, options: List<String>): String? {
+        val text = program.readText()
+        return options.find { it !in text }?.let { "$program knows nothing of $it" }
+    }
 
     private fun missing(found: Any?, what: String): String? = if (found == null) "there is no $what" else null
 
@@ -116,6 +133,8 @@ class CommandCheck(private val root: Path) {
         val PLACEHOLDERS = setOf("COMMAND", "…")
 
         /** The command line of the tools in argo.jar, which they keep to themselves. */
-        val TOOLS: () -> CommandLine = Class.forName("argo.tools.MainKt").getMethod("tools").let { tools -> { tools.invoke(null) as CommandLine } }
+        val TOOLS: () -> CommandLine = Class.forName("argo.tools.MainKt").getMethod("tools").let { tools ->
+            { tools.invoke(null) as CommandLine }
+        }
     }
 }

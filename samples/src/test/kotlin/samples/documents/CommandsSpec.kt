@@ -18,14 +18,17 @@ class CommandsSpec : FunSpec({
 
     test("commands are found between fences, in sentences and in tables") {
         val told = commands.values.flatten().map { it.text }
-        listOf("./argo new my-robot", "mvn -q compile exec:exec", "./argo bench latency", "java -jar lib/argo.jar ports --probe").forEach { told shouldContain it }
+        listOf("./argo new my-robot", "mvn -q compile exec:exec", "./argo bench latency", "java -jar lib/argo.jar ports --probe").forEach {
+            told shouldContain it
+        }
     }
 
     test("a command that does not exist is noticed") {
         val wrong = listOf(
-            "./argo fly", "./argo demo --fly", "./argo demo --limit far", "./argo sample fly", "./argo bench fly", "./argo jar fly", "./argo tools fly", "./argo new a b",
-            "java -jar argo.jar ports --fly", "java -jar argo.jar request ttyACM0", "java -jar agro.jar", "java -cp lib/* no.such.Program", "mvn fly", "mvn fly:fly",
-            "mvn -pl fly test", "mvn -Dtest=FlySpec test", "gradle fly", "./gradlew :fly:run", "./gradlew :samples:run --args=fly", "make fly", "./check --fly", "fly",
+            "./argo fly", "./argo demo --fly", "./argo demo --limit far", "./argo sample fly", "./argo bench fly", "./argo jar fly",
+            "./argo tools fly", "./argo new a b", "java -jar argo.jar ports --fly", "java -jar argo.jar request ttyACM0",
+            "java -jar agro.jar", "java -cp lib/* no.such.Program", "mvn fly", "mvn fly:fly", "mvn -pl fly test", "mvn -Dtest=FlySpec test",
+            "gradle fly", "./gradlew :fly:run", "./gradlew :samples:run --args=fly", "make fly", "./check --fly", "fly",
         )
         wrong.forEach { withClue(it) { check.problem(it.split(" ")) shouldNotBe null } }
     }
@@ -34,7 +37,9 @@ class CommandsSpec : FunSpec({
         commands.filterValues { it.isNotEmpty() }.forEach { (document, told) ->
             test("$document") {
                 told.filter { NOT_TRIED.keys.none(it.text::startsWith) }.forEach { command ->
-                    withClue(command) { if (command.words[0] == "cd") folder(command, told) else check.problem(command.words) shouldBe null }
+                    withClue(command) {
+                        if (command.words[0] == "cd") folder(command, told) else check.problem(command.words) shouldBe null
+                    }
                 }
             }
         }
@@ -46,7 +51,8 @@ class CommandsSpec : FunSpec({
 
     test("containers on several computers are started as the sample starts its own") {
         val main = Address("10.8.0.1", 1099)
-        val told = commands.entries.single { it.key.name == "docs/several-computers.md" }.value.filter { it.words[0] == "java" }.map { it.words.drop(3) }
+        val page = commands.entries.single { it.key.name == "docs/several-computers.md" }.value
+        val told = page.filter { it.words[0] == "java" }.map { it.words.drop(3) }
         told shouldBe listOf(
             Container.program("fleet.mas2j", "main", main, main),
             Container.program("fleet.mas2j", "scout1", Address("10.8.0.11", 1100), main),

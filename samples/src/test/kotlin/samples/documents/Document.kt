@@ -17,12 +17,16 @@ class Document(private val root: Path, val path: Path) {
     /** What stands between single backquotes outside of the blocks, on one line or over the end of one. */
     val spans: List<Snippet> by lazy {
         val sentences = FENCED.replace(text) { block -> "\n".repeat(block.value.count { it == '\n' }) }
-        SPAN.findAll(sentences).map { Snippet(name, sentences.substring(0, it.range.first).count { char -> char == '\n' } + 1, "", it.groupValues[1].replace('\n', ' ')) }.toList()
+        SPAN.findAll(sentences).map { span ->
+            val line = sentences.substring(0, span.range.first).count { it == '\n' } + 1
+            Snippet(name, line, "", span.groupValues[1].replace('\n', ' '))
+        }.toList()
     }
 
     /** Where links lead that stay in the repository, without the part behind `#`. */
     val links: List<String>
-        get() = LINK.findAll(FENCED.replace(text, "")).map { it.groupValues[1] }.filterNot { "://" in it || it.startsWith("mailto:") }.toList()
+        get() = LINK.findAll(FENCED.replace(text, "")).map { it.groupValues[1] }
+            .filterNot { "://" in it || it.startsWith("mailto:") }.toList()
 
     fun leadsTo(link: String): Boolean {
         val (file, anchor) = link.split('#', limit = 2).let { it[0] to it.getOrNull(1) }
@@ -41,7 +45,9 @@ class Document(private val root: Path, val path: Path) {
                 !line.trimStart().startsWith("```") -> Unit
                 open == null -> fence = index to line.trim().removePrefix("```")
                 else -> {
-                    snippets += Snippet(name, open.first + 1, open.second, lines.subList(open.first + 1, index).joinToString("\n").trimIndent())
+                    snippets += Snippet(
+                        name, open.first + 1, open.second, lines.subList(open.first + 1, index).joinToString("\n").trimIndent(),
+                    )
                     fence = null
                 }
             }

@@ -12,14 +12,14 @@ import io.kotest.matchers.shouldBe
 import jason.asSemantics.Agent
 import jason.asSyntax.parser.as2j
 import jason.util.Config
+import org.jetbrains.kotlin.cli.common.ExitCode
+import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.io.StringReader
 import java.nio.file.Path
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
-import org.jetbrains.kotlin.cli.common.ExitCode
-import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 
 /** No page shows what does not work, or leads nowhere. */
 class DocumentsSpec : FunSpec({

@@ -17,7 +17,9 @@ class FirmwareSnippetsSpec : FunSpec({
     val documents = Document.all(root)
     val folder = tempdir()
     val warnings = "-Wall -Wextra -Werror"
-    fun compiler(program: String): EnabledOrReasonIf = { if (onPath(program)) Enabled.enabled else Enabled.disabled("there is no $program: install g++ with your package manager") }
+    fun compiler(program: String): EnabledOrReasonIf = {
+        if (onPath(program)) Enabled.enabled else Enabled.disabled("there is no $program: install g++ with your package manager")
+    }
 
     test("there are sketches and C on the pages") {
         listOf("cpp", "c").forEach { language -> documents.flatMap { it.snippets }.filter { it.language == language }.shouldNotBeEmpty() }
@@ -46,7 +48,9 @@ class FirmwareSnippetsSpec : FunSpec({
 
     context("the compiler is called rightly in") {
         documents.flatMap(ToldCommand::of).filter { it.words[0] == "cc" }.forEach { command ->
-            test("$command").config(enabledOrReasonIf = compiler("cc")) { library.runs(command.text.replace(Regex("-o (\\S+)$"), "-o '$folder/$1'")) }
+            test("$command").config(enabledOrReasonIf = compiler("cc")) {
+                library.runs(command.text.replace(Regex("-o (\\S+)$"), "-o '$folder/$1'"))
+            }
         }
     }
 })

@@ -21,13 +21,16 @@ class InternalActionsPage(root: Path) {
         Each action has three forms: `argo.port(P)`, `.port(P)` and `.argo.port(P)`. A failed action fails its plan with a message and an
         annotation `error(…)`: [all errors](errors.md).
 
-        """.trimIndent() + "\n" + actions.joinToString("\n") { section(it) }
+        """.trimIndent() + "\n" + actions.joinToString("\n") {
+            section(it)
+        }
     }
 
     private fun section(source: Path): String {
         val comment = checkNotNull(COMMENT.find(source.readText())) { "$source: the class of the action has no KDoc" }.groupValues[1]
         val lines = comment.lines().map { it.trim().removePrefix("*").removePrefix(" ") }
-        return "## argo.${source.nameWithoutExtension}\n\n" + lines.joinToString("\n").trim().replace(LINK) { "`${it.groupValues[1]}`" } + "\n"
+        return "## argo.${source.nameWithoutExtension}\n\n" + lines.joinToString("\n").trim()
+            .replace(LINK) { "`${it.groupValues[1]}`" } + "\n"
     }
 
     private companion object {

@@ -9,8 +9,10 @@ class ToldCommand private constructor(val document: String, val line: Int, val t
     companion object {
         /** The commands of a page in their order: those between fences, and those in its sentences and tables. */
         fun of(document: Document): List<ToldCommand> =
-            (document.snippets.flatMap(::fenced) + document.spans.filter { SPOKEN.matches(it.text) }.map { ToldCommand(it.document, it.line, it.text) })
+            (document.snippets.flatMap(::fenced) + document.spans.filter { SPOKEN.matches(it.text) }.map(::spoken))
                 .filter { it.words.isNotEmpty() }.sortedBy { it.line }
+
+        private fun spoken(span: Snippet) = ToldCommand(span.document, span.line, span.text)
 
         /** Of what a page quotes in its sentences, that which is typed. */
         private val SPOKEN = Regex("""(\./\w+|java|mvn|gradle|make|cc|cd|sudo|ssh|lsusb)( .*)?""")

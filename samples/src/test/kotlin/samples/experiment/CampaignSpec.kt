@@ -33,7 +33,8 @@ class CampaignSpec : FunSpec({
     fun archive() = Archive(tempdir().toPath().resolve("x")).apply { open(SETTINGS) }
 
     /** Runs all of [trials] in [archive] by [laboratory]. */
-    fun campaign(archive: Archive, given: GivenUp = GivenUp(), laboratory: Laboratory) = Campaign(archive, SETTINGS, laboratory, 2, given) {}
+    fun campaign(archive: Archive, given: GivenUp = GivenUp(), laboratory: Laboratory) =
+        Campaign(archive, SETTINGS, laboratory, 2, given) {}
 
     test("each run is made once and recorded, whatever the number of robots") {
         val archive = archive()
@@ -45,7 +46,8 @@ class CampaignSpec : FunSpec({
         }.run(trials)
         made shouldContainExactlyInAnyOrder trials
         over.map { it.trial } shouldContainExactlyInAnyOrder trials
-        readRecord(archive.file(trials.first())) shouldBe listOf(Entry.Begin(trials.first(), SETTINGS), Entry.Command(5, "front", 200.0), stopped())
+        readRecord(archive.file(trials.first())) shouldBe
+            listOf(Entry.Begin(trials.first(), SETTINGS), Entry.Command(5, "front", 200.0), stopped())
     }
 
     test("an experiment that was given up is continued, not repeated") {
@@ -60,7 +62,10 @@ class CampaignSpec : FunSpec({
         }
         val before = campaign(archive, given, laboratory).run(trials)
         before.size shouldBe made.size - trials.count { it in made && it !in before.map(Finished::trial) }
-        trials.filter { archive.file(it).exists() }.flatMap { archive.file(it).readLines() }.forEach { JSON.decodeFromString(Entry.serializer(), it) } // whole lines
+        // whole lines
+        trials.filter { archive.file(it).exists() }.flatMap { archive.file(it).readLines() }.forEach {
+            JSON.decodeFromString(Entry.serializer(), it)
+        }
         val again = ConcurrentLinkedQueue<Trial>()
         val after = campaign(archive) { trial, _, _ -> again.add(trial).let { stopped() } }.run(trials)
         again shouldContainExactlyInAnyOrder trials - before.map { it.trial }.toSet()
@@ -100,7 +105,9 @@ class CampaignSpec : FunSpec({
     test("a run in which the machine was late is made anew, three times at most") {
         val archive = archive()
         val made = ConcurrentLinkedQueue<Trial>()
-        val campaign = campaign(archive) { trial, _, _ -> stopped(lateMs = if (trial == trials[0] || made.add(trial) && made.count { it == trial } == 1) 500.0 else 1.0) }
+        val campaign = campaign(archive) { trial, _, _ ->
+            stopped(lateMs = if (trial == trials[0] || made.add(trial) && made.count { it == trial } == 1) 500.0 else 1.0)
+        }
         val over = campaign.run(trials).associate { it.trial to it.result.lateMs }
         over.getValue(trials[0]) shouldBe 500.0
         (over - trials[0]).values.toSet() shouldBe setOf(1.0)
@@ -137,7 +144,8 @@ class CampaignSpec : FunSpec({
     test("two experiments in one directory at once are refused, one after the other are not") {
         val first = archive()
         val second = Archive(first.directory)
-        shouldThrow<ContinuationException> { second.open(SETTINGS) }.message shouldContain "an experiment is being made in ${first.directory} right now"
+        shouldThrow<ContinuationException> { second.open(SETTINGS) }
+            .message shouldContain "an experiment is being made in ${first.directory} right now"
         first.close()
         second.open(SETTINGS)
         second.close()

@@ -16,7 +16,8 @@ import kotlin.io.path.readLines
 
 /** The experiment as it is run, in real time; the runs are so short that a robot stops after one or two seconds. */
 class ExperimentSpec : FunSpec({
-    fun arguments(out: Path, vararg more: String) = arrayOf("experiment", "--smoke", "--condition", "b", "--slowdown", "1", "--jobs", "6", "--out", "$out", *more)
+    fun arguments(out: Path, vararg more: String) =
+        arrayOf("experiment", "--smoke", "--condition", "b", "--slowdown", "1", "--jobs", "6", "--out", "$out", *more)
 
     test("an experiment that is interrupted keeps whole lines, and goes on with the same command") {
         val out = tempdir().toPath().resolve("results")

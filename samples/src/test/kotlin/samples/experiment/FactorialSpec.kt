@@ -1,7 +1,7 @@
 package samples.experiment
 
-import io.kotest.core.spec.style.FunSpec
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import org.apache.commons.math3.stat.regression.OLSMultipleLinearRegression
@@ -13,7 +13,11 @@ import kotlin.random.Random
 
 /** Three levels of each factor and three replications: what the experiment has. */
 private fun drawn(random: Random, sizes: List<Int> = listOf(3, 3, 3), replications: Int = 3) =
-    List(sizes[0]) { i -> List(sizes[1]) { j -> List(sizes[2]) { k -> List(replications) { 5.0 * i * k - 3.0 * j + 2.0 * i * j * k + random.nextDouble(-4.0, 4.0) } } } }
+    List(sizes[0]) { i ->
+        List(sizes[1]) { j ->
+            List(sizes[2]) { k -> List(replications) { 5.0 * i * k - 3.0 * j + 2.0 * i * j * k + random.nextDouble(-4.0, 4.0) } }
+        }
+    }
 
 /** The columns of a general linear model for one factor: effect coding, whose coefficients add up to 0 with that of the last level. */
 private fun coded(level: Int, size: Int): List<Double> = List(size - 1) { if (level == size - 1) -1.0 else if (level == it) 1.0 else 0.0 }
@@ -23,13 +27,15 @@ private fun model(responses: List<List<List<List<Double>>>>, sources: List<Sourc
     val sizes = listOf(responses.size, responses[0].size, responses[0][0].size)
     val rows = ArrayList<DoubleArray>()
     val ys = ArrayList<Double>()
-    responses.forEachIndexed { i, b -> b.forEachIndexed { j, c -> c.forEachIndexed { k, cell -> cell.forEach { y ->
-        val levels = listOf(i, j, k)
+    val cells = responses.indices.flatMap { i ->
+        responses[i].indices.flatMap { j -> responses[i][j].indices.map { k -> listOf(i, j, k) to responses[i][j][k] } }
+    }
+    for ((levels, cell) in cells) for (y in cell) {
         rows += sources.flatMap { source ->
             source.factors.map { coded(levels[it], sizes[it]) }.reduce { some, more -> some.flatMap { s -> more.map { m -> s * m } } }
         }.toDoubleArray()
         ys += y
-    } } } }
+    }
     return OLSMultipleLinearRegression().apply { newSampleData(ys.toDoubleArray(), rows.toTypedArray()) }
 }
 
@@ -37,13 +43,15 @@ class FactorialSpec : FunSpec({
     test("a 2×2×2 experiment with two replications, computed by hand") {
         // y = 40 + 20a + 10b + 5c + 3ab + 2ac + 1bc + 0abc ± 1 with a, b, c = -1 or 1, the signs of a 2^k design
         val signs = listOf(-1, 1)
-        val analysis = Factorial(signs.map { a -> signs.map { b -> signs.map { c ->
-            val mean = 40.0 + 20 * a + 10 * b + 5 * c + 3 * a * b + 2 * a * c + b * c
-            listOf(mean - 1, mean + 1)
-        } } })
+        fun mean(a: Int, b: Int, c: Int) = 40.0 + 20 * a + 10 * b + 5 * c + 3 * a * b + 2 * a * c + b * c
+        val responses = signs.map { a -> signs.map { b -> signs.map { c -> listOf(mean(a, b, c) - 1, mean(a, b, c) + 1) } } }
+        val analysis = Factorial(responses)
         analysis.mean shouldBe (40.0 plusOrMinus 1e-9)
         // a sum of squares is 2^3 combinations × 2 replications × the effect's square
-        val squares = mapOf(Source.A to 6400.0, Source.B to 1600.0, Source.C to 400.0, Source.AB to 144.0, Source.AC to 64.0, Source.BC to 16.0, Source.ABC to 0.0)
+        val squares = mapOf(
+            Source.A to 6400.0, Source.B to 1600.0, Source.C to 400.0, Source.AB to 144.0, Source.AC to 64.0, Source.BC to 16.0,
+            Source.ABC to 0.0,
+        )
         squares.forEach { (source, expected) -> analysis.squares(source) shouldBe (expected plusOrMinus 1e-9) }
         analysis.error shouldBe (16.0 plusOrMinus 1e-9)
         analysis.total shouldBe (8640.0 plusOrMinus 1e-9)

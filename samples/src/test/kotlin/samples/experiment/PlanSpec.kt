@@ -5,8 +5,8 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
-import javino.LineSettings
 import io.kotest.matchers.shouldNotBe
+import javino.LineSettings
 
 class PlanSpec : FunSpec({
     val trials = Plan.FULL.trials(Condition.PUBLISHED)
@@ -56,7 +56,8 @@ class PlanSpec : FunSpec({
         val part = all.copy(view = View.FRONT_DISTANCE)
         // getPercepts(dist) and dist(f,200);dist(b,200);dist(r,80);dist(l,80); with twelve bytes around each
         exchangeNanos(part) shouldBe (17 + 12 + 46 + 12) * LineSettings(9_600).byteNanos()
-        answerLimitMs(part.copy(sensors = 768)) shouldBe answerLimitMs(all.copy(sensors = 768)) // until the filter is known it is asked for all
+        // until the filter is known it is asked for all
+        answerLimitMs(part.copy(sensors = 768)) shouldBe answerLimitMs(all.copy(sensors = 768))
     }
 
     test("the physical time to stop is two exchanges, the sensor's noise and the command") {

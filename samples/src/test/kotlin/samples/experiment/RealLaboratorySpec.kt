@@ -35,7 +35,8 @@ class RealLaboratorySpec : FunSpec({
     }
 
     test("a port that is not there ends the run with the reason") {
-        val result = RecordWriter(file()).use { RealLaboratory(host, "sim:elsewhere", { true }).run(trial, it, GivenUp()) }.shouldNotBeNull()
+        val result = RecordWriter(file())
+            .use { RealLaboratory(host, "sim:elsewhere", { true }).run(trial, it, GivenUp()) }.shouldNotBeNull()
         result.outcome shouldBe Outcome.FAILED
         result.reason shouldContain "there is no simulated board sim:elsewhere"
     }

@@ -15,8 +15,8 @@ import samples.experiment.report.Finding
 import samples.experiment.report.Scaling
 import samples.experiment.report.fate
 import samples.experiment.report.median
-import samples.experiment.report.publishedClaims
 import samples.experiment.report.promise
+import samples.experiment.report.publishedClaims
 import samples.experiment.report.writeReport
 import java.io.ByteArrayInputStream
 import javax.imageio.ImageIO
@@ -105,7 +105,8 @@ class ReportSpec : FunSpec({
         val runs = made(Condition.DEFAULTS)
         analysis(runs.drop(1), Plan.FULL, Condition.DEFAULTS, Response.TIME) shouldBe null
         val byInterval = runs.map { it.copy(result = stopped(responseMs = it.trial.interval * 10.0)) }
-        analysis(byInterval, Plan.FULL, Condition.DEFAULTS, Response.TIME)?.share(Source.B).shouldNotBeNull() shouldBe (1.0 plusOrMinus 1e-9)
+        analysis(byInterval, Plan.FULL, Condition.DEFAULTS, Response.TIME)?.share(Source.B).shouldNotBeNull() shouldBe
+            (1.0 plusOrMinus 1e-9)
     }
 
     test("a real robot is not described as a simulated one") {
@@ -119,7 +120,9 @@ class ReportSpec : FunSpec({
     test("runs of which a whole filter has failed make a report without what cannot be said") {
         val runs = made(Condition.PUBLISHED, Condition.DEFAULTS)
         View.entries.forEach { lost ->
-            val left = runs.map { if (it.trial.view == lost) it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "lost")) else it }
+            val left = runs.map {
+                if (it.trial.view == lost) it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "lost")) else it
+            }
             val page = writeReport(tempdir().toPath(), settings, left, "a machine").readText()
             page shouldContain "54 runs have failed"
             page.replace(Regex("base64,[^\"]*"), "") shouldNotContain "NaN"
@@ -140,7 +143,8 @@ class ReportSpec : FunSpec({
         val runs = bauds.map { Trial(Condition.DEFAULTS, View.NONE, 80, 20, 1, it, 48) }.map { trial ->
             Finished(trial, if (trial.baud == 38_400) stopped().copy(outcome = Outcome.COLLIDED) else stopped(responseMs = 500.0))
         }
-        Scaling(runs).table() shouldContain "<td class=\"n\">0.50</td><td class=\"n\">wall</td><td class=\"n\">0.50</td><td class=\"n\">0.50</td><td class=\"n\">115200 baud</td>"
+        Scaling(runs).table() shouldContain "<td class=\"n\">0.50</td><td class=\"n\">wall</td><td class=\"n\">0.50</td><td " +
+            "class=\"n\">0.50</td><td class=\"n\">115200 baud</td>"
         Scaling(runs.take(2)).table() shouldContain "<td class=\"n\">none</td><td class=\"n\">–</td>"
     }
 

@@ -50,13 +50,17 @@ class FleetSpec : FunSpec({
 
     test("the command shows it and ends") {
         Program.samples("fleet", "--seconds", "5").use { program ->
-            listOf("has visited", "scout2 has been killed", "scout2 is lost", "scout1 watches", "scout1 has visited").forEach(program::awaitLine)
+            listOf("has visited", "scout2 has been killed", "scout2 is lost", "scout1 watches", "scout1 has visited")
+                .forEach(program::awaitLine)
             program.awaitEnd().first shouldBe 0
         }
     }
 })
 
-/** The addresses of this computer beside 127.0.0.1. On Linux all of 127 leads to who listens everywhere, and not to who listens on 127.0.0.1. */
+/**
+ * The addresses of this computer beside 127.0.0.1. On Linux all of 127 leads to who listens everywhere, and not to who listens on
+ * 127.0.0.1.
+ */
 private fun otherAddresses(): List<InetAddress> {
     val others = NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }.filterNot { it.isLoopbackAddress }
     return if (System.getProperty("os.name") == "Linux") others + InetAddress.getByName("127.0.0.2") else others

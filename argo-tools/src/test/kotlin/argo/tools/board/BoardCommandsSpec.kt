@@ -1,6 +1,6 @@
 package argo.tools.board
 
-import argo.tools.Said
+import argo.tools.Output
 import argo.tools.argo
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
@@ -30,7 +30,7 @@ class BoardCommandsSpec : FunSpec({
 
     test("request prints the answer, and what could command a terminal as text") {
         board { it.whenAsked("getPercepts").answer("dist(f,3);say(\"\u001B[2J\");") }.with { port ->
-            argo("request", port, "getPercepts") shouldBe Said(0, "dist(f,3);say(\"\\u001B[2J\");\n", "")
+            argo("request", port, "getPercepts") shouldBe Output(0, "dist(f,3);say(\"\\u001B[2J\");\n", "")
             val json = Json.parseToJsonElement(argo("request", port, "getPercepts", "--json").out).jsonObject
             json.getValue("answer").jsonPrimitive.content shouldBe "dist(f,3);say(\"\u001B[2J\");"
             json.getValue("protocol").jsonPrimitive.content shouldBe "version 1"
@@ -61,7 +61,7 @@ class BoardCommandsSpec : FunSpec({
             argo("send", port, "ledOn", "--boot", "0").out shouldContain "does not report whether it acted"
         }
         board { it.version2().whenAsked("fly").refuse().also { _ -> it.whenAsked("ledOn") } }.with { port ->
-            argo("send", port, "ledOn", "--protocol", "2") shouldBe Said(0, "the board has acted\n", "")
+            argo("send", port, "ledOn", "--protocol", "2") shouldBe Output(0, "the board has acted\n", "")
             val refused = argo("send", port, "fly", "--protocol", "auto")
             refused.status shouldBe 1
             refused.err shouldContain "fly"
@@ -168,7 +168,7 @@ class BoardCommandsSpec : FunSpec({
 
     test("a recording that holds nothing a board said cannot be replayed") {
         val file = tempfile().apply { writeText("javino-recording 1\n") }
-        argo("replay", "$file") shouldBe Said(1, "", "$file: the recording holds nothing that a board said\n")
+        argo("replay", "$file") shouldBe Output(1, "", "$file: the recording holds nothing that a board said\n")
         file.writeText("dist(1)\n")
         argo("replay", "$file").err shouldContain "$file:1: the first line of a recording"
         argo("replay", "no-such.rec").err shouldBe "there is no file no-such.rec\n"

@@ -7,11 +7,11 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.io.PrintWriter
-import java.io.Writer
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import picocli.CommandLine
+import java.io.PrintWriter
+import java.io.Writer
 
 class ExaminationSpec : FunSpec({
     val board = Device("ttyACM0", isUsb = true, remedy = null, holders = emptyList())

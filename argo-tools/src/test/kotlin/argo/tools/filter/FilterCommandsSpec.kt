@@ -2,7 +2,7 @@ package argo.tools.filter
 
 import argo.filters.format.JsonFilters
 import argo.filters.format.XmlFilters
-import argo.tools.Said
+import argo.tools.Output
 import argo.tools.argo
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -61,7 +61,7 @@ class FilterCommandsSpec : FunSpec({
     test("convert keeps the filter what it is") {
         val filter = XmlFilters.read(java.io.File(front).readText(), front)
         val json = folder.resolve("converted.json")
-        argo("filter", "convert", front, "--to", "json", "--out", json.path) shouldBe Said(0, "", "")
+        argo("filter", "convert", front, "--to", "json", "--out", json.path) shouldBe Output(0, "", "")
         JsonFilters.read(json.readText(), json.path) shouldBe filter
         XmlFilters.read(argo("filter", "convert", json.path, "--to", "xml").out, "back.xml") shouldBe filter
         argo("filter", "convert", front, "--to", "kotlin").out shouldContain "val front = dropFilter(\"front\", OnSwitch.FREEZE) {"

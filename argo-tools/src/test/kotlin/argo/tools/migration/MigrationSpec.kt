@@ -12,16 +12,16 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.useDirectoryEntries
 import kotlin.io.path.writeText
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonObject
-import kotlinx.serialization.json.jsonPrimitive
 
 class MigrationSpec : FunSpec({
     val root = tempdir().toPath()
@@ -96,8 +96,8 @@ class MigrationSpec : FunSpec({
 
     test("a wrong or missing architecture in a project file is reported") {
         val advices = advices(
-            "old.mas2j" to "MAS old {\n infrastructure: Centralised\n agents:\n  bob agentArchClass jason.Argo;\n  eve x/talker.asl;\n  max;\n" +
-                " aslSourcePath: \"src\";\n}",
+            "old.mas2j" to "MAS old {\n infrastructure: Centralised\n agents:\n  bob agentArchClass jason.Argo;\n  eve x/talker.asl;\n" +
+                "  max;\n aslSourcePath: \"src\";\n}",
             "src/bob.asl" to "+!s <- .port(a).", "src/talker.asl" to "+!s <- .act(a).", "src/max.asl" to "+!s <- .filter(none).",
         )
         advices.map { it.line to it.must } shouldBe listOf(2 to false, 4 to true, 5 to true)
@@ -140,7 +140,8 @@ class MigrationSpec : FunSpec({
     test("no text makes a check throw") {
         val parts = Arb.element(
             ".argo.port(", ".limit(", "percepts(", ".act(", ".filter(", "port(", "source(", "a", "X", "true", "9", "-", ",", ")", "[", "]",
-            "(", "\"s\"", "'", ";", ".", "\n", "agents:", "agentArchClass", "ag-arch:", "infrastructure:", "{", "}", "only", "on", "Centralised",
+            "(", "\"s\"", "'", ";", ".", "\n", "agents:", "agentArchClass", "ag-arch:", "infrastructure:", "{", "}", "only",
+            "on", "Centralised",
         )
         checkAll(Arb.list(parts, 0..30)) {
             val text = it.joinToString("")

@@ -1,6 +1,6 @@
 package argo.tools.project
 
-import argo.tools.Said
+import argo.tools.Output
 import argo.tools.argo
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -38,7 +38,7 @@ class NewCommandSpec : FunSpec({
 
     test("a new project passes check-agent") {
         new("spotless").status shouldBe 0
-        argo("check-agent", "$folder/spotless") shouldBe Said(0, "5 files read: 0 things must change, 0 notes\n", "")
+        argo("check-agent", "$folder/spotless") shouldBe Output(0, "5 files read: 0 things must change, 0 notes\n", "")
     }
 
     test("nothing that is there is overwritten, and no half project is left") {

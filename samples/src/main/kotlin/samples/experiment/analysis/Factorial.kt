@@ -5,8 +5,8 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * Which of three factors a sum of squares or an effect belongs to: [SIZE] of them, the main ones, the interactions of two, that of all three.
- * The first factor is A.
+ * Which of three factors a sum of squares or an effect belongs to: [SIZE] of them, the main ones, the interactions of two, that of all
+ * three. The first factor is A.
  */
 internal enum class Source(val factors: Set<Int>) {
     A(setOf(0)), B(setOf(1)), C(setOf(2)), AB(setOf(0, 1)), AC(setOf(0, 2)), BC(setOf(1, 2)), ABC(setOf(0, 1, 2));
@@ -32,11 +32,11 @@ internal class Effect(val source: Source, val levels: List<Int>, val value: Doub
 
 /**
  * The analysis of a full factorial experiment with three factors and replications, after R. Jain, The Art of Computer Systems Performance
- * Analysis, Wiley 1991, chapters 22 and 23: the model `y = mean + A + B + C + AB + AC + BC + ABC + error` with effects that add up to 0 over
- * the levels of each factor; the share of a source in the variation is its sum of squares over the total one.
+ * Analysis, Wiley 1991, chapters 22 and 23: the model `y = mean + A + B + C + AB + AC + BC + ABC + error` with effects that add up to 0
+ * over the levels of each factor; the share of a source in the variation is its sum of squares over the total one.
  *
- * @param responses `responses[i][j][k][r]` is the response at level i of A, j of B, k of C in replication r; all cells have equally many, at
- * least one. With one there is no error to speak of: its share is 0 and the confidence intervals are without end
+ * @param responses `responses[i][j][k][r]` is the response at level i of A, j of B, k of C in replication r; all cells have equally many,
+ * at least one. With one there is no error to speak of: its share is 0 and the confidence intervals are without end
  */
 internal class Factorial(private val responses: List<List<List<List<Double>>>>) {
     private val sizes = listOf(responses.size, responses.first().size, responses.first().first().size)
@@ -45,13 +45,16 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     val replications = responses.first().first().first().size
 
     init {
-        require(replications > 0 && responses.all { b -> b.size == sizes[1] && b.all { c -> c.size == sizes[2] && c.all { it.size == replications } } }) {
+        val isRegular = responses.all { b -> b.size == sizes[1] && b.all { c -> c.size == sizes[2] && c.all { it.size == replications } } }
+        require(replications > 0 && isRegular) {
             "a full factorial experiment has all combinations of levels, each with the same number of replications"
         }
         require(sizes.all { it > 0 }) { "each factor has a level" }
     }
 
-    private val cells: List<List<Int>> = sizes.fold(listOf(emptyList())) { cells, size -> cells.flatMap { cell -> (0 until size).map { cell + it } } }
+    private val cells: List<List<Int>> = sizes.fold(listOf(emptyList())) { cells, size ->
+        cells.flatMap { cell -> (0 until size).map { cell + it } }
+    }
 
     private fun at(cell: List<Int>) = responses[cell[0]][cell[1]][cell[2]]
 
@@ -78,17 +81,20 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     private val effects: Map<Source, Map<List<Int>, Double>> = buildMap {
         for (source in Source.entries.sortedBy { it.factors.size }) {
             val lower = filterKeys { it.factors.all(source.factors::contains) }
-            put(source, cells.groupBy { cell -> cell.of(source) }.mapValues { (_, group) ->
+            val effect = cells.groupBy { cell -> cell.of(source) }.mapValues { (_, group) ->
                 val marginal = group.sumOf { at(it).average() } / group.size
-                (marginal - mean - lower.entries.sumOf { (below, values) -> values.getValue(group.first().of(below)) }).takeIf { abs(it) > rounding } ?: 0.0
-            })
+                (marginal - mean - lower.entries.sumOf { (below, values) -> values.getValue(group.first().of(below)) })
+                    .takeIf { abs(it) > rounding } ?: 0.0
+            }
+            put(source, effect)
         }
     }
 
     private fun List<Int>.of(source: Source) = source.factors.map { this[it] }
 
     /** The sum of squares of [source]. */
-    fun squares(source: Source): Double = effects.getValue(source).values.sumOf { it * it } * count / source.factors.fold(1) { n, f -> n * sizes[f] }
+    fun squares(source: Source): Double =
+        effects.getValue(source).values.sumOf { it * it } * count / source.factors.fold(1) { n, f -> n * sizes[f] }
 
     /** The share of [source] in the variation, from 0 to 1; 0 if nothing varies. */
     fun share(source: Source): Double = if (total > 0) squares(source) / total else 0.0

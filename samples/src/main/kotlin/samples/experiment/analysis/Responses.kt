@@ -11,7 +11,7 @@ import samples.experiment.View
 /**
  * What is analysed: a number for each run.
  *
- * A robot that ran into the wall has no response time: its agent needed longer than there was. What it enters with is a choice.
+ * A robot that ran into the wall has no response time: its agent needed longer than there was. Its entry is a choice.
  *
  * @property title what it is called
  * @property unit what it is measured in
@@ -32,7 +32,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
     /** The distance from the wall in the end. */
     DISTANCE("stopping distance", "cm", "with 0 cm") {
         override fun of(result: Entry.Result, plan: Plan) = result.distance
-    };
+    }, ;
 
     /** Its value in a run with [result] of [plan]. */
     abstract fun of(result: Entry.Result, plan: Plan): Double
@@ -53,7 +53,9 @@ internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition
         plan.limits.map { limit ->
             plan.intervals.map { interval ->
                 View.entries.map { view ->
-                    trials.filter { it.limit == limit && it.interval == interval && it.view == view }.map { response.of(results.getValue(it), plan) }
+                    trials.filter { it.limit == limit && it.interval == interval && it.view == view }.map {
+                        response.of(results.getValue(it), plan)
+                    }
                 }
             }
         },
@@ -66,7 +68,8 @@ internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition
  */
 internal object Published {
     val percent: Map<Source, Double> = mapOf(
-        Source.A to 1.415, Source.B to 0.165, Source.C to 88.965, Source.AB to 0.525, Source.AC to 3.715, Source.BC to 0.265, Source.ABC to 1.725,
+        Source.A to 1.415, Source.B to 0.165, Source.C to 88.965,
+        Source.AB to 0.525, Source.AC to 3.715, Source.BC to 0.265, Source.ABC to 1.725,
     )
 
     /** Of the error. */

@@ -18,15 +18,17 @@ import java.util.Locale
 internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found") }
 
 /**
- * Something that was published, or is promised, and what these runs say to it.
+ * A published result or a promise, and the result of these runs.
  *
- * @property claim what was said
+ * @property claim the published result or the promise
  * @property seen what was measured
  * @property why what explains it
  */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
 
-private fun List<Finished>.of(view: View, vararg limits: Int) = filter { it.trial.view == view && (limits.isEmpty() || it.trial.limit in limits) }
+private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
+    it.trial.view == view && (limits.isEmpty() || it.trial.limit in limits)
+}
 private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
 private fun List<Finished>.seconds() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }
 
@@ -35,11 +37,13 @@ private fun List<Finished>.afterLimit() = seconds().let { if (it.isEmpty()) "" e
 
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
-/** What was published, and what the [runs] under the published condition say to it. Claims on levels that [plan] has not are left out. */
+/** The published results, and those of [runs] under the published condition. Claims on levels outside [plan] are left out. */
 internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factorial?): List<Claim> {
     val published = runs.filter { it.trial.condition == Condition.PUBLISHED }
     if (published.isEmpty()) return emptyList()
-    return listOfNotNull(unfiltered(published), frontDistance(published), frontSide(published), shortest(published, plan), allocation(analysis))
+    return listOfNotNull(
+        unfiltered(published), frontDistance(published), frontSide(published), shortest(published, plan), allocation(analysis),
+    )
 }
 
 private fun unfiltered(runs: List<Finished>): Claim? {
@@ -48,8 +52,9 @@ private fun unfiltered(runs: List<Finished>): Claim? {
         "Without a filter the robot hits the wall in all cases.",
         finding(none.size - none.stopped(), none.size),
         "${none.size - none.stopped()} of ${none.size} runs ended at the wall.",
-        "Each frame changes twelve percepts, so it adds twelve events. Jason handles one event in a reasoning cycle, and in this condition each cycle waits " +
-            "for a whole exchange with the board. The step of the driving goal that would stop the robot is an event too and waits behind all the others.",
+        "Each frame changes twelve percepts, so it adds twelve events. Jason handles one event in a reasoning cycle, and in this " +
+            "condition each cycle waits for a whole exchange with the board. The step of the driving goal that would stop the robot is " +
+            "an event too and waits behind all the others.",
     )
 }
 
@@ -67,13 +72,20 @@ private fun frontSide(runs: List<Finished>): Claim? {
     val side = runs.of(View.FRONT_SIDE, 120).ifEmpty { return null }
     val nearer = side.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.distance }
     val front = runs.of(View.FRONT_DISTANCE, 120).map { it.result.distance }.ifEmpty { return null }
-    val where = if (nearer.isEmpty()) "" else ", ${one(nearer.average())} cm from the wall on average (front distance: ${one(front.average())} cm)"
+    val where = if (nearer.isEmpty()) ""
+    else ", ${one(nearer.average())} cm from the wall on average (front distance: ${one(front.average())} cm)"
     return Claim(
         "With the front side filter it stops sometimes at 120 cm, always nearer to the wall.",
-        if (side.stopped() == 0 || nearer.max() >= front.min()) Finding.NO else if (side.stopped() < side.size) Finding.YES else Finding.PARTLY,
-        "${side.stopped()} of ${side.size} runs at 120 cm stopped$where; of all limits ${runs.of(View.FRONT_SIDE).stopped()} of ${runs.of(View.FRONT_SIDE).size}.",
-        "Three events a frame and one handled: the queue grows by two each cycle, so each step of the driving goal waits three times as long as the one before. " +
-            "The steps come so far apart that it is a matter of when the agent began whether one of them falls between the limit and the wall. " +
+        when {
+            side.stopped() == 0 || nearer.max() >= front.min() -> Finding.NO
+            side.stopped() < side.size -> Finding.YES
+            else -> Finding.PARTLY
+        },
+        "${side.stopped()} of ${side.size} runs at 120 cm stopped$where; of all limits ${runs.of(View.FRONT_SIDE).stopped()} of " +
+            "${runs.of(View.FRONT_SIDE).size}.",
+        "Three events a frame and one handled: the queue grows by two each cycle, so each step of the driving goal waits three times " +
+            "as long as the one before. The steps come so far apart that it is a matter of when the agent began whether one of them " +
+            "falls between the limit and the wall. " +
             "That instant depends on the speed of the computer, which is an assumption here.",
     )
 }
@@ -86,9 +98,12 @@ private fun shortest(runs: List<Finished>, plan: Plan): Claim? {
     return Claim(
         "At a limit of 40 cm and an interval of 50 ms neither filter avoids the wall.",
         finding(hit, cell.size),
-        "$hit of ${cell.size} such runs ended at the wall; with front distance ${front.stopped()} of ${front.size} stopped${front.afterLimit()}.",
-        "40 cm leave 4 s at 10 cm/s. The model's sensors take no time to be read, its board runs nothing else, and its robot stops at once; a real one spends time on each of " +
-            "these, and the paper does not say how much. A request and its answer take ${exchangeNanos(cell.first().trial) / 1_000_000} ms at 9600 baud, more than any of the intervals, so the interval cannot matter on this line.",
+        "$hit of ${cell.size} such runs ended at the wall; with front distance ${front.stopped()} of ${front.size} " +
+            "stopped${front.afterLimit()}.",
+        "40 cm leave 4 s at 10 cm/s. The model's sensors take no time to be read, its board runs nothing else, and its robot stops at " +
+            "once; a real one spends time on each of these, and the paper does not say how much. A request and its answer take " +
+            "${exchangeNanos(cell.first().trial) / 1_000_000} ms at 9600 baud, more than any of the intervals, so the interval cannot " +
+            "matter on this line.",
     )
 }
 
@@ -100,11 +115,12 @@ private fun allocation(analysis: Factorial?): Claim? {
         "The filter explains by far the most of the variation of the response time: ${Published.percent.getValue(Source.C)} %.",
         if (share > 4 * others && share > 50) Finding.YES else if (share > others) Finding.PARTLY else Finding.NO,
         "${one(share)} %; the next largest share is ${one(others)} %.",
-        "Whether a robot stops at all is decided by the filter. The shares of the limit and of L×F depend on how collisions enter: see the tables.",
+        "Whether a robot stops at all is decided by the filter. The shares of the limit and of L×F depend on how collisions enter: see " +
+            "the tables.",
     )
 }
 
-/** What is promised for [condition], one of this project's own, and what the [runs] say to it; null if there are none. */
+/** The promise for [condition], one of this project's own, and the results of [runs]; null without runs. */
 internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
     val own = runs.filter { it.trial.condition == condition && leavesTime(it.trial) }.ifEmpty { return null }
     val none = own.of(View.NONE)
@@ -114,9 +130,11 @@ internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
         "(${condition.letter}) ${condition.title}: every run stops whose limit leaves the physical time to stop, without a filter too.",
         finding(own.stopped(), own.size),
         "${own.stopped()} of ${own.size} runs stopped; without a filter ${none.stopped()} of ${none.size}${none.afterLimit()}$worst.",
-        "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: what it acts on is never older than a few " +
-            "exchanges. The physical time is what the line and the sensors can take whatever program drives the robot: the noise of the reading, an exchange that began just before the " +
-            "limit, the next one and the command, ${two(leastStopNanos(slowest) / 1e9)} s at most here. The shortest limit leaves ${two(own.minOf { limitNanos(it.trial) } / 1e9)} s, " +
+        "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: what " +
+            "it acts on is never older than a few exchanges. The physical time is what the line and the sensors can take whatever " +
+            "program drives the robot: the noise of the reading, an exchange that began just before the " +
+            "limit, the next one and the command, ${two(leastStopNanos(slowest) / 1e9)} s at most here. The shortest limit leaves " +
+            "${two(own.minOf { limitNanos(it.trial) } / 1e9)} s, " +
             "so ${if (own.size == runs.count { it.trial.condition == condition }) "all runs have it" else "${own.size} runs have it"}.",
     )
 }

@@ -19,38 +19,51 @@ internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finis
     ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, machine))
         .joinToString("\n", "<h2>How it was made</h2>\n<ul>\n", "\n</ul>") { (what, how) -> "<li><strong>$what</strong>: $how</li>" }
 
-private val AGENT = "Agent" to "the published one, plan for plan: <code>samples/experiment/robot.asl</code>. (a): <code>argo_sensing=in_cycle</code>, <code>protocol(1)</code>, commands unpaced. " +
-    "(b): no option but the baud rate and the time an answer may take. (c): <code>protocol(2)</code>, and filters that say what they keep, so that the board is asked for that."
+private val AGENT = "Agent" to "the published one, plan for plan: <code>samples/experiment/robot.asl</code>. (a): " +
+    "<code>argo_sensing=in_cycle</code>, <code>protocol(1)</code>, commands unpaced. " +
+    "(b): no option but the baud rate and the time an answer may take. (c): <code>protocol(2)</code>, and filters that say what they " +
+    "keep, so that the board is asked for that."
 
 private fun simulated(settings: Settings, runs: List<Finished>): List<Pair<String, String>> = listOf(
-    "Robot" to "simulated. It starts ${Course.START_CM.toInt()} cm from the wall, drives at ${Course.SPEED_CM_S.toInt()} cm/s and starts and stops at once; at 0 cm it has collided.",
-    "Sensors" to "distance, light and temperature on four sides. All ${Sensors.PER_SET} readings change in each frame; a distance reading is the next whole centimetre or up to ${Sensors.DISTANCE_NOISE} cm more.",
-    "Line" to "9600 baud, each byte takes its ten bit times in each direction." + runs.firstOrNull()?.let { " A request and its answer of twelve percepts take ${exchangeNanos(it.trial) / 1_000_000} ms." }.orEmpty(),
-    "Board" to "(a) and (b): version 1 of Javino, one message at a time; of several that arrive while it answers it handles the last one. (c): version 2 as the library in <code>javino-arduino</code> speaks it.",
+    "Robot" to "simulated. It starts ${Course.START_CM.toInt()} cm from the wall, drives at ${Course.SPEED_CM_S.toInt()} cm/s and " +
+        "starts and stops at once; at 0 cm it has collided.",
+    "Sensors" to "distance, light and temperature on four sides. All ${Sensors.PER_SET} readings change in each frame; a distance " +
+        "reading is the next whole centimetre or up to ${Sensors.DISTANCE_NOISE} cm more.",
+    "Line" to "9600 baud, each byte takes its ten bit times in each direction." +
+        runs.take(1).joinToString { " A request and its answer of twelve percepts take ${exchangeNanos(it.trial) / 1_000_000} ms." },
+    "Board" to "(a) and (b): version 1 of Javino, one message at a time; of several that arrive while it answers it handles the last " +
+        "one. (c): version 2 as the library in <code>javino-arduino</code> speaks it.",
     AGENT,
-    "Computer" to "the reasoning of each agent, not its sensing thread, is slowed ${settings.slowdown} times: ${escaped(settings.computer)}. That compares whole-number division alone and stands for the " +
-        "single-board computers of 2016; it is an assumption, set with <code>--slowdown</code>. The published figure for the Raspberry Pi 3 Model B+ (687.45 events a second at 1.4 GHz, " +
+    "Computer" to "the reasoning of each agent, not its sensing thread, is slowed ${settings.slowdown} times: " +
+        "${escaped(settings.computer)}. That compares whole-number division alone and stands for the single-board computers of 2016; " +
+        "it is an assumption, set with <code>--slowdown</code>. The published figure for the Raspberry Pi 3 Model B+ " +
+        "(687.45 events a second at 1.4 GHz, " +
         "https://leoncode.co.uk/articles/raspberry-pi-benchmarks) is taken times 1.2/1.4 for the Model B of 2016, which has the same core.",
     "Time" to "real. ${lateness(runs)}",
 )
 
 private fun lateness(runs: List<Finished>): String {
     val late = runs.map { it.result.lateMs }.ifEmpty { return "" }
-    return "The most that a thread which asked to be woken every 5 ms was woken late in a run was ${one(late.max())} ms, the median over ${late.size} runs ${one(median(late))} ms; " +
-        "a run in which it was more than ${Campaign.MOST_LATE_MS.toInt()} ms was made anew, up to ${Campaign.MOST_TRIES} times, and ${late.count { it > Campaign.MOST_LATE_MS }} that are counted here still were."
+    return "A thread wakes every 5 ms during each run. Its largest delay was ${one(late.max())} ms, the median of the largest delays of " +
+        "${late.size} runs ${one(median(late))} ms. A run with a delay above ${Campaign.MAX_LATE_MS.toInt()} ms was repeated, up to " +
+        "${Campaign.MAX_TRIES} times; ${late.count { it > Campaign.MAX_LATE_MS }} of the counted runs still have one."
 }
 
 private fun real(port: String): List<Pair<String, String>> = listOf(
-    "Robot" to "a real one, on the port <code>${escaped(port)}</code>, which a person put ${Course.START_CM.toInt()} cm from the wall before each run. Its speed, its board and its sensors are its own; " +
+    "Robot" to "a real one, on the port <code>${escaped(port)}</code>, which a person put ${Course.START_CM.toInt()} cm from the wall " +
+        "before each run. Its speed, its board and its sensors are its own; " +
         "${Course.SPEED_CM_S.toInt()} cm/s is what collisions are reckoned with below, and what the physical time to stop supposes.",
-    "Measured" to "by its own front sensor, since nobody else knows where it is. The response time counts from the first reading at or below the limit that the agent believes to the moment its " +
-        "<code>stop</code> has left, so the time that the reading took on its way is not in it. ${RealLaboratory.WALL_CM.toInt()} cm or less is the wall. Stopping distances are its last reading, a second later.",
+    "Measured" to "by its own front sensor, the only source of its position. The response time is measured from the first believed " +
+        "reading at or below the limit to the moment when <code>stop</code> has left, without the time that the reading took on its " +
+        "way. ${RealLaboratory.WALL_CM.toInt()} cm or less is the wall. Stopping distances are its last reading, a second later.",
     AGENT,
     "Computer" to "this one; reasoning is not slowed.",
 )
 
 private fun common(settings: Settings, failed: List<Finished>, machine: String): List<Pair<String, String>> = listOf(
     "Order" to "random, all conditions mixed, seed ${settings.seed}: the same seed gives the same order. ${escaped(machine)}",
-    "Records" to "<code>runs/*.jsonl</code>, one file a run: ${if (settings.port == null) "each frame, each command and " else ""}each change of the believed front distance with its time." +
-        if (failed.isEmpty()) "" else " ${failed.size} runs have failed and are left out: " + escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
+    "Records" to "<code>runs/*.jsonl</code>, one file a run: ${if (settings.port == null) "each frame, each command and " else ""}each " +
+        "change of the believed front distance with its time." +
+        if (failed.isEmpty()) "" else " ${failed.size} runs have failed and are left out: " +
+            escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
 )

@@ -99,15 +99,16 @@ private val OUTCOMES = listOf("stopped", "ran into the wall")
 private fun outcome(run: Finished) = OUTCOMES[if (run.result.outcome == Outcome.COLLIDED) 1 else 0]
 
 /** What the axis of response times shows, in s. */
-private const val LEAST_S = 0.02
-private const val MOST_S = 20.0
+private const val MIN_S = 0.02
+private const val MAX_S = 20.0
 private const val FULL_DOT = 16
 private const val CROSS = 4
 
 /** Where the robots stood in the end, in all combinations: as the published figure, a row for each condition. */
 internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): Plot {
     val data = mapOf(
-        "x" to runs.map { plan.intervals.indexOf(it.trial.interval) + 0.26 * (it.trial.view.ordinal - 1) + 0.06 * (it.trial.replication - 2) },
+        "x" to
+            runs.map { plan.intervals.indexOf(it.trial.interval) + 0.26 * (it.trial.view.ordinal - 1) + 0.06 * (it.trial.replication - 2) },
         "distance" to runs.map { it.result.distance },
         "filter" to runs.map { words(it.trial.view) },
         "end" to runs.map(::outcome),
@@ -121,7 +122,10 @@ internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): 
         letsPlot(data) + geomHLine(data = lines, linetype = "dashed", color = shades.ink) { yintercept = "at" } +
             geomPoint(size = 4.0) { x = "x"; y = "distance"; color = "filter"; shape = "end" } +
             facetGrid(x = "limit", y = "condition", xFormat = "limit {d} cm") +
-            scaleXContinuous(breaks = plan.intervals.indices.toList(), labels = plan.intervals.map { "$it" }, limits = -0.5 to plan.intervals.size - 0.5) +
+            scaleXContinuous(
+                breaks = plan.intervals.indices.toList(), labels = plan.intervals.map { "$it" },
+                limits = -0.5 to plan.intervals.size - 0.5,
+            ) +
             filterColours(shades) + scaleShapeManual(values = listOf(FULL_DOT, CROSS), limits = OUTCOMES, name = "") +
             labs(x = "sensing interval in ms", y = "distance from the wall in cm")
         ).dressed(shades, 960, 120 + 210 * conditions.size)
@@ -133,14 +137,18 @@ private fun filterColours(shades: Shades) = scaleColorManual(values = shades.fil
 internal fun timesFigure(runs: List<Finished>, shades: Shades): Plot {
     val data = mapOf(
         "filter" to runs.map { words(it.trial.view) },
-        "seconds" to runs.map { (it.result.responseMs / 1000).coerceIn(LEAST_S, MOST_S) },
+        "seconds" to runs.map { (it.result.responseMs / 1000).coerceIn(MIN_S, MAX_S) },
         "end" to runs.map(::outcome),
         "condition" to runs.map { title(it.trial.condition) },
     )
     return (
         letsPlot(data) { x = "filter"; y = "seconds"; color = "filter" } + geomBoxplot(outlierSize = 0, width = 0.5, fill = shades.paper) +
             geomPoint(size = 3.0, alpha = 0.7) { shape = "end" } + facetGrid(x = "condition") +
-            scaleXDiscrete(limits = FILTERS) + scaleYLog10(limits = LEAST_S to MOST_S, breaks = listOf(0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10), labels = listOf("0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10")) +
+            scaleXDiscrete(limits = FILTERS) +
+            scaleYLog10(
+                limits = MIN_S to MAX_S, breaks = listOf(0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10),
+                labels = listOf("0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10"),
+            ) +
             filterColours(shades) + scaleShapeManual(values = listOf(FULL_DOT, CROSS), limits = OUTCOMES, name = "") +
             labs(x = "", y = "response time in s")
         ).dressed(shades, 960, 420)
@@ -176,10 +184,14 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
     )
     return (
         letsPlot(data) { x = "baud"; y = "sensors" } + geomTile(width = 1, height = 1, color = shades.paper) { fill = "seconds" } +
-            geomText(size = 6, color = "#1f2328") { label = "label" } + facetGrid(x = "condition", y = "view", yOrder = -1) + coordCartesian() +
+            geomText(size = 6, color = "#1f2328") { label = "label" } + facetGrid(x = "condition", y = "view", yOrder = -1) +
+            coordCartesian() +
             scaleXDiscrete(limits = runs.map { it.trial.baud }.distinct().sorted().map { "$it" }) +
             scaleYDiscrete(limits = runs.map { it.trial.sensors }.distinct().sorted().map { "$it" }) +
-            scaleFillGradient(low = "#d3f0dc", high = "#f5b971", naValue = "#e58f88", trans = "log10", breaks = listOf(0.01, 0.1, 1.0, 10.0), labels = listOf("0.01", "0.1", "1", "10"), name = "response time in s") +
+            scaleFillGradient(
+                low = "#d3f0dc", high = "#f5b971", naValue = "#e58f88", trans = "log10", breaks = listOf(0.01, 0.1, 1.0, 10.0),
+                labels = listOf("0.01", "0.1", "1", "10"), name = "response time in s",
+            ) +
             labs(x = "baud", y = "sensors")
         ).dressed(shades, 1180, 520)
 }

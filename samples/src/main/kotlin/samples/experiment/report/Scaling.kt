@@ -5,18 +5,22 @@ import samples.experiment.Outcome
 import samples.experiment.exchangeNanos
 import samples.experiment.leavesTime
 
-/** What [runs], which are beyond the paper, say in words and in a table; their figure goes between the two. */
+/** The results of [runs] beyond the paper, in words and in a table, with their figure between the two. */
 internal class Scaling(private val runs: List<Finished>) {
     private val bauds = runs.map { it.trial.baud }.distinct().sorted()
 
     /** What was tried, and what bounds each condition. */
     fun introduction(): String {
         val trial = runs.first().trial
-        return """<p>A limit of ${trial.limit} cm, an interval of ${trial.interval} ms, one run for each field (n = ${runs.size}): seconds from the limit to the stop, or what came of it.
+        return """<p>A limit of ${trial.limit} cm, an interval of ${trial.interval} ms, one run for each field (n = ${runs.size}):
+seconds from the limit to the stop, or another outcome.
 More sensors are further sets of the twelve, each of which moves the agent to as much as the first.</p>
-<p>A version 1 message holds 255 bytes, about twenty percepts, and a board with more sends several. Each is a snapshot of its own to the computer: an agent that sees the front in the first
-does not in the next. The first is also taken for the whole answer, so commands and the next request arrive while the board still sends. A board that holds one message then loses the one
-before the last. Where a request follows a command within that time, which an interval of ${trial.interval} ms makes likely, that is the command: the robot never drives, or is not stopped.
+<p>A version 1 message holds 255 bytes, about twenty percepts, and a board with more sends several. Each is a snapshot of its own to the
+computer: an agent that sees the front in the first
+does not in the next. The first is also taken for the whole answer, so commands and the next request arrive while the board still sends.
+A board that holds one message then loses the one
+before the last. Where a request follows a command within that time, which an interval of ${trial.interval} ms makes likely, that is the
+command: the robot never drives, or is not stopped.
 Version 2 has no such bound: its answers come whole, and its commands are acknowledged.</p>
 """
     }
@@ -27,12 +31,14 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
         runs.groupBy { Triple(it.trial.condition, it.trial.view, it.trial.sensors) }
             .toSortedMap(compareBy({ it.first }, { it.second }, { it.third })).values.map(::row),
         words = 2,
-    ) + "<p class=\"soft\">Seconds from the limit to the stop. $EXPLAINED An exchange is a request and its whole answer, on the line alone.</p>\n"
+    ) + "<p class=\"soft\">Seconds from the limit to the stop. $EXPLAINED An exchange is a request and its whole answer, on the line " +
+        "alone.</p>\n"
 
     private fun row(cell: List<Finished>): List<String> {
         val trial = cell.first().trial
         val byBaud = cell.associateBy { it.trial.baud }
-        val stopsFrom = bauds.takeLastWhile { baud -> byBaud[baud]?.let { it.result.outcome == Outcome.STOPPED } ?: true }.firstOrNull { it in byBaud }
+        val stopsFrom = bauds.takeLastWhile { baud -> byBaud[baud]?.let { it.result.outcome == Outcome.STOPPED } ?: true }
+            .firstOrNull { it in byBaud }
         return listOf("(${trial.condition.letter})", words(trial.view), "${trial.sensors}") +
             bauds.map { baud -> byBaud[baud]?.let(::fate) ?: "–" } +
             listOf(stopsFrom?.let { "$it baud" } ?: "none", stopsFrom?.let { "${exchangeNanos(trial.copy(baud = it)) / 1_000_000}" } ?: "–")
@@ -40,7 +46,8 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
 
     companion object {
         /** What the words of [fate] mean. */
-        val EXPLAINED = "wall: it ran into the wall. too slow: so it did, and the line alone takes longer than the limit leaves, whatever the program does. idle: no command to drive " +
+        val EXPLAINED = "wall: it ran into the wall. too slow: so it did, and the line alone takes longer than the limit leaves, " +
+            "whatever the program does. idle: no command to drive " +
             "took effect. failed: the agent gave up or ended in nothing else."
     }
 }

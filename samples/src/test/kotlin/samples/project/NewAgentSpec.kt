@@ -1,4 +1,4 @@
-package samples.bare
+package samples.project
 
 import argo.testkit.agent
 import io.kotest.core.spec.style.FunSpec
