@@ -159,10 +159,10 @@ final class CommandLoop {
                         + " when its time was over, and is not known to have arrived; it may have been carried out");
     }
 
-    /** Fails the commands that wait, on a line that is gone. */
-    void failAll() {
+    /** Fails the commands that wait, on a line that is gone for {@code reason}. */
+    void failAll(String reason) {
         for (Command command : writer.withdrawAll()) {
-            fail(command, new PortGoneException(port, "the port " + port + " was closed, or its device went, before it was sent"));
+            fail(command, new PortGoneException(port, reason));
         }
     }
 

@@ -275,7 +275,7 @@ public final class Link implements AutoCloseable {
 
     private void end(String why) {
         writer.end(why); // wakes who waits for the line
-        commands.failAll();
+        commands.failAll(why);
         ending.lock(); // a second caller returns when the port is really free
         try {
             transport.close();

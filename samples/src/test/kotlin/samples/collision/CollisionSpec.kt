@@ -88,7 +88,7 @@ class CollisionSpec : FunSpec({
                 robot.awaitState(Course.State.DRIVING)
                 robot.unplug()
                 val (status, printed) = program.awaitEnd()
-                printed shouldContain Regex("port .* is gone|its device went|the board has gone")
+                printed shouldContain Regex("port .* is gone|the board has gone")
                 Files.delete(logNamedIn(printed))
                 status shouldBe 1
             }
