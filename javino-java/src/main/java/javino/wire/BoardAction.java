@@ -1,0 +1,12 @@
+package javino.wire;
+
+/**
+ * An action that a board's program has registered.
+ *
+ * @param name its functor
+ * @param arguments how many it takes, 0 to 254; {@link #ANY}: any number
+ */
+public record BoardAction(String name, int arguments) {
+    /** Any number of arguments. */
+    public static final int ANY = 0xFF;
+}

@@ -1,0 +1,88 @@
+package javino.wire;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A command as it stands in a frame. */
+public sealed interface CommandItem {
+    /** An action without arguments, by its number in the vocabulary: 0 to {@value CommandItem#MAX_ACTION}. */
+    record Action(int number) implements CommandItem {
+        public Action {
+            if (number < 0 || number > MAX_ACTION) {
+                throw new IllegalArgumentException("an action that has a number has 0 to " + MAX_ACTION + ", not " + number);
+            }
+        }
+
+        @Override
+        public String payload() {
+            return "" + (char) (BY_NUMBER + number);
+        }
+    }
+
+    /** A command by its text, of 1 to {@value CommandItem#MAX_TEXT} bytes. */
+    record Text(String text) implements CommandItem {
+        public Text {
+            if (text.isEmpty() || text.length() > MAX_TEXT) {
+                throw new IllegalArgumentException("a command has 1 to " + MAX_TEXT + " bytes, not " + text.length());
+            }
+        }
+
+        @Override
+        public String payload() {
+            String length = "" + (char) text.length();
+            return (text.length() < BY_NUMBER ? length : LONG_TEXT + length) + text;
+        }
+    }
+
+    /** No command, in the place of one whose time is over. */
+    record Nothing() implements CommandItem {
+        @Override
+        public String payload() {
+            return "" + NOTHING;
+        }
+    }
+
+    /** The highest number that an action can be called by. */
+    int MAX_ACTION = 125;
+
+    /** Bytes of the longest command. */
+    int MAX_TEXT = WireFrame.MAX_PAYLOAD - 2;
+
+    /** Its bytes. */
+    String payload();
+
+    /** The commands of a payload. A cut or unknown item ends them. */
+    static List<CommandItem> read(String payload) {
+        List<CommandItem> items = new ArrayList<>();
+        int at = 0;
+        while (at < payload.length()) {
+            char head = payload.charAt(at);
+            if (head >= BY_NUMBER) {
+                if (head == UNUSED) {
+                    return items;
+                }
+                items.add(head == NOTHING ? new Nothing() : new Action(head - BY_NUMBER));
+                at++;
+            } else {
+                int lengthAt = head == LONG_TEXT ? at + 1 : at;
+                int from = lengthAt + 1;
+                int to = lengthAt < payload.length() ? from + payload.charAt(lengthAt) : Integer.MAX_VALUE;
+                if (to > payload.length() || to == from) {
+                    return items;
+                }
+                items.add(new Text(payload.substring(from, to)));
+                at = to;
+            }
+        }
+        return items;
+    }
+
+    /** First byte of an action by number, its number being added. */
+    char BY_NUMBER = 0x80;
+    /** The byte of no command. */
+    char NOTHING = 0xFE;
+    /** A byte that begins no item. */
+    char UNUSED = 0xFF;
+    /** The byte in front of a length of 80 and more. */
+    char LONG_TEXT = 0;
+}

@@ -1,0 +1,38 @@
+package javino.wire;
+
+/** CRC-16/CCITT-FALSE: polynomial 0x1021, initial value 0xFFFF. */
+final class Crc16 {
+    private static final int START = 0xFFFF;
+    private static final int POLYNOMIAL = 0x1021;
+    private static final int TOP_BIT = 0x8000;
+    private static final int[] TABLE = table();
+
+    private int value = START;
+
+    private static int[] table() {
+        int[] table = new int[256];
+        for (int i = 0; i < table.length; i++) {
+            int crc = i << 8;
+            for (int bit = 0; bit < 8; bit++) {
+                crc = (crc & TOP_BIT) == 0 ? crc << 1 : crc << 1 ^ POLYNOMIAL;
+            }
+            table[i] = crc & 0xFFFF;
+        }
+        return table;
+    }
+
+    /** Begins anew. */
+    void reset() {
+        value = START;
+    }
+
+    /** Takes one more byte, of which the lower eight bits count. */
+    void add(int octet) {
+        value = (value << 8 ^ TABLE[(value >> 8 ^ octet) & 0xFF]) & 0xFFFF;
+    }
+
+    /** The checksum of the bytes so far. */
+    int value() {
+        return value;
+    }
+}

@@ -1,0 +1,61 @@
+package javino.wire;
+
+import java.util.Arrays;
+
+/** What a frame of version 2 is for. */
+public enum FrameKind {
+    /** Begins a session; its number is the nonce. */
+    HELLO(0x10),
+    /** Requests percepts. */
+    ASK(0x20),
+    /** Requests a page of the vocabulary. */
+    DESCRIBE(0x28),
+    /** Commands, the first of which has the frame's number. */
+    COMMANDS(0x30),
+    /** As {@link #COMMANDS}; what was refused before has been seen. */
+    COMMANDS_WITH_RESUME(0x31),
+
+    /** The answer to {@link #HELLO}, or "no session". */
+    WELCOME(0x80),
+    /** The answer to commands. */
+    ACK(0x81),
+    /** A whole answer, or percepts sent unasked. */
+    PERCEPTS(0x82),
+    /** A part of an answer of several. */
+    PERCEPTS_PART(0x83),
+    /** The last part of an answer of several. */
+    PERCEPTS_LAST(0x84),
+    /** A rule on the board begins to be met. */
+    CRITICAL(0x85),
+    /** A page of the vocabulary. */
+    VOCABULARY(0x86);
+
+    static final int FROM_BOARD = 0x80;
+
+    private static final FrameKind[] BY_CODE = new FrameKind[256];
+
+    static {
+        Arrays.stream(values()).forEach(kind -> BY_CODE[kind.code] = kind);
+    }
+
+    private final int code;
+
+    FrameKind(int code) {
+        this.code = code;
+    }
+
+    /** The control byte without flags. */
+    int code() {
+        return code;
+    }
+
+    /** Whether the board sends it, else the computer. */
+    public boolean isFromBoard() {
+        return (code & FROM_BOARD) != 0;
+    }
+
+    /** The kind of a control byte without flags; null: there is none. */
+    static FrameKind of(int code) {
+        return BY_CODE[code];
+    }
+}

@@ -1,0 +1,61 @@
+package javino.wire;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A page of a board's vocabulary.
+ *
+ * @param request number of the request that it answers
+ * @param first number of the first action in it
+ * @param total how many actions the board has
+ * @param actions in the order of their numbers
+ */
+public record VocabularyPage(int request, int first, int total, List<BoardAction> actions) {
+    private static final int HEADER = 3;
+
+    public VocabularyPage {
+        actions = List.copyOf(actions);
+    }
+
+    /** The page that begins with action {@code first} of {@code all} and holds as many as fit into {@code maxPayload} bytes. */
+    public static VocabularyPage of(int request, int first, List<BoardAction> all, int maxPayload) {
+        List<BoardAction> fitting = new ArrayList<>();
+        int length = HEADER;
+        for (BoardAction action : all.subList(Math.min(first, all.size()), all.size())) {
+            length += 2 + action.name().length();
+            if (length > maxPayload) {
+                break;
+            }
+            fitting.add(action);
+        }
+        return new VocabularyPage(request, first, all.size(), fitting);
+    }
+
+    /** Its bytes. */
+    public String payload() {
+        StringBuilder payload = new StringBuilder().append((char) request).append((char) first).append((char) total);
+        for (BoardAction action : actions) {
+            payload.append((char) action.arguments()).append((char) action.name().length()).append(action.name());
+        }
+        return payload.toString();
+    }
+
+    /** Reads a payload; null: it is cut. */
+    public static VocabularyPage read(String payload) {
+        if (payload.length() < HEADER) {
+            return null;
+        }
+        List<BoardAction> actions = new ArrayList<>();
+        for (int at = HEADER; at < payload.length(); ) {
+            int nameAt = at + 2;
+            int end = nameAt <= payload.length() ? nameAt + payload.charAt(at + 1) : Integer.MAX_VALUE;
+            if (end > payload.length()) {
+                return null;
+            }
+            actions.add(new BoardAction(payload.substring(nameAt, end), payload.charAt(at)));
+            at = end;
+        }
+        return new VocabularyPage(payload.charAt(0), payload.charAt(1), payload.charAt(2), actions);
+    }
+}

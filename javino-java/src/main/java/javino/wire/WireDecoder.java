@@ -1,0 +1,149 @@
+package javino.wire;
+
+import java.util.function.Consumer;
+
+/**
+ * Finds the frames of one direction in the bytes that arrive. Times are nanoseconds of any one clock. One thread at a time.
+ */
+public final class WireDecoder {
+    private static final int PAYLOAD_AT = 3; // behind length, kind and number
+    private static final int CRC_LENGTH = 2;
+
+    private final boolean fromBoard;
+    private final long timeoutNanos;
+    private final Consumer<WireFrame> found;
+    private final StringBuilder content = new StringBuilder(); // without escapes: length, kind, number, payload
+    private final Crc16 crc = new Crc16();
+    private boolean isInFrame;
+    private boolean isEscaped;
+    private int checksum; // as received so far
+    private int checksumBytes;
+    private long lastByteNanos;
+    private long damaged;
+
+    /**
+     * @param fromBoard whether the frames are a board's, else a computer's
+     * @param timeoutNanos silence within a frame that ends it
+     * @param found is given each frame, on the thread that hands in its last byte
+     */
+    public WireDecoder(boolean fromBoard, long timeoutNanos, Consumer<WireFrame> found) {
+        this.fromBoard = fromBoard;
+        this.timeoutNanos = timeoutNanos;
+        this.found = found;
+    }
+
+    /** Takes {@code count} bytes that have arrived without a silence between them, the last at {@code now}. */
+    public void accept(byte[] bytes, int offset, int count, long now) {
+        for (int i = offset; i < offset + count; i++) {
+            accept(bytes[i], now);
+        }
+    }
+
+    /**
+     * Takes one byte.
+     *
+     * @return whether it belongs to a frame, whole or damaged; if not, it may be of version 1
+     */
+    public boolean accept(byte octet, long now) {
+        idle(now);
+        lastByteNanos = now;
+        int value = octet & 0xFF;
+        if (value == WireFrame.START) {
+            begin();
+            return true;
+        }
+        boolean belongs = isInFrame;
+        if (isInFrame) {
+            read(value);
+        }
+        return belongs;
+    }
+
+    /** Notes that nothing has arrived since the last byte: a frame that has begun is given up after a silence. */
+    public void idle(long now) {
+        if (isInFrame && now - lastByteNanos > timeoutNanos) {
+            drop();
+        }
+    }
+
+    /** Nanoseconds from {@code now} until {@link #idle} has something to do; {@link Long#MAX_VALUE} outside of a frame. */
+    public long nanosUntilIdle(long now) {
+        return isInFrame ? Math.max(0, lastByteNanos + timeoutNanos - now) : Long.MAX_VALUE;
+    }
+
+    /** Whether a frame has begun and not ended. */
+    public boolean isInFrame() {
+        return isInFrame;
+    }
+
+    /** Frames so far that were damaged. */
+    public long damaged() {
+        return damaged;
+    }
+
+    private void begin() {
+        if (isInFrame) {
+            damaged++;
+        }
+        isInFrame = true;
+        isEscaped = false;
+        content.setLength(0);
+        crc.reset();
+        checksum = 0;
+        checksumBytes = 0;
+    }
+
+    private void drop() {
+        damaged++;
+        isInFrame = false;
+    }
+
+    private void read(int value) {
+        if (isEscaped) {
+            isEscaped = false;
+            int original = value + WireFrame.ESCAPED;
+            if (original == WireFrame.ESCAPE || original == WireFrame.START) {
+                take(original);
+            } else {
+                drop();
+            }
+        } else if (value == WireFrame.ESCAPE) {
+            isEscaped = true;
+        } else {
+            take(value);
+        }
+    }
+
+    private void take(int value) {
+        if (content.length() < PAYLOAD_AT || content.length() < PAYLOAD_AT + content.charAt(0)) {
+            content.append((char) value);
+            crc.add(value);
+            if (content.length() == 2 && kind() == null) {
+                drop();
+            }
+            return;
+        }
+        checksum = checksum << 8 | value;
+        if (++checksumBytes == CRC_LENGTH) {
+            end();
+        }
+    }
+
+    private FrameKind kind() {
+        int control = content.charAt(1);
+        boolean isBoards = (control & FrameKind.FROM_BOARD) != 0;
+        return isBoards == fromBoard ? FrameKind.of(isBoards ? control & ~(WireFrame.REFUSED | WireFrame.BUSY) : control) : null;
+    }
+
+    private void end() {
+        if (checksum != crc.value()) {
+            drop();
+            return;
+        }
+        isInFrame = false;
+        int control = content.charAt(1);
+        boolean isRefused = fromBoard && (control & WireFrame.REFUSED) != 0;
+        boolean isBusy = fromBoard && (control & WireFrame.BUSY) != 0;
+        found.accept(new WireFrame(kind(), isRefused, isBusy, content.charAt(2), content.substring(PAYLOAD_AT)));
+    }
+}

@@ -1,0 +1,78 @@
+package javino.wire;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * A frame of version 2.
+ *
+ * @param isRefused from the board: the last command handled was refused, and those behind it wait
+ * @param isBusy from the board: the command that is due is being carried out
+ * @param number the byte SS, 0 to 255: a command's, request's or session's number; from the board the number of the command that is due
+ * @param payload 0 to {@value #MAX_PAYLOAD} characters, each a byte
+ */
+public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int number, String payload) {
+    /** The longest payload, in bytes. */
+    public static final int MAX_PAYLOAD = 255;
+
+    /** Bytes around a payload. */
+    public static final int OVERHEAD = 6;
+
+    static final int START = 0xA5;
+    static final int ESCAPE = 0xA4;
+    static final int ESCAPED = 0xA0; // a byte behind ESCAPE stands for the sum
+    static final int REFUSED = 0x40;
+    static final int BUSY = 0x20;
+
+    public WireFrame {
+        if (payload.length() > MAX_PAYLOAD) {
+            throw new IllegalArgumentException("a payload has at most " + MAX_PAYLOAD + " bytes, but this has " + payload.length());
+        }
+        if (number < 0 || number > 0xFF) {
+            throw new IllegalArgumentException("a number is 0 to 255, but " + number + " was given");
+        }
+        if ((isRefused || isBusy) && !kind.isFromBoard()) {
+            throw new IllegalArgumentException("only a board refuses or is busy, but the frame is " + kind);
+        }
+    }
+
+    /** A frame without flags. */
+    public static WireFrame of(FrameKind kind, int number, String payload) {
+        return new WireFrame(kind, false, false, number, payload);
+    }
+
+    /** Bytes on the line, escapes not counted. */
+    public int length() {
+        return OVERHEAD + payload.length();
+    }
+
+    /** The bytes for the line, in an array of the caller's own. */
+    public byte[] toBytes() {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream(length() + 2);
+        Crc16 crc = new Crc16();
+        bytes.write(START);
+        putChecked(bytes, crc, payload.length());
+        putChecked(bytes, crc, kind.code() | (isRefused ? REFUSED : 0) | (isBusy ? BUSY : 0));
+        putChecked(bytes, crc, number);
+        for (byte octet : payload.getBytes(StandardCharsets.ISO_8859_1)) {
+            putChecked(bytes, crc, octet);
+        }
+        put(bytes, crc.value() >> 8);
+        put(bytes, crc.value() & 0xFF);
+        return bytes.toByteArray();
+    }
+
+    private static void putChecked(ByteArrayOutputStream bytes, Crc16 crc, int octet) {
+        crc.add(octet);
+        put(bytes, octet & 0xFF);
+    }
+
+    private static void put(ByteArrayOutputStream bytes, int octet) {
+        if (octet == START || octet == ESCAPE) {
+            bytes.write(ESCAPE);
+            bytes.write(octet - ESCAPED);
+        } else {
+            bytes.write(octet);
+        }
+    }
+}
