@@ -1,139 +1,26 @@
 #!/usr/bin/env python3
-"""The wire protocol written down as plainly as possible: slow, and meant to be read.
+"""Checks the vectors of both versions of the protocol against the reference.
 
-It is the second opinion on javino-vectors.json and on the C core. Run as a program, it checks every
-case of the vectors file and says which ones it disagrees with.
+    reference.py            say what differs
+    reference.py --write    write javino2-vectors.json anew
 
-A message is a dict as in the vectors file: {"version": 1, "hex": "6c65644f6e"}, and for version 2
-"flags" and "sequence" besides.
+The reference is written from docs/protocol.md, as plainly as possible: version1.py, and javino2/ for version 2. It is the second opinion
+on the vectors, the C core and the Java link. The vectors of version 1 are written by hand; those of version 2 are what the reference makes
+of the cases in cases2.py.
 """
 import json
 import pathlib
 import sys
 
-PREAMBLES = {1: b"fffe", 2: b"fffd"}
-HEX = b"0123456789abcdefABCDEF"
+import cases2
+import version1
+from javino2.frames import crc16
+
+HERE = pathlib.Path(__file__).parent
 
 
-def crc16(data):
-    """CRC-16/CCITT-FALSE of the bytes."""
-    crc = 0xFFFF
-    for byte in data:
-        crc ^= byte << 8
-        for _ in range(8):
-            crc = (crc << 1) ^ (0x1021 if crc & 0x8000 else 0)
-            crc &= 0xFFFF
-    return crc
-
-
-def frame1(payload):
-    """A version 1 frame around at most 255 bytes."""
-    return b"fffe%02X" % len(payload) + payload
-
-
-def frame2(payload, flags, sequence):
-    """A version 2 frame around at most 255 bytes."""
-    body = b"%02X%X%X" % (len(payload), flags, sequence) + payload
-    return b"fffd" + body + b"%04X" % crc16(body)
-
-
-def fragments(payload, sequence):
-    """The frames of one version 2 message of any length; the first carries this sequence number."""
-    pieces = [payload[i:i + 255] for i in range(0, len(payload), 255)] or [b""]
-    last = len(pieces) - 1
-    return [frame2(p, 1 if i < last else 0, (sequence + i) % 16) for i, p in enumerate(pieces)]
-
-
-class Decoder:
-    """A receiver by the protocol's rules. Time is in milliseconds and only ever passed in."""
-
-    def __init__(self, versions=(1, 2), timeout=100):
-        self.versions = versions
-        self.timeout = timeout
-        self.window = b""
-        self.delivered = 0  # bytes at the window's start that are a frame which has been delivered
-        self.last = 0
-        self.messages = []
-
-    def receive(self, data, now):
-        """Takes bytes that arrive together."""
-        self.idle(now)
-        for byte in data:
-            self.window += bytes([byte])
-            self._parse()
-        self.last = now
-
-    def idle(self, now):
-        """Says that it is this late and that nothing else has arrived."""
-        if now - self.last <= self.timeout:
-            return
-        while self.window:
-            if self.delivered == len(self.window):
-                self._drop(self.delivered)
-            elif self.delivered and self._header(self.window[self.delivered:]) == "yes":
-                self._drop(self.delivered)
-            else:
-                self._drop(1)
-            self._parse()
-
-    def _drop(self, count):
-        self.window = self.window[count:]
-        self.delivered = 0
-
-    def _parse(self):
-        while self.window:
-            if self.delivered:
-                follows = self._header(self.window[self.delivered:])
-                if follows == "maybe":
-                    return
-                self._drop(self.delivered if follows == "yes" else 1)
-                continue
-            message, length = self._frame()
-            if message == "incomplete":
-                return
-            if message is None:
-                self._drop(1)
-                continue
-            self.messages.append(message)
-            self.delivered = length
-
-    def _version(self, data):
-        for version in self.versions:
-            if PREAMBLES[version].startswith(data[:4]):
-                return version if len(data) >= 4 else 0
-        return None
-
-    def _header(self, data):
-        """Whether a preamble and two hex digits stand here: yes, no or maybe (too few bytes to know)."""
-        if self._version(data) is None or any(c not in HEX for c in data[4:6]):
-            return "no"
-        return "yes" if len(data) >= 6 else "maybe"
-
-    def _frame(self):
-        header = self._header(self.window)
-        if header == "no":
-            return None, 0
-        if header == "maybe":
-            return "incomplete", 0
-        size = int(self.window[4:6], 16)
-        if self._version(self.window) == 1:
-            if len(self.window) < 6 + size:
-                return "incomplete", 0
-            return {"version": 1, "hex": self.window[6:6 + size].hex()}, 6 + size
-        digits = self.window[8 + size:12 + size]
-        if any(c not in HEX for c in self.window[6:8]):
-            return None, 0
-        if not (b"%04X" % crc16(self.window[4:8 + size])).startswith(digits.upper()):
-            return None, 0
-        if len(digits) < 4:
-            return "incomplete", 0
-        message = {"version": 2, "flags": int(self.window[6:7], 16), "sequence": int(self.window[7:8], 16),
-                   "hex": self.window[8:8 + size].hex()}
-        return message, 12 + size
-
-
-def check(vectors):
-    """The disagreements with a vectors file, one text each."""
+def check1(vectors):
+    """The disagreements with the vectors of version 1, one text each."""
     wrong = []
 
     def expect(name, what, found, expected):
@@ -143,33 +30,50 @@ def check(vectors):
     for case in vectors["crc"]:
         expect(case["name"], "the CRC", "%04X" % crc16(bytes.fromhex(case["hex"])), case["crc"])
     for case in vectors["encode"]:
-        payload = bytes.fromhex(case["hex"])
-        frame = frame1(payload) if case["version"] == 1 else frame2(payload, case["flags"], case["sequence"])
-        expect(case["name"], "the frame", frame.hex(), case["frame"])
-    for case in vectors["fragment"]:
-        frames = [f.hex() for f in fragments(bytes.fromhex(case["hex"]), case["sequence"])]
-        expect(case["name"], "the frames", frames, case["frames"])
+        if case["version"] == 1:
+            expect(case["name"], "the frame", version1.frame(bytes.fromhex(case["hex"])).hex(), case["frame"])
     for case in vectors["decode"]:
-        for versions in case["receivers"]:
-            name = f"{case['name']} (receiver of versions {versions})"
-            decoder, now = Decoder(versions, case["timeoutMs"]), 0
-            for chunk in case["chunks"]:
-                now += chunk["gapMs"]
-                decoder.receive(bytes.fromhex(chunk["hex"]), now)
-                if "delivered" in chunk:
-                    expect(name, "messages delivered after a chunk", len(decoder.messages), chunk["delivered"])
-            decoder.idle(now + case["endGapMs"])
-            expect(name, "the messages", decoder.messages, case["messages"])
+        if [1] not in case["receivers"]:
+            continue
+        decoder, now = version1.Decoder(case["timeoutMs"]), 0
+        for chunk in case["chunks"]:
+            now += chunk["gapMs"]
+            decoder.receive(bytes.fromhex(chunk["hex"]), now)
+            if "delivered" in chunk:
+                expect(case["name"], "messages delivered after a chunk", len(decoder.messages), chunk["delivered"])
+        decoder.idle(now + case["endGapMs"])
+        expect(case["name"], "the messages", [{"version": 1, "hex": m.hex()} for m in decoder.messages], case["messages"])
     return wrong
 
 
+def check2(vectors):
+    """The cases of version 2 with which the reference disagrees."""
+    made, wrong = cases2.vectors(), []
+    for group in made.keys() | vectors.keys():
+        expected, found = vectors.get(group, []), made.get(group, [])
+        wrong += [f"{group}: {e['name'] if isinstance(e, dict) else e}: the reference has {f}" for e, f in zip(expected, found) if e != f]
+        if len(expected) != len(found):
+            wrong.append(f"{group}: {len(expected)} cases, the reference has {len(found)}")
+    return wrong
+
+
+def compact(vectors):
+    """The vectors as JSON, a case on each line."""
+    groups = []
+    for name, cases in vectors.items():
+        groups.append(f"  {json.dumps(name)}: [\n" + ",\n".join("    " + json.dumps(c) for c in cases) + "\n  ]")
+    return "{\n" + ",\n".join(groups) + "\n}\n"
+
+
 def main():
-    path = pathlib.Path(__file__).with_name("javino-vectors.json")
-    vectors = json.loads(path.read_text())
-    wrong = check(vectors)
+    path2 = HERE / "javino2-vectors.json"
+    if sys.argv[1:] == ["--write"]:
+        path2.write_text(compact(cases2.vectors()))
+    vectors1, vectors2 = json.loads((HERE / "javino-vectors.json").read_text()), json.loads(path2.read_text())
+    wrong = check1(vectors1) + check2(vectors2)
     for line in wrong:
         print(line)
-    cases = sum(len(vectors[kind]) for kind in ("crc", "encode", "fragment", "decode"))
+    cases = sum(len(group) for vectors in (vectors1, vectors2) for name, group in vectors.items() if name != "about")
     print(f"{cases} cases, {len(wrong)} disagreements")
     return 1 if wrong else 0
 

@@ -1,0 +1,144 @@
+"""The board's side of a session: frames in, frames out."""
+from . import commands, parts, rules, vocabulary
+from .frames import (ACK, ASK, BUSY, COMMANDS, COMMANDS_RESUME, CRITICAL, DESCRIBE, HELLO, REFUSED, VOCABULARY, WELCOME, Frame)
+from .percepts import MAX_SHAPES, Writer
+
+DONE, REFUSES, LATER = "done", "refused", "later"
+NO_REFLEX, REFLEX_DONE, REFLEX_REFUSED = 0, 1, 2
+PART_WITH_RULES = 12
+
+
+class Board:
+    """A board with a program on it: an object with `actions` (pairs of name and number of arguments), `percepts(functors)`, the
+    texts of now, and `carry_out(text)`, which returns DONE, REFUSES or LATER.
+
+    `numbers` is how many numbers there are before they wrap; the protocol has 256 of them, a model fewer.
+    """
+
+    def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256):
+        self.program = program
+        self.credit, self.longest, self.max_rules, self.shapes, self.numbers = credit, longest, max_rules, shapes, numbers
+        self._begin(0)
+
+    def _begin(self, session):
+        self.session = session
+        self.due = 0
+        self.refused = self.busy = False
+        self.known = 0
+        self.writer = Writer(self.shapes)
+        self.rules = {}
+        self.met = set()
+
+    def receive(self, frame):
+        """The frames that answer this one."""
+        if frame.kind == HELLO:
+            self._begin(frame.number)
+            return [self._welcome()]
+        if not self.session:
+            return [self._welcome()]
+        if frame.kind == ASK:
+            return self._ask(frame.number, frame.payload[0], frame.payload[1:])
+        if frame.kind == DESCRIBE:
+            return [self._say(VOCABULARY, vocabulary.write_page(frame.number, self.program.actions, frame.payload[0]))]
+        self._commands(frame)
+        return [self._say(ACK)]
+
+    def _say(self, kind, payload=b""):
+        flags = (REFUSED if self.refused else 0) | (BUSY if self.busy else 0)
+        return Frame(kind | flags, self.due, payload)
+
+    def _welcome(self):
+        return self._say(WELCOME, bytes([self.session, self.credit, self.longest, self.max_rules]))
+
+    # ---- commands ----
+
+    def _commands(self, frame):
+        if frame.kind == COMMANDS_RESUME and frame.number == self.due:
+            self.refused = False
+        for i, command in enumerate(commands.read_row(frame.payload)):
+            if self._is_next((frame.number + i) % self.numbers):
+                self._handle(command)
+
+    def _is_next(self, number):
+        """Whether a command is carried out now: those before `due` were handled, those behind it are dropped."""
+        return number == self.due and not self.refused and not self.busy
+
+    def _handle(self, command):
+        outcome = self._carry_out(command)
+        if outcome == LATER:
+            self.busy = True
+        else:
+            self._handled(outcome)
+
+    def _handled(self, outcome):
+        self.due = (self.due + 1) % self.numbers
+        self.refused = outcome == REFUSES
+
+    def report(self, outcome):
+        """The program reports the outcome of the action that it is busy with. What was begun in an earlier session counts no more."""
+        if not self.busy:
+            return []
+        self.busy = False
+        self._handled(outcome)
+        return [self._say(ACK)]
+
+    def _carry_out(self, command):
+        if command is commands.NOTHING:
+            return DONE
+        if isinstance(command, int):
+            if command >= len(self.program.actions) or self.program.actions[command][1] not in (0, vocabulary.ANY_NUMBER):
+                return REFUSES
+            return self.program.carry_out(self.program.actions[command][0])
+        if rules.is_rule(command):
+            return self._set_rule(command)
+        return self.program.carry_out(command)
+
+    # ---- percepts ----
+
+    def _ask(self, request, known, functors):
+        self.known = known
+        return self._percepts(request, self.program.percepts(functors))
+
+    def percepts_unasked(self):
+        return self._percepts(0, self.program.percepts(b"")) if self.session else []
+
+    def _percepts(self, request, texts):
+        answer = self.writer.write(texts, self.known)
+        return [self._say(kind, payload) for kind, payload in parts.split(request, answer, PART_WITH_RULES if self.rules else None)]
+
+    # ---- rules ----
+
+    def _set_rule(self, command):
+        try:
+            rule = rules.read(command)
+        except rules.Malformed:
+            return REFUSES
+        if rule is None:
+            self.rules = {}
+        elif isinstance(rule, int):
+            self.rules.pop(rule, None)
+        elif len(self.rules) >= self.max_rules and rule.number not in self.rules:
+            return REFUSES
+        else:
+            self.rules[rule.number] = rule
+            self.met.discard(rule.number)
+        self.met &= set(self.rules)
+        return DONE
+
+    def look(self):
+        """The board looks at its sensors: rules that begin to be met have their reflexes carried out, and are sent."""
+        texts, sent = self.program.percepts(b""), []
+        for number in sorted(self.rules):
+            rule = self.rules[number]
+            text = next((t for t in texts if rules.met(rule, t)), None)
+            if text is None:
+                self.met.discard(number)
+            elif number not in self.met:
+                self.met.add(number)
+                sent.append(self._say(CRITICAL, bytes([number, self._reflex(rule)]) + text))
+        return sent
+
+    def _reflex(self, rule):
+        if rule.reflex is None:
+            return NO_REFLEX
+        return REFLEX_REFUSED if self.program.carry_out(rule.reflex) == REFUSES else REFLEX_DONE

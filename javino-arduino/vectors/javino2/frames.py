@@ -1,0 +1,97 @@
+"""Frames: their bytes, and the receiver that finds them again."""
+from typing import NamedTuple
+
+START, ESCAPE = 0xA5, 0xA4
+
+HELLO, ASK, DESCRIBE, COMMANDS, COMMANDS_RESUME = 0x10, 0x20, 0x28, 0x30, 0x31
+WELCOME, ACK, PERCEPTS, PART, LAST_PART, CRITICAL, VOCABULARY = range(0x80, 0x87)
+REFUSED, BUSY = 0x40, 0x20
+FLAGS = REFUSED | BUSY
+
+TO_BOARD, FROM_BOARD = "to-board", "from-board"
+
+
+class Frame(NamedTuple):
+    kind: int
+    number: int
+    payload: bytes = b""
+
+
+def crc16(data):
+    """CRC-16/CCITT-FALSE of the bytes."""
+    crc = 0xFFFF
+    for byte in data:
+        crc ^= byte << 8
+        for _ in range(8):
+            crc = (crc << 1) ^ (0x1021 if crc & 0x8000 else 0)
+            crc &= 0xFFFF
+    return crc
+
+
+def escape(data):
+    return data.replace(b"\xa4", b"\xa4\x04").replace(b"\xa5", b"\xa4\x05")
+
+
+def encode(frame):
+    """The bytes of a frame on the line."""
+    body = bytes([len(frame.payload), frame.kind, frame.number]) + frame.payload
+    return bytes([START]) + escape(body + crc16(body).to_bytes(2, "big"))
+
+
+def is_kind(direction, kind):
+    if direction == TO_BOARD:
+        return kind in (HELLO, ASK, DESCRIBE, COMMANDS, COMMANDS_RESUME)
+    return kind & ~FLAGS in range(WELCOME, VOCABULARY + 1)
+
+
+class Receiver:
+    """Finds the frames of one direction. Bytes outside of frames go to `outside`, a function of one byte and the time."""
+
+    def __init__(self, direction, timeout=100, outside=None, longest=255):
+        self.direction = direction
+        self.timeout = timeout
+        self.outside = outside or (lambda byte, now: False)
+        self.longest = longest
+        self.body = None  # bytes of the frame that is being read, without the escapes; None outside of frames
+        self.escaped = False
+        self.last = 0
+        self.frames = []
+
+    def receive(self, data, now):
+        """Takes bytes that arrive together; frames are added to `frames`."""
+        if now - self.last > self.timeout:
+            self.body = None
+        for byte in data:
+            self._put(byte, now)
+            self.last = now
+
+    def _put(self, byte, now):
+        if self.body is None:
+            if not self.outside(byte, now) and byte == START:
+                self._begin()
+        elif byte == START:
+            self._begin()
+        elif self.escaped:
+            self.escaped = False
+            if byte in (4, 5):
+                self._take(0xA0 | byte)
+            else:
+                self.body = None
+        elif byte == ESCAPE:
+            self.escaped = True
+        else:
+            self._take(byte)
+
+    def _begin(self):
+        self.body, self.escaped = b"", False
+
+    def _take(self, byte):
+        self.body += bytes([byte])
+        length = self.body[0]
+        if length > self.longest or len(self.body) == 2 and not is_kind(self.direction, byte):
+            self.body = None
+        elif len(self.body) == length + 5:
+            body, crc = self.body[:-2], self.body[-2:]
+            self.body = None
+            if crc16(body).to_bytes(2, "big") == crc:
+                self.frames.append(Frame(body[1], body[2], body[3:]))

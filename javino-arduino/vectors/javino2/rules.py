@@ -1,0 +1,111 @@
+"""Rules that a board watches by itself."""
+import re
+from fractions import Fraction
+from typing import NamedTuple, Optional
+
+MARK, REFLEX = 1, 2
+NOT = b"!"
+_OPERATORS = {b"<": lambda a, b: a < b, b">": lambda a, b: a > b, b"{": lambda a, b: a <= b, b"}": lambda a, b: a >= b,
+              b"=": lambda a, b: a == b, NOT: lambda a, b: a != b}
+_NUMBER = re.compile(rb"[+-]?[0-9]+(\.[0-9]+)?\Z")
+
+
+class Condition(NamedTuple):
+    place: int
+    operator: bytes
+    value: bytes
+
+
+class Rule(NamedTuple):
+    number: int
+    functor: bytes
+    conditions: tuple
+    reflex: Optional[bytes]
+
+
+class Malformed(Exception):
+    pass
+
+
+def is_rule(command):
+    return command[:1] == bytes([MARK])
+
+
+def read(text):
+    """What a rule's command sets: a Rule, the number of the rule that it removes, or None if it removes all."""
+    if len(text) == 1:
+        return None
+    number = text[1]
+    if number == 0:
+        raise Malformed
+    if len(text) == 2:
+        return number
+    functor, rest = _word(text[2:])
+    if not functor:
+        raise Malformed
+    conditions = []
+    while rest and rest[0] != REFLEX:
+        place, operator = rest[:1], rest[1:2]
+        value, rest = _word(rest[2:])
+        if place not in tuple(b"%d" % i for i in range(1, 10)) or operator not in _OPERATORS or not value:
+            raise Malformed
+        if operator not in (b"=", NOT) and not _NUMBER.match(value):
+            raise Malformed
+        conditions.append(Condition(int(place), operator, value))
+    if rest == bytes([REFLEX]):
+        raise Malformed
+    return Rule(number, functor, tuple(conditions), rest[1:] or None)
+
+
+def _word(text):
+    """The bytes up to a 00, and what follows it."""
+    end = text.find(0)
+    if end < 0:
+        raise Malformed
+    return text[:end], text[end + 1:]
+
+
+def met(rule, percept):
+    """Whether the percept has the functor of the rule and meets all its conditions."""
+    functor, arguments = literal(percept)
+    return functor == rule.functor and all(_holds(c, arguments) for c in rule.conditions)
+
+
+def _holds(condition, arguments):
+    if condition.place > len(arguments):
+        return condition.operator == NOT
+    argument, value = arguments[condition.place - 1], condition.value
+    numbers = [bool(_NUMBER.match(text)) for text in (argument, value)]
+    if numbers[0] != numbers[1]:
+        return condition.operator == NOT
+    compare = _OPERATORS[condition.operator]
+    return compare(Fraction(argument.decode()), Fraction(value.decode())) if all(numbers) else compare(argument, value)
+
+
+def literal(percept):
+    """The functor of a percept and its arguments, without the blanks around them."""
+    functor, rest = re.match(rb"([^(\[;]*)(.*)", percept, re.DOTALL).groups()
+    if not rest.startswith(b"("):
+        return functor.strip(), []
+    arguments, begin, depth, quote, escaped = [], 1, 0, None, False
+    for i in range(len(rest)):
+        c = rest[i:i + 1]
+        if quote:
+            if escaped:
+                escaped = False
+            elif c == b"\\" and quote == b'"':
+                escaped = True
+            elif c == quote:
+                quote = None
+        elif c in b"\"'":
+            quote = c
+        elif c in b"([{":
+            depth += 1
+        elif c in b")]}":
+            depth -= 1
+        if not quote and (depth == 0 or depth == 1 and c == b","):
+            arguments.append(rest[begin:i].strip())
+            begin = i + 1
+            if depth == 0:
+                break
+    return functor.strip(), arguments

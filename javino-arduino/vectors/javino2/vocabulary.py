@@ -1,0 +1,37 @@
+"""What a board can do: pages of actions."""
+
+ANY_NUMBER = 0xFF  # of arguments
+
+
+def write_page(request, actions, first, room=252):
+    """The payload with actions from number `first` on, as many whole ones as `room` bytes hold. An action is (name, arguments)."""
+    page = bytes([request, first, len(actions)])
+    for name, arguments in actions[first:]:
+        action = bytes([arguments, len(name)]) + name
+        if len(page) - 3 + len(action) > room:
+            break
+        page += action
+    return page
+
+
+def read_page(payload):
+    """(request, first, total, actions) of a payload, or None if it is cut."""
+    if len(payload) < 3:
+        return None
+    request, first, total = payload[:3]
+    actions, rest = [], payload[3:]
+    while rest:
+        if len(rest) < 2 or len(rest) < 2 + rest[1]:
+            return None
+        arguments, n = rest[:2]
+        actions.append((rest[2:2 + n], arguments))
+        rest = rest[2 + n:]
+    return request, first, total, actions
+
+
+def number_of(actions, name):
+    """The number by which the command `name`, without arguments, goes: the newest of that name; None if it goes as text."""
+    for i in reversed(range(len(actions))):
+        if actions[i][0] == name:
+            return i if i <= 125 and actions[i][1] in (0, ANY_NUMBER) else None
+    return None
