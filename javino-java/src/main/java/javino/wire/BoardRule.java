@@ -2,6 +2,7 @@ package javino.wire;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /**
  * A critical rule that a board watches itself.
@@ -16,6 +17,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
 
     private static final char END = 0;
     private static final char REFLEX = 2;
+    private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9]+(\\.[0-9]+)?");
 
     public BoardRule {
         conditions = List.copyOf(conditions);
@@ -78,24 +80,37 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
     /** The rule of a command's text; null: it sets none, or is malformed. */
     public static BoardRule read(String text) {
         int end = text.indexOf(END, 2);
-        if (text.isEmpty() || text.charAt(0) != MARK || end <= 2) {
+        if (end <= 2 || text.charAt(0) != MARK || text.charAt(1) == 0) {
             return null;
         }
         String functor = text.substring(2, end);
         List<Condition> conditions = new ArrayList<>();
         for (int at = end + 1; at < text.length(); ) {
             if (text.charAt(at) == REFLEX) {
-                return new BoardRule(functor, conditions, text.substring(at + 1));
+                return at + 1 == text.length() ? null : new BoardRule(functor, conditions, text.substring(at + 1));
             }
-            int valueEnd = text.indexOf(END, at);
-            Operator operator = valueEnd < at + 2 ? null : Operator.of(text.charAt(at + 1));
-            int place = text.charAt(at) - '0';
-            if (operator == null || place < 1 || place > Condition.MAX_PLACE) {
+            int valueEnd = text.indexOf(END, at + 2);
+            Condition condition = valueEnd <= at + 2 ? null : condition(text.substring(at, valueEnd));
+            if (condition == null) {
                 return null;
             }
-            conditions.add(new Condition(place, operator, text.substring(at + 2, valueEnd)));
+            conditions.add(condition);
             at = valueEnd + 1;
         }
         return new BoardRule(functor, conditions, null);
+    }
+
+    private static Condition condition(String text) {
+        int place = text.charAt(0) - '0';
+        Operator operator = Operator.of(text.charAt(1));
+        String value = text.substring(2);
+        boolean isReadable = place >= 1 && place <= Condition.MAX_PLACE && operator != null
+                && (operator == Operator.EQUAL || operator == Operator.DIFFERENT || isNumber(value));
+        return isReadable ? new Condition(place, operator, value) : null;
+    }
+
+    /** Whether two arguments of that text are compared by value. */
+    public static boolean isNumber(String text) {
+        return NUMBER.matcher(text).matches();
     }
 }

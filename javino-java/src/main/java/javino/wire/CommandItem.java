@@ -19,18 +19,18 @@ public sealed interface CommandItem {
         }
     }
 
-    /** A command by its text, of 1 to {@value CommandItem#MAX_TEXT} bytes. */
+    /** A command by its text, of at most {@value CommandItem#MAX_TEXT} bytes. */
     record Text(String text) implements CommandItem {
         public Text {
-            if (text.isEmpty() || text.length() > MAX_TEXT) {
-                throw new IllegalArgumentException("a command has 1 to " + MAX_TEXT + " bytes, not " + text.length());
+            if (text.length() > MAX_TEXT) {
+                throw new IllegalArgumentException("a command has at most " + MAX_TEXT + " bytes, not " + text.length());
             }
         }
 
         @Override
         public String payload() {
             String length = "" + (char) text.length();
-            return (text.length() < BY_NUMBER ? length : LONG_TEXT + length) + text;
+            return (text.isEmpty() || text.length() >= BY_NUMBER ? LONG_TEXT + length : length) + text;
         }
     }
 
@@ -67,7 +67,7 @@ public sealed interface CommandItem {
                 int lengthAt = head == LONG_TEXT ? at + 1 : at;
                 int from = lengthAt + 1;
                 int to = lengthAt < payload.length() ? from + payload.charAt(lengthAt) : Integer.MAX_VALUE;
-                if (to > payload.length() || to == from) {
+                if (to > payload.length()) {
                     return items;
                 }
                 items.add(new Text(payload.substring(from, to)));
@@ -83,6 +83,6 @@ public sealed interface CommandItem {
     char NOTHING = 0xFE;
     /** A byte that begins no item. */
     char UNUSED = 0xFF;
-    /** The byte in front of a length of 80 and more. */
+    /** The byte in front of any length, always of one of 80 and more. */
     char LONG_TEXT = 0;
 }

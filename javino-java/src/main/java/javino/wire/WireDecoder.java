@@ -11,6 +11,7 @@ public final class WireDecoder {
 
     private final boolean fromBoard;
     private final long timeoutNanos;
+    private final int longestPayload;
     private final Consumer<WireFrame> found;
     private final StringBuilder content = new StringBuilder(); // without escapes: length, kind, number, payload
     private final Crc16 crc = new Crc16();
@@ -27,8 +28,16 @@ public final class WireDecoder {
      * @param found is given each frame, on the thread that hands in its last byte
      */
     public WireDecoder(boolean fromBoard, long timeoutNanos, Consumer<WireFrame> found) {
+        this(fromBoard, timeoutNanos, WireFrame.MAX_PAYLOAD, found);
+    }
+
+    /**
+     * As the other; a frame whose payload is longer than {@code longestPayload} ends as damaged with its length.
+     */
+    public WireDecoder(boolean fromBoard, long timeoutNanos, int longestPayload, Consumer<WireFrame> found) {
         this.fromBoard = fromBoard;
         this.timeoutNanos = timeoutNanos;
+        this.longestPayload = longestPayload;
         this.found = found;
     }
 
@@ -118,7 +127,7 @@ public final class WireDecoder {
         if (content.length() < PAYLOAD_AT || content.length() < PAYLOAD_AT + content.charAt(0)) {
             content.append((char) value);
             crc.add(value);
-            if (content.length() == 2 && kind() == null) {
+            if (content.charAt(0) > longestPayload || content.length() == 2 && kind() == null) {
                 drop();
             }
             return;

@@ -1,0 +1,40 @@
+package javino.wire
+
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.choice
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.map
+
+/** Texts of any bytes, those that frames give a meaning more often than others. */
+internal fun texts(lengths: IntRange): Arb<String> = Arb.list(
+    Arb.choice(Arb.int(0..0xFF), Arb.element(0xA4, 0xA5, 0x04, 0x05, 0x00, 0xFF, 0x66)),
+    lengths,
+).map { codes -> String(CharArray(codes.size) { codes[it].toChar() }) }
+
+internal fun bytesOf(text: String): ByteArray = text.toByteArray(Charsets.ISO_8859_1)
+
+internal fun textOf(bytes: ByteArray): String = String(bytes, Charsets.ISO_8859_1)
+
+/** A receiver of one direction with a time of its own, in milliseconds. */
+internal class Receiver(fromBoard: Boolean) {
+    val frames = mutableListOf<WireFrame>()
+    val decoder = WireDecoder(fromBoard, TIMEOUT_NANOS, frames::add)
+    private var now = 0L
+
+    fun receive(bytes: ByteArray, chunk: Int = maxOf(1, bytes.size)): Receiver {
+        for (from in bytes.indices step chunk) decoder.accept(bytes, from, minOf(chunk, bytes.size - from), now)
+        return this
+    }
+
+    fun silence(millis: Long): Receiver {
+        now += millis * 1_000_000
+        decoder.idle(now)
+        return this
+    }
+
+    private companion object {
+        const val TIMEOUT_NANOS = 100_000_000L
+    }
+}

@@ -1,0 +1,74 @@
+package javino.wire
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.boolean
+import io.kotest.property.arbitrary.choice
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.map
+import io.kotest.property.arbitrary.of
+import io.kotest.property.checkAll
+
+/** Percepts that share shapes, with digits of any number and place; some long, some of any bytes. */
+private val percepts: Arb<List<String>> = Arb.list(
+    Arb.choice(
+        Arb.list(Arb.element("dist(", "f", ",", "12", "007", "0", "-", ".", ")", "9999999999", "\"1\""), 0..6).map { it.joinToString("") + ";" },
+        Arb.int(0..300).map { "s${it % 7}($it);" },
+        texts(0..20).map { it.replace(';', ',') + ";" },
+        Arb.int(250..600).map { "long(" + "x1".repeat(it / 2) + ");" },
+    ),
+    0..30,
+)
+
+class PerceptItemsPropertySpec : FunSpec({
+    test("a session's answers come back to the byte, whatever the board has room for, is lost and is known") {
+        checkAll(500, Arb.list(percepts, 1..8), Arb.of(0, 1, 5, 30, 126), Arb.list(Arb.boolean(), 8..8), Arb.int(0..200)) {
+                answers, capacity, lost, claimed ->
+            val board = PerceptWriter(capacity)
+            val computer = PerceptReader()
+            answers.forEachIndexed { i, texts ->
+                val items = board.items(texts, if (i % 3 == 0) minOf(claimed, computer.known()) else computer.known())
+                if (!lost[i]) computer.read(items).get() shouldBe texts.joinToString("")
+            }
+        }
+    }
+
+    test("a computer whose session begins anew is understood when it knows nothing") {
+        checkAll(200, percepts, percepts) { first, second ->
+            val board = PerceptWriter(126)
+            PerceptReader().read(board.items(first, 0))
+            PerceptReader().read(board.items(second, 0)).get() shouldBe second.joinToString("")
+        }
+    }
+
+    test("a text that is known crosses as its digits") {
+        val board = PerceptWriter(126)
+        val computer = PerceptReader()
+        val texts = listOf("dist(f,123);", "light(f,95);")
+        computer.read(board.items(texts, 0))
+        board.items(texts, computer.known()) shouldBe "\u0080\u0002\u0012\u003F\u0095\u00FF"
+    }
+
+    test("items that are cut or damaged give a text or none, and never throw") {
+        checkAll(1_000, percepts, Arb.int(0..2_000), texts(1..1)) { texts, at, octet ->
+            val board = PerceptWriter(126)
+            val computer = PerceptReader()
+            computer.read(board.items(texts, 0))
+            val items = board.items(texts, computer.known())
+            val cut = at % (items.length + 1)
+            computer.read(items.substring(0, cut) + octet + items.drop(cut + 1))
+            computer.read(items.substring(0, cut))
+            computer.read(board.items(texts, computer.known())).get() shouldBe texts.joinToString("")
+        }
+    }
+
+    test("any bytes as items do no harm, and what cannot be read leaves nothing known") {
+        checkAll(5_000, texts(0..40)) { items ->
+            val computer = PerceptReader()
+            if (computer.read(items).isEmpty) computer.known() shouldBe 0
+        }
+    }
+})
