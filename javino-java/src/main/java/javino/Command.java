@@ -1,6 +1,7 @@
 package javino;
 
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 
 /** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
 final class Command {
@@ -8,31 +9,40 @@ final class Command {
     private enum State { WAITING, BEGUN, WITHDRAWN }
 
     private final Frame frame;
-    private final boolean urgent;
+    private final SendOptions options;
     private final long deadline;
-    private final boolean isLimited;
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
     private volatile State state = State.WAITING;
 
-    /** @param deadline when its outcome must be known, by the link's clock, if it {@code isLimited} */
-    Command(Frame frame, boolean urgent, long deadline, boolean isLimited) {
+    /** @param now when it was submitted, by the link's clock */
+    Command(Frame frame, SendOptions options, long now) {
         this.frame = frame;
-        this.urgent = urgent;
-        this.deadline = deadline;
-        this.isLimited = isLimited;
+        this.options = options;
+        deadline = now + TimeUnit.MILLISECONDS.toNanos(options.limitMillis());
     }
 
     Frame frame() {
         return frame;
     }
 
+    /** Its text up to the first parenthesis. */
+    String functor() {
+        int end = frame.text().indexOf('(');
+        return end < 0 ? frame.text() : frame.text().substring(0, end);
+    }
+
     boolean isUrgent() {
-        return urgent;
+        return options.urgent();
+    }
+
+    /** Whether it takes the place of {@code earlier}, which waits. */
+    boolean replaces(Command earlier) {
+        return options.latest() && earlier.isWaiting() && functor().equals(earlier.functor());
     }
 
     /** Nanoseconds that are left at {@code now}, more than {@code most} never. */
     long nanosLeft(long now, long most) {
-        return isLimited ? Math.min(deadline - now, most) : most;
+        return options.limitMillis() > 0 ? Math.min(deadline - now, most) : most;
     }
 
     /** What became of it. Completed outside of any lock, since its dependents run on the thread that completes it. */

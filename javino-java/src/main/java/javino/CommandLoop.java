@@ -38,10 +38,10 @@ final class CommandLoop {
     /** Queues a command; see {@link Link#send(String, SendOptions)}. */
     Command submit(Frame frame, SendOptions options) {
         long limitNanos = TimeUnit.MILLISECONDS.toNanos(options.limitMillis());
-        Command command = new Command(frame, options.urgent(), clock.nanos() + limitNanos, limitNanos > 0);
+        Command command = new Command(frame, options, clock.nanos());
         command.outcome().whenComplete((done, failure) -> writer.reported());
         try {
-            writer.submit(command);
+            writer.submit(command).forEach(earlier -> fail(earlier, replaced(earlier, command)));
         } catch (PortGoneException gone) {
             fail(command, gone);
         }
@@ -157,6 +157,11 @@ final class CommandLoop {
                         + " when its time was over, so it was not sent; other commands, or the board, take the line's time")
                 : new ActionUnconfirmedException(port, subject + " was on its way through port " + port
                         + " when its time was over, and is not known to have arrived; it may have been carried out");
+    }
+
+    private PortException replaced(Command earlier, Command later) {
+        return new CommandReplacedException(port, '"' + earlier.frame().text() + "\" had not begun to go out through port " + port
+                + " when \"" + later.frame().text() + "\" took its place, so it was not sent");
     }
 
     /** Fails the commands that wait, on a line that is gone for {@code reason}. */

@@ -7,14 +7,46 @@ import java.util.List;
 
 /** The commands that wait for a line: urgent ones first, else in the order of their submission. Guarded by its user's lock. */
 final class CommandQueue {
-    private final Deque<Command> urgent = new ArrayDeque<>();
-    private final Deque<Command> ordinary = new ArrayDeque<>();
+    private Deque<Command> urgent = new ArrayDeque<>();
+    private Deque<Command> ordinary = new ArrayDeque<>();
     private long submitted;
     private long finished;
 
-    void add(Command command) {
-        (command.isUrgent() ? urgent : ordinary).add(command);
+    /** Queues a command, in the place of the first that it replaces if that is as urgent; returns those that it replaces. */
+    List<Command> add(Command command) {
+        List<Command> replaced = new ArrayList<>();
+        if (command.isUrgent()) {
+            ordinary = without(ordinary, command, replaced, false);
+            urgent = without(urgent, command, replaced, true);
+        } else {
+            urgent = without(urgent, command, replaced, false);
+            ordinary = without(ordinary, command, replaced, true);
+        }
         submitted++;
+        return replaced;
+    }
+
+    /** The queue without the commands that {@code command} replaces, which are withdrawn, and with itself if it {@code isIts}. */
+    private static Deque<Command> without(Deque<Command> queue, Command command, List<Command> replaced, boolean isIts) {
+        if (queue.stream().noneMatch(command::replaces)) {
+            if (isIts) {
+                queue.add(command);
+            }
+            return queue;
+        }
+        Deque<Command> rest = new ArrayDeque<>();
+        for (Command earlier : queue) {
+            if (!command.replaces(earlier)) {
+                rest.add(earlier);
+                continue;
+            }
+            earlier.withdraw();
+            replaced.add(earlier);
+            if (isIts && !rest.contains(command)) {
+                rest.add(command);
+            }
+        }
+        return rest;
     }
 
     /** The command whose turn is next; null: none waits. */

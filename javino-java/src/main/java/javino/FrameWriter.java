@@ -1,5 +1,6 @@
 package javino;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
@@ -36,12 +37,14 @@ final class FrameWriter {
         monitor = new Monitor(clock, transport.name());
     }
 
-    /** Queues a command. */
-    void submit(Command command) throws PortGoneException {
+    /** Queues a command, and returns those whose place it takes. */
+    List<Command> submit(Command command) throws PortGoneException {
+        List<Command> replaced = new ArrayList<>();
         monitor.change(() -> {
             requireLine();
-            commands.add(command);
+            replaced.addAll(commands.add(command));
         });
+        return replaced;
     }
 
     /** Takes a command that has not begun to go out from the queue, for good; false if it has. */

@@ -92,6 +92,11 @@ final class Inbox {
         });
     }
 
+    /** Reads until the clock shows {@code deadlineNanos}, and keeps what comes. */
+    void watch(long deadlineNanos) throws PortException {
+        await(() -> null, deadlineNanos);
+    }
+
     /** The outcome of the action that is expected, or null if it is not known when the clock shows {@code deadlineNanos}. */
     Outcome outcome(long deadlineNanos) throws PortException {
         return await(() -> outcome, deadlineNanos);

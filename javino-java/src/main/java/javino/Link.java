@@ -1,10 +1,13 @@
 package javino;
 
+import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Lock;
 import java.util.function.Supplier;
+import javino.wire.BoardAction;
 
 /**
  * An open port that one owner exchanges messages through.
@@ -40,6 +43,7 @@ public final class Link implements AutoCloseable {
     private final Inbox inbox;
     private final RequestChannel channel; // used by who holds reading
     private final CommandLoop commands;
+    private volatile BoardListener boardListener; // null: nobody is called
     private volatile long exchangeNanos; // that the last one took
 
     Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
@@ -113,6 +117,19 @@ public final class Link implements AutoCloseable {
     /** The version that is spoken; {@link Protocol#AUTO} while it has not been found out. */
     public Protocol protocol() {
         return channel.protocol();
+    }
+
+    /**
+     * The actions that the board has registered, in the order of their numbers. Empty while they are not known, and in version 1. Any
+     * thread; does not wait.
+     */
+    public Optional<List<BoardAction>> vocabulary() {
+        return Optional.empty();
+    }
+
+    /** Sets who is called when the board reports something of its own accord, in place of who was before. */
+    public void onBoardEvents(BoardListener listener) {
+        boardListener = Objects.requireNonNull(listener, "listener");
     }
 
     /** Frames of version 2 that have arrived with a wrong checksum and were dropped. */
@@ -189,7 +206,7 @@ public final class Link implements AutoCloseable {
      * times, which the board takes for one, and is waited for up to some five seconds, less if the board is known to be quick. Else it is
      * completed with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
      * {@link ActionUnconfirmedException} if it may or may not have been carried out; {@link CommandWithdrawnException} if its time was
-     * over before it began to go out; {@link PortTimeoutException} if the line had no time for it, or the driver did not take it;
+     * over before it began to go out; {@link CommandReplacedException} if a later one took its place before that; {@link PortTimeoutException} if the line had no time for it, or the driver did not take it;
      * {@link PortGoneException} if the line is gone; or with what a transport threw. A command whose future is completed by others,
      * cancelled for example, does not go out unless it has begun to.
      *
@@ -251,6 +268,20 @@ public final class Link implements AutoCloseable {
                 throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
             return message;
+        });
+    }
+
+    /**
+     * Reads the line for as long, for the sake of {@linkplain #onBoardEvents what the board reports} between two requests, and to notice
+     * that the device has gone. Messages that come meanwhile are left to who listens.
+     *
+     * @param timeoutMillis milliseconds, at least 1
+     */
+    public void watch(int timeoutMillis) throws PortException {
+        requireTime(timeoutMillis);
+        reading(() -> {
+            inbox.watch(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+            return null;
         });
     }
 

@@ -45,6 +45,14 @@ public interface Transport extends AutoCloseable {
      */
     void write(byte[] b, int off, int len, int timeoutMillis) throws PortException;
 
+    /**
+     * Whether {@link #write} would hand a frame to the driver on the calling thread, without waiting for anything. Any thread; does not
+     * wait itself.
+     */
+    default boolean isWritableNow() {
+        return false;
+    }
+
     /** Closes the line and gives its device back. Calls that wait on it throw {@link PortGoneException}. Idempotent. */
     @Override
     void close();

@@ -32,6 +32,10 @@
  *     <td>can be used on</td></tr>
  *   <tr><td>{@link javino.ActionUnconfirmedException}</td><td>a version 2 board did not say that it acted</td><td>sending</td>
  *     <td>can be used on</td></tr>
+ *   <tr><td>{@link javino.CommandWithdrawnException}</td><td>a command's time was over before it began to go out</td><td>sending</td>
+ *     <td>can be used on</td></tr>
+ *   <tr><td>{@link javino.CommandReplacedException}</td><td>a later command took the place of one that waited</td><td>sending</td>
+ *     <td>can be used on</td></tr>
  *   <tr><td>{@link javino.PortInterruptedException}</td><td>the calling thread was interrupted</td><td>any call that waits</td>
  *     <td>can be used on</td></tr>
  *   <tr><td>{@link javino.PortGoneException}</td><td>it was closed, or its device is not there any more</td><td>reading, writing</td>

@@ -32,7 +32,7 @@ private class TakingLine : Transport {
 class CommandInterleavingsSpec : FunSpec({
     val settings = LinkSettings.defaults().withProtocol(Protocol.V1)
 
-    fun command(text: String, urgent: Boolean = false) = Command(Frame.of(text), urgent, 0, false)
+    fun command(text: String, urgent: Boolean = false) = Command(Frame.of(text), SendOptions(urgent, 0), 0)
 
     test("a command is either withdrawn or written") {
         inEachInterleaving {
@@ -73,6 +73,7 @@ class CommandInterleavingsSpec : FunSpec({
             val submit = {
                 try {
                     writer.submit(command)
+                    Unit
                 } catch (_: PortGoneException) {
                     isRefused = true
                 }

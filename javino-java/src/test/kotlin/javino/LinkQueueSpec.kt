@@ -49,6 +49,17 @@ class LinkQueueSpec : FunSpec({
         eventually(20.seconds) { board.received() shouldContainExactly listOf("after") }
     }
 
+    link("the latest command takes the place of those of its functor that wait, which fail with what replaced them") { board, link ->
+        val old = link.send("speed(1)", SendOptions.defaults())
+        val sent = listOf("a", "speedy(1)").map { link.send(it, SendOptions.defaults()) } + link.send("speed(2)", SendOptions(false, 0, true))
+        old.failure().shouldBeInstanceOf<CommandReplacedException>().message shouldContainText "\"speed(2)\" took its place"
+        val urgent = link.send("a(1)", SendOptions(true, 0, true))
+        sent[0].failure().shouldBeInstanceOf<CommandReplacedException>()
+        link.writing()
+        (sent.drop(1) + urgent).forEach { it.get(LIMIT_S, TimeUnit.SECONDS) }
+        eventually(20.seconds) { board.received() shouldContainExactly listOf("a(1)", "speed(2)", "speedy(1)") }
+    }
+
     link("a command that is cancelled while it waits does not go out") { board, link ->
         link.send("no", SendOptions.defaults()).cancel(false)
         link.writing()

@@ -1,0 +1,24 @@
+package javino.wire;
+
+/**
+ * What a board reports when a rule begins to be met.
+ *
+ * @param rule the rule's number
+ * @param outcome what became of its reflex
+ * @param percept the text of the percept that meets it, with its {@code ;}
+ */
+public record CriticalReport(int rule, ReflexOutcome outcome, String percept) {
+    private static final int HEADER = 2;
+
+    /** Its bytes. */
+    public String payload() {
+        return "" + (char) rule + (char) outcome.ordinal() + percept;
+    }
+
+    /** Reads a payload; null: it is cut, or says something unknown of the reflex. */
+    public static CriticalReport read(String payload) {
+        ReflexOutcome[] outcomes = ReflexOutcome.values();
+        return payload.length() < HEADER || payload.charAt(1) >= outcomes.length ? null
+                : new CriticalReport(payload.charAt(0), outcomes[payload.charAt(1)], payload.substring(HEADER));
+    }
+}

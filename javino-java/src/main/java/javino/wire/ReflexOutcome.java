@@ -1,0 +1,11 @@
+package javino.wire;
+
+/** What became of the reflex of a rule on a board. */
+public enum ReflexOutcome {
+    /** The rule has no reflex. */
+    NONE,
+    /** The board has carried it out. */
+    CARRIED_OUT,
+    /** The board's program does not know it, or not with these arguments. */
+    REFUSED
+}
