@@ -6,6 +6,7 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
+import java.util.HexFormat
 
 /** Texts of any bytes, those that frames give a meaning more often than others. */
 internal fun texts(lengths: IntRange): Arb<String> = Arb.list(
@@ -37,4 +38,18 @@ internal class Receiver(fromBoard: Boolean) {
     private companion object {
         const val TIMEOUT_NANOS = 100_000_000L
     }
+}
+
+/** A frame as test vectors write it: CC SS payload, in hexadecimal digits. */
+internal fun vectorOf(frame: WireFrame): String {
+    val kind = frame.kind().code() or (if (frame.isRefused) WireFrame.REFUSED else 0) or (if (frame.isBusy) WireFrame.BUSY else 0)
+    return HexFormat.of().formatHex(byteArrayOf(kind.toByte(), frame.number().toByte()) + bytesOf(frame.payload()))
+}
+
+/** The frame that test vectors write so. */
+internal fun frameOf(vector: String): WireFrame {
+    val text = textOf(HexFormat.of().parseHex(vector))
+    val flags = if (text[0].code >= FrameKind.FROM_BOARD) text[0].code and (WireFrame.REFUSED or WireFrame.BUSY) else 0
+    val kind = FrameKind.of(text[0].code and flags.inv())
+    return WireFrame(kind, flags and WireFrame.REFUSED != 0, flags and WireFrame.BUSY != 0, text[1].code, text.substring(2))
 }

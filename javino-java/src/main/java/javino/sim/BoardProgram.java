@@ -1,0 +1,39 @@
+package javino.sim;
+
+import java.util.List;
+import javino.PortException;
+import javino.wire.BoardAction;
+
+/**
+ * The program of a simulated board, as a sketch is that of a real one. All methods are called on the board's thread and may take their time;
+ * the board does nothing else meanwhile.
+ */
+public interface BoardProgram {
+    /** What became of a command. */
+    enum Outcome {
+        /** It was carried out. */
+        DONE,
+
+        /** It is unknown, or has wrong arguments. */
+        REFUSED,
+
+        /** It was begun; {@link BoardSession#report} follows. In version 1 the same as {@link #DONE}. */
+        LATER
+    }
+
+    /** The actions that it tells computers about; none: it does not say. Those without arguments may be called by their place here. */
+    default List<BoardAction> vocabulary() {
+        return List.of();
+    }
+
+    /** Carries out a command, given as text. */
+    Outcome carryOut(String command) throws PortException, InterruptedException;
+
+    /**
+     * The answer to a request for percepts, each with a {@code ;} behind it.
+     *
+     * @param request {@code getPercepts}, or {@code getPercepts(dist,light)} for those of some functors
+     * @return null: no answer
+     */
+    String percepts(String request) throws PortException, InterruptedException;
+}

@@ -1,0 +1,260 @@
+package javino.sim;
+
+import java.util.List;
+import javino.PerceptsRequest;
+import javino.PortException;
+import javino.sim.BoardProgram.Outcome;
+import javino.wire.AnswerPart;
+import javino.wire.BoardAction;
+import javino.wire.BoardRule;
+import javino.wire.CommandItem;
+import javino.wire.FrameKind;
+import javino.wire.PerceptWriter;
+import javino.wire.VocabularyPage;
+import javino.wire.Welcome;
+import javino.wire.WireFrame;
+
+/**
+ * The board's side of version 2 of the protocol: frames come in, frames go out, and the board's program is called for commands and percepts.
+ *
+ * <p>It has no thread and no clock. One thread, the board's, calls {@link #receive} and {@link #look}; {@link #sendPercepts} and
+ * {@link #report} are safe on any. Frames are given to the line on the thread that causes them.
+ */
+public final class BoardSession {
+    /** Where frames go. */
+    @FunctionalInterface
+    public interface Line {
+        /** Sends a frame; may be called on several threads at a time. */
+        void send(WireFrame frame) throws PortException, InterruptedException;
+    }
+
+    /**
+     * What a board has room for.
+     *
+     * @param credit bytes of frames that it holds while its program is busy, 0 to 255
+     * @param longestPayload bytes of payload that it takes, 0 to 255
+     * @param rules critical rules that it watches, 0 to 255
+     * @param shapes percept texts that it can number, 0 to 126
+     */
+    public record Capacity(int credit, int longestPayload, int rules, int shapes) {
+        /** As much as the protocol can say, without rules. */
+        public static final Capacity FULL = new Capacity(255, WireFrame.MAX_PAYLOAD, 0, 126);
+
+        /** This, with so many rules. */
+        public Capacity withRules(int value) {
+            return new Capacity(credit, longestPayload, value, shapes);
+        }
+    }
+
+    private static final int NUMBERS = 256;
+    private static final int PART_WITH_RULES = 12; // bytes of an answer, so that what is urgent does not wait for a long frame
+    private static final int CRITICAL_OVERHEAD = 2; // bytes of payload in front of the percept
+
+    private final BoardProgram program;
+    private final Capacity capacity;
+    private final Line line;
+    private final BoardRules rules;
+
+    // guarded by this
+    private final PerceptWriter writer;
+    private int nonce; // 0: there is no session
+    private int due;
+    private boolean isRefused;
+    private boolean isBusy;
+    private int known;
+    private long begun; // actions that report their outcome later
+
+    public BoardSession(BoardProgram program, Capacity capacity, Line line) {
+        this.program = program;
+        this.capacity = capacity;
+        this.line = line;
+        rules = new BoardRules(capacity.rules());
+        writer = new PerceptWriter(capacity.shapes());
+    }
+
+    /** Whether there is a session. */
+    public synchronized boolean isOpen() {
+        return nonce != 0;
+    }
+
+    /** Handles a frame from the computer. */
+    public void receive(WireFrame frame) throws PortException, InterruptedException {
+        if (frame.kind() == FrameKind.HELLO) {
+            begin(frame.number());
+        }
+        if (frame.kind() == FrameKind.HELLO || !isOpen()) {
+            sendWelcome();
+            return;
+        }
+        switch (frame.kind()) {
+            case ASK -> answer(frame);
+            case DESCRIBE -> describe(frame);
+            case COMMANDS, COMMANDS_WITH_RESUME -> handleCommands(frame);
+            default -> throw new IllegalArgumentException("a board does not receive " + frame.kind());
+        }
+    }
+
+    private synchronized void begin(int value) {
+        nonce = value;
+        due = 0;
+        isRefused = false;
+        isBusy = false;
+        known = 0;
+        writer.forget();
+        rules.clear();
+    }
+
+    private void sendWelcome() throws PortException, InterruptedException {
+        int current;
+        synchronized (this) {
+            current = nonce;
+        }
+        send(FrameKind.WELCOME, new Welcome(current, capacity.credit(), capacity.longestPayload(), capacity.rules()).payload());
+    }
+
+    private void send(FrameKind kind, String payload) throws PortException, InterruptedException {
+        line.send(framed(kind, payload));
+    }
+
+    private synchronized WireFrame framed(FrameKind kind, String payload) {
+        return new WireFrame(kind, isRefused, isBusy, due, payload);
+    }
+
+    // ---- commands ----
+
+    private void handleCommands(WireFrame frame) throws PortException, InterruptedException {
+        if (frame.kind() == FrameKind.COMMANDS_WITH_RESUME) {
+            resume(frame.number());
+        }
+        int number = frame.number();
+        for (CommandItem command : CommandItem.read(frame.payload())) {
+            if (isNext(number)) {
+                handled(carryOut(command));
+            }
+            number = (number + 1) % NUMBERS;
+        }
+        send(FrameKind.ACK, "");
+    }
+
+    private synchronized void resume(int number) {
+        isRefused &= number != due;
+    }
+
+    private synchronized boolean isNext(int number) {
+        return number == due && !isRefused && !isBusy;
+    }
+
+    private Outcome carryOut(CommandItem command) throws PortException, InterruptedException {
+        if (command instanceof CommandItem.Action action) {
+            List<BoardAction> actions = program.vocabulary();
+            return action.number() < actions.size() && takesNone(actions.get(action.number()))
+                    ? program.carryOut(actions.get(action.number()).name()) : Outcome.REFUSED;
+        }
+        if (command instanceof CommandItem.Text text) {
+            return text.text().startsWith("" + BoardRule.MARK) ? changeRules(text.text()) : program.carryOut(text.text());
+        }
+        return Outcome.DONE;
+    }
+
+    private static boolean takesNone(BoardAction action) {
+        return action.arguments() == 0 || action.arguments() == BoardAction.ANY;
+    }
+
+    private Outcome changeRules(String command) {
+        return rules.change(command) ? Outcome.DONE : Outcome.REFUSED;
+    }
+
+    private synchronized void handled(Outcome outcome) {
+        isBusy = outcome == Outcome.LATER;
+        if (isBusy) {
+            begun++;
+        } else {
+            due = (due + 1) % NUMBERS;
+            isRefused = outcome == Outcome.REFUSED;
+        }
+    }
+
+    /** The action whose outcome is open, to {@link #report} it; 0: there is none. */
+    public synchronized long openAction() {
+        return isBusy ? begun : 0;
+    }
+
+    /**
+     * Reports the outcome of an action that {@link Outcome#LATER} was returned for. That of an earlier session counts no more.
+     *
+     * @param action what {@link #openAction} was then
+     */
+    public void report(long action, boolean isDone) throws PortException, InterruptedException {
+        synchronized (this) {
+            if (!isBusy || action != begun) {
+                return;
+            }
+            handled(isDone ? Outcome.DONE : Outcome.REFUSED);
+        }
+        send(FrameKind.ACK, "");
+    }
+
+    // ---- percepts and vocabulary ----
+
+    private void answer(WireFrame ask) throws PortException, InterruptedException {
+        if (ask.payload().isEmpty()) {
+            return; // it does not say what is known
+        }
+        synchronized (this) {
+            known = ask.payload().charAt(0);
+        }
+        String answer = program.percepts(PerceptsRequest.ALL + ask.payload().substring(1));
+        if (answer != null) {
+            sendPercepts(ask.number(), answer);
+        }
+    }
+
+    /** Sends percepts that nobody asked for, each with a {@code ;} behind it; nothing without a session. */
+    public void sendPercepts(String percepts) throws PortException, InterruptedException {
+        if (isOpen()) {
+            sendPercepts(0, percepts);
+        }
+    }
+
+    private void sendPercepts(int request, String percepts) throws PortException, InterruptedException {
+        String items;
+        synchronized (this) {
+            items = writer.items(PerceptTerm.split(percepts), known);
+        }
+        for (AnswerPart part : rules.isEmpty() ? AnswerPart.split(request, items) : AnswerPart.split(request, items, PART_WITH_RULES)) {
+            send(part.kind(), part.payload());
+        }
+    }
+
+    private void describe(WireFrame describe) throws PortException, InterruptedException {
+        if (!describe.payload().isEmpty()) {
+            int first = describe.payload().charAt(0);
+            send(FrameKind.VOCABULARY, VocabularyPage.of(describe.number(), first, program.vocabulary(), WireFrame.MAX_PAYLOAD).payload());
+        }
+    }
+
+    // ---- rules ----
+
+    /** Whether there are rules to {@linkplain #look watch}. */
+    public boolean hasRules() {
+        return !rules.isEmpty();
+    }
+
+    /** Looks at the sensors: the reflex of each rule that begins to be met is carried out, and the computer informed. */
+    public void look(String percepts) throws PortException, InterruptedException {
+        for (BoardRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
+            char reflex = (char) carryOutReflex(beginning.rule().reflex());
+            String text = beginning.percept();
+            boolean fits = text.length() <= WireFrame.MAX_PAYLOAD - CRITICAL_OVERHEAD; // else the next answer has it
+            send(FrameKind.CRITICAL, "" + (char) beginning.number() + reflex + (fits ? text : ""));
+        }
+    }
+
+    /** What became of a reflex, as CRITICAL says it. */
+    private int carryOutReflex(String command) throws PortException, InterruptedException {
+        if (command == null) {
+            return 0;
+        }
+        return program.carryOut(command) == Outcome.REFUSED ? 2 : 1;
+    }
+}

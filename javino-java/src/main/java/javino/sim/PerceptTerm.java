@@ -1,0 +1,88 @@
+package javino.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A percept's text as a board reads it to watch a rule.
+ *
+ * @param functor what is in front of the arguments, with a {@code ~} if it is negated
+ * @param arguments their texts without the blanks around them
+ */
+record PerceptTerm(String functor, List<String> arguments) {
+    PerceptTerm {
+        arguments = List.copyOf(arguments);
+    }
+
+    static PerceptTerm of(String text) {
+        int end = 0;
+        while (end < text.length() && "([;".indexOf(text.charAt(end)) < 0) {
+            end++;
+        }
+        boolean hasArguments = end < text.length() && text.charAt(end) == '(';
+        return new PerceptTerm(text.substring(0, end).strip(), hasArguments ? arguments(text, end) : List.of());
+    }
+
+    /** The texts of an answer, each with its {@code ;}. What is behind the last one is a text too. */
+    static List<String> split(String answer) {
+        List<String> texts = new ArrayList<>();
+        Nesting nesting = new Nesting();
+        int from = 0;
+        for (int i = 0; i < answer.length(); i++) {
+            nesting.pass(answer.charAt(i));
+            if (nesting.isAt(0) && answer.charAt(i) == ';') {
+                texts.add(answer.substring(from, i + 1));
+                from = i + 1;
+            }
+        }
+        if (from < answer.length()) {
+            texts.add(answer.substring(from));
+        }
+        return texts;
+    }
+
+    private static List<String> arguments(String text, int bracket) {
+        List<String> arguments = new ArrayList<>();
+        Nesting nesting = new Nesting();
+        int from = bracket + 1;
+        for (int i = bracket; i < text.length(); i++) {
+            nesting.pass(text.charAt(i));
+            boolean ends = nesting.isAt(0);
+            if (ends || nesting.isAt(1) && text.charAt(i) == ',') {
+                arguments.add(text.substring(from, i).strip());
+                from = i + 1;
+            }
+            if (ends) {
+                break;
+            }
+        }
+        return arguments;
+    }
+
+    /** How many brackets are open, and whether in a text in quotes. */
+    private static final class Nesting {
+        private int depth;
+        private char quote; // 0: none
+        private boolean isEscaped;
+
+        void pass(char c) {
+            if (quote != 0) {
+                boolean escapes = !isEscaped && c == '\\' && quote == '"';
+                if (c == quote && !isEscaped) {
+                    quote = 0;
+                }
+                isEscaped = escapes;
+            } else if (c == '"' || c == '\'') {
+                quote = c;
+            } else if ("([{".indexOf(c) >= 0) {
+                depth++;
+            } else if (")]}".indexOf(c) >= 0) {
+                depth = Math.max(0, depth - 1);
+            }
+        }
+
+        boolean isAt(int wanted) {
+            return quote == 0 && depth == wanted;
+        }
+    }
+}

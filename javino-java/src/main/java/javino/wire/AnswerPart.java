@@ -1,0 +1,50 @@
+package javino.wire;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What one frame carries of an answer: all of it, or a part.
+ *
+ * @param kind {@link FrameKind#PERCEPTS}, {@link FrameKind#PERCEPTS_PART} or {@link FrameKind#PERCEPTS_LAST}
+ * @param payload the frame's
+ */
+public record AnswerPart(FrameKind kind, String payload) {
+    /** Parts that an answer has at most. */
+    public static final int MAX_PARTS = 255;
+
+    private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // behind the numbers of request and part
+
+    /** The frames of an answer, as few as can be. As {@link #split(int, String, int)}. */
+    public static List<AnswerPart> split(int request, String items) {
+        return items.length() < WireFrame.MAX_PAYLOAD ? List.of(whole(request, items)) : split(request, items, MAX_SIZE);
+    }
+
+    /**
+     * The frames of an answer in their order.
+     *
+     * @param request number of the request that it answers; 0: none
+     * @param size bytes of the answer in a frame, at most; more if there were too many parts
+     * @throws IllegalArgumentException if the answer is longer than {@value #MAX_PARTS} frames can carry
+     */
+    public static List<AnswerPart> split(int request, String items, int size) {
+        if (items.length() <= size) {
+            return List.of(whole(request, items));
+        }
+        int fitting = Math.max(size, (items.length() + MAX_PARTS - 1) / MAX_PARTS);
+        if (fitting > MAX_SIZE) {
+            throw new IllegalArgumentException("an answer has at most " + MAX_PARTS * MAX_SIZE + " bytes, but this has " + items.length());
+        }
+        List<AnswerPart> parts = new ArrayList<>();
+        for (int from = 0; from < items.length(); from += fitting) {
+            int end = Math.min(items.length(), from + fitting);
+            FrameKind kind = end < items.length() ? FrameKind.PERCEPTS_PART : FrameKind.PERCEPTS_LAST;
+            parts.add(new AnswerPart(kind, "" + (char) request + (char) parts.size() + items.substring(from, end)));
+        }
+        return parts;
+    }
+
+    private static AnswerPart whole(int request, String items) {
+        return new AnswerPart(FrameKind.PERCEPTS, (char) request + items);
+    }
+}

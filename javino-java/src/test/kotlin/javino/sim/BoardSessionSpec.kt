@@ -1,0 +1,93 @@
+package javino.sim
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeLessThan
+import io.kotest.matchers.shouldBe
+import javino.sim.BoardProgram.Outcome
+import javino.wire.BoardRule
+import javino.wire.CommandItem
+import javino.wire.FrameKind
+import javino.wire.WireFrame
+
+/** A board whose program takes everything; `later…` it finishes later. */
+private class Bench(capacity: BoardSession.Capacity = BoardSession.Capacity.FULL.withRules(2)) : BoardProgram {
+    val carried = mutableListOf<String>()
+    val sent = mutableListOf<WireFrame>()
+    var percepts: String? = ""
+    val session = BoardSession(this, capacity) { sent += it }
+
+    override fun carryOut(command: String): Outcome {
+        carried += command
+        return if (command.startsWith("later")) Outcome.LATER else Outcome.DONE
+    }
+
+    override fun percepts(request: String): String? = percepts
+
+    fun hello(nonce: Int = 7) = session.receive(WireFrame.of(FrameKind.HELLO, nonce, ""))
+
+    fun command(number: Int, text: String) =
+        session.receive(WireFrame.of(FrameKind.COMMANDS, number, CommandItem.Text(text).payload()))
+
+    fun ask(known: Int = 0) = session.receive(WireFrame.of(FrameKind.ASK, 1, "" + known.toChar()))
+}
+
+class BoardSessionSpec : FunSpec({
+    test("an outcome of an earlier session is not that of an action of this one") {
+        val bench = Bench().apply { hello() }
+        bench.command(0, "later(1)")
+        val first = bench.session.openAction()
+        bench.hello(8)
+        bench.command(0, "later(2)")
+        bench.sent.clear()
+        bench.session.report(first, true)
+        bench.sent shouldBe emptyList()
+        bench.session.report(bench.session.openAction(), true)
+        bench.sent shouldContainExactly listOf(WireFrame.of(FrameKind.ACK, 1, ""))
+    }
+
+    test("a program that has no answer lets the board be silent") {
+        val bench = Bench().apply { hello(); percepts = null; sent.clear() }
+        bench.ask()
+        bench.sent shouldBe emptyList()
+    }
+
+    test("a request that does not hold how many texts are known is dropped, and so is one for no action") {
+        val bench = Bench().apply { hello(); sent.clear() }
+        for (kind in listOf(FrameKind.ASK, FrameKind.DESCRIBE)) bench.session.receive(WireFrame.of(kind, 1, ""))
+        bench.sent shouldBe emptyList()
+    }
+
+    test("numbers of commands wrap, and a repetition from before the wrap is passed over") {
+        val bench = Bench().apply { hello() }
+        repeat(300) { bench.command(it % 256, "c$it") }
+        for (number in 300 - 128 until 300) bench.command(number % 256, "again")
+        bench.carried shouldBe List(300) { "c$it" }
+    }
+
+    test("with rules, an answer that would have too many parts has longer ones") {
+        val bench = Bench().apply { hello(); command(0, BoardRule("a", listOf(), null).text(1)) }
+        for (length in listOf(12 * 255, 12 * 255 + 1, 20_000)) {
+            bench.sent.clear()
+            bench.percepts = "x".repeat(length)
+            bench.ask()
+            bench.sent.size shouldBeLessThan 256
+        }
+        bench.percepts = "x".repeat(253 * 255)
+        shouldThrow<IllegalArgumentException> { bench.ask() }
+    }
+
+    test("a percept that is too long for a frame is reported without its text, and its reflex carried out") {
+        val bench = Bench().apply { hello(); command(0, BoardRule("a", listOf(), "stop").text(1)); sent.clear() }
+        bench.session.look("a(${"1".repeat(252)});")
+        bench.carried shouldBe listOf("stop")
+        bench.sent shouldContainExactly listOf(WireFrame.of(FrameKind.CRITICAL, 1, "\u0001\u0001"))
+    }
+
+    test("an answer is split behind percepts, not within quotes or brackets") {
+        PerceptTerm.split("""a;b("x;y");c([1;2]);'d;e';(((;rest""") shouldBe
+            listOf("a;", """b("x;y");""", "c([1;2]);", "'d;e';", "(((;rest")
+        PerceptTerm.split(");a;") shouldBe listOf(");", "a;")
+    }
+})

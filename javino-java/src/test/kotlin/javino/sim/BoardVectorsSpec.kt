@@ -1,0 +1,103 @@
+package javino.sim
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import javino.PerceptsRequest
+import javino.sim.BoardProgram.Outcome
+import javino.wire.BoardAction
+import javino.wire.BoardRule
+import javino.wire.FrameKind
+import javino.wire.Vectors2
+import javino.wire.Welcome
+import javino.wire.WireFrame
+import javino.wire.frameOf
+import javino.wire.isNull
+import javino.wire.isTrue
+import javino.wire.items
+import javino.wire.number
+import javino.wire.octets
+import javino.wire.text
+import javino.wire.texts
+import javino.wire.vectorOf
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.boolean
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+
+/** The program of the board that the vectors describe. */
+private class VectorProgram(private val actions: List<BoardAction>, private val refused: List<String>, private val later: List<String>) : BoardProgram {
+    val carried = mutableListOf<String>()
+    var percepts = emptyList<String>()
+
+    override fun vocabulary() = actions
+
+    override fun carryOut(command: String): Outcome {
+        val term = PerceptTerm.of(command)
+        val action = actions.lastOrNull { it.name() == term.functor() }
+        if (command in refused || action == null || action.arguments() !in listOf(term.arguments().size, BoardAction.ANY)) return Outcome.REFUSED
+        carried += command
+        return if (command in later) Outcome.LATER else Outcome.DONE
+    }
+
+    override fun percepts(request: String): String {
+        val wanted = PerceptsRequest.functorsIn(request)
+        return percepts.filter { wanted.isEmpty() || PerceptTerm.of(it).functor() in wanted }.joinToString("")
+    }
+}
+
+private class VectorBoard(board: JsonObject) {
+    val sent = mutableListOf<WireFrame>()
+    val program = VectorProgram(
+        board["actions"].items().map { BoardAction(it.jsonArray[0].text(), it.jsonArray[1].number()) },
+        board["refuses"].texts(),
+        board["later"].texts(),
+    )
+    private var session = newSession()
+
+    private fun newSession() = BoardSession(program, BoardSession.Capacity(60, 255, 4, 126)) { sent += it }
+
+    fun step(step: JsonObject) {
+        sent.clear()
+        program.carried.clear()
+        step["percepts"]?.let { program.percepts = it.texts() }
+        if (step["restart"].isTrue()) session = newSession()
+        step["to"]?.texts()?.forEach { session.receive(frameOf(it)) }
+        step["report"]?.let { session.report(session.openAction(), it.text() == "done") }
+        if (step["look"].isTrue()) session.look(program.percepts(PerceptsRequest.ALL))
+        if (step["unasked"].isTrue()) session.sendPercepts(program.percepts(PerceptsRequest.ALL))
+    }
+}
+
+/** A frame, but of WELCOME the nonce alone: capacities are the board's own. */
+private fun comparable(frame: WireFrame) =
+    if (frame.kind() == FrameKind.WELCOME) "WELCOME ${frame.number()} ${Welcome.read(frame.payload()).nonce()}" else vectorOf(frame)
+
+class BoardVectorsSpec : FunSpec({
+    test("there are vectors of all groups") {
+        for (group in listOf("board", "rules")) Vectors2.cases(group).size shouldBeGreaterThan 5
+    }
+
+    for ((name, case) in Vectors2.cases("board")) test("board: $name") {
+        val board = VectorBoard(case.getValue("board").jsonObject)
+        case["steps"].items().map { it.jsonObject }.forEachIndexed { i, step ->
+            withClue("step ${i + 1}: $step") {
+                board.step(step)
+                board.sent.map(::comparable) shouldBe step["from"].texts().map { comparable(frameOf(it)) }
+                board.program.carried shouldBe (step["carried"]?.texts() ?: emptyList())
+            }
+        }
+    }
+
+    for ((name, case) in Vectors2.cases("rules")) test("rule: $name") {
+        val rule = BoardRule.read(case["command"].text())
+        if (case["met"].isNull()) {
+            rule shouldBe null
+        } else {
+            case["percepts"].texts().map { BoardRules.isMet(rule, PerceptTerm.of(it)) } shouldBe
+                case["met"].items().map { it.jsonPrimitive.boolean }
+        }
+    }
+})
