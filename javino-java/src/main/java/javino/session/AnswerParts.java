@@ -1,0 +1,53 @@
+package javino.session;
+
+import javino.wire.FrameKind;
+import javino.wire.WireFrame;
+
+/** Puts the parts of answers together. */
+final class AnswerParts {
+    /** An answer: its request's number, 0 if it came unasked, and its items; null items: a part is missing. */
+    record Answer(int request, String items) {}
+
+    private static final int NONE = -1;
+
+    private final StringBuilder items = new StringBuilder();
+    private int request = NONE;
+    private int parts;
+
+    /** Takes a frame of percepts; returns the answer that it completes, or makes void; null: neither. */
+    Answer accept(WireFrame frame) {
+        String payload = frame.payload();
+        boolean isWhole = frame.kind() == FrameKind.PERCEPTS;
+        if (payload.length() < (isWhole ? 1 : 2)) {
+            return null;
+        }
+        int number = payload.charAt(0);
+        if (isWhole) {
+            forget();
+            return new Answer(number, payload.substring(1));
+        }
+        if (payload.charAt(1) == 0) {
+            forget();
+            request = number;
+        }
+        if (number != request || payload.charAt(1) != parts) {
+            boolean wasVoid = request == NONE && frame.kind() == FrameKind.PERCEPTS_PART;
+            forget();
+            return wasVoid ? null : new Answer(number, null);
+        }
+        parts++;
+        items.append(payload, 2, payload.length());
+        if (frame.kind() == FrameKind.PERCEPTS_PART) {
+            return null;
+        }
+        Answer whole = new Answer(number, items.toString());
+        forget();
+        return whole;
+    }
+
+    void forget() {
+        request = NONE;
+        parts = 0;
+        items.setLength(0);
+    }
+}

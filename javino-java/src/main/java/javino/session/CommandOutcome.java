@@ -1,0 +1,13 @@
+package javino.session;
+
+/** What became of a command. */
+public enum CommandOutcome {
+    /** The board has carried it out. */
+    DONE,
+    /** The board does not know it, or not with these arguments. */
+    REFUSED,
+    /** It may or may not have been carried out. */
+    UNCONFIRMED,
+    /** It is longer than the board takes, and was not sent. */
+    TOO_LONG
+}

@@ -1,0 +1,427 @@
+package javino.session;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.random.RandomGenerator;
+import javino.wire.BoardAction;
+import javino.wire.CommandItem;
+import javino.wire.CriticalReport;
+import javino.wire.FrameKind;
+import javino.wire.Welcome;
+import javino.wire.WireFrame;
+
+/**
+ * The computer's end of a line of version 2. It is given the frames that come, and asked for the frame that is to be written next whenever
+ * the line is free: what has to be repeated first, then a request for percepts, then commands, then a request for the board's vocabulary.
+ *
+ * <p>It is closed, and then sends nothing by itself, until {@link #open} or the answer to a {@link #hello}. Then it goes from session to
+ * session until it is closed, or the board is silent. One thread at a time.
+ *
+ * @param <C> the commands
+ */
+public final class ComputerSession<C extends SessionCommand> {
+    private enum State { CLOSED, OPENING, OPEN }
+
+    private static final long SECOND_HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
+    private static final long LATER_HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
+    private static final long BUSY_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
+    private static final long SILENCE_NANOS = TimeUnit.SECONDS.toNanos(2);
+    private static final int SILENT_REPETITIONS = 4;
+    /** Bytes of payload of a frame of several commands. */
+    private static final int MAX_ROW = 32;
+    private static final int NAK_DIVISOR = 3;
+
+    private final long byteNanos;
+    private final int answerLimit;
+    private final SessionListener<C> listener;
+    private final Nonces nonces;
+    private final Window<C> window = new Window<>();
+    private final Retransmission timeout = new Retransmission();
+    private final Requests requests;
+    private final Vocabulary vocabulary = new Vocabulary();
+
+    private State state = State.CLOSED;
+    private int nonce; // 0: none was chosen
+    private int hellos;
+    private long helloAt;
+    private Welcome welcome = Welcome.NO_SESSION;
+
+    private boolean mustResume;
+    private boolean isBusy;
+    private boolean isTimed; // since timerFrom
+    private long timerFrom;
+    private long repeatedAt;
+    private boolean hasRepeated;
+    private long heardAt; // the last valid frame, or since when something is awaited
+    private int silentRepetitions;
+    private FrameKind writing; // the frame that next() returned last
+
+    /**
+     * @param byteNanos that a byte takes on the line
+     * @param answerLimit bytes that an answer has at most
+     * @param random chooses nonces
+     */
+    public ComputerSession(long byteNanos, int answerLimit, RandomGenerator random, SessionListener<C> listener) {
+        this.byteNanos = byteNanos;
+        this.answerLimit = answerLimit;
+        this.listener = listener;
+        nonces = new Nonces(random);
+        requests = new Requests(byteNanos);
+    }
+
+    /** Whether the board has answered HELLO, and has not been found restarted since. */
+    public boolean isOpen() {
+        return state == State.OPEN;
+    }
+
+    /** Whether something is to come from the board, answers to requests aside. */
+    public boolean isExpecting() {
+        return state == State.OPENING || window.size() > 0;
+    }
+
+    /** Whether the board has acknowledged and answered all that was sent. */
+    public boolean isSettled() {
+        return window.size() == 0 && requests.bytes() == 0;
+    }
+
+    /** Begins to say HELLO until the board answers. */
+    public void open(long now) {
+        if (state == State.CLOSED) {
+            begin(State.OPENING, now);
+        }
+    }
+
+    /** Ends what there is, and sends nothing from now on. What is out is unconfirmed. */
+    public void close(long now) {
+        end(State.CLOSED, now);
+    }
+
+    /** A HELLO that may begin a session, for who does not know whether the board speaks version 2. */
+    public WireFrame hello() {
+        if (nonce == 0) {
+            nonce = nonces.next();
+        }
+        return Nonces.hello(nonce);
+    }
+
+    /** The actions of the board in the order of their numbers; empty while they are not known. */
+    public Optional<List<BoardAction>> vocabulary() {
+        return vocabulary.actions();
+    }
+
+    /**
+     * Asks for percepts, and again until {@link #cancelRequest} or the answer is reported. What is received before the request has gone out
+     * is no answer to it.
+     *
+     * @param functors nothing for all, or {@code (dist,light)}
+     */
+    public void request(String functors, long now) {
+        requests.want(functors, now);
+    }
+
+    /** Ends asking. */
+    public void cancelRequest() {
+        requests.cancel();
+    }
+
+    /** Takes a frame that has come. */
+    public void received(WireFrame frame, long now) {
+        if (frame.kind() == FrameKind.WELCOME) {
+            Welcome said = Welcome.read(frame.payload());
+            if (said == null) {
+                return;
+            }
+            if (state == State.OPEN && said.nonce() != nonce) {
+                heard(now);
+                end(State.OPENING, now);
+                return;
+            }
+            if (state != State.OPEN && nonce != 0 && said.nonce() == nonce) {
+                welcome = said;
+                state = State.OPEN;
+                heard(now);
+                listener.began(said);
+            }
+        }
+        if (state == State.OPEN) {
+            heard(now);
+            acknowledge(frame, now);
+            handle(frame, now);
+        }
+    }
+
+    private void heard(long now) {
+        heardAt = now;
+        silentRepetitions = 0;
+    }
+
+    private void handle(WireFrame frame, long now) {
+        switch (frame.kind()) {
+            case PERCEPTS, PERCEPTS_PART, PERCEPTS_LAST -> {
+                boolean wasWanted = requests.isWanted();
+                requests.accept(frame, now, answerLimit, listener);
+                if (wasWanted && !requests.isWanted()) {
+                    vocabulary.want(now);
+                }
+            }
+            case VOCABULARY -> vocabulary.accept(frame.payload(), now);
+            case CRITICAL -> {
+                CriticalReport report = CriticalReport.read(frame.payload());
+                if (report != null) {
+                    listener.reported(report);
+                }
+            }
+            default -> { }
+        }
+    }
+
+    private void acknowledge(WireFrame frame, long now) {
+        int news = frame.number() - window.oldest() & 0xFF;
+        if (news > window.size()) {
+            return;
+        }
+        boolean isNoMoreBusy = isBusy && !frame.isBusy();
+        boolean wasBusy = isBusy;
+        isBusy = frame.isBusy();
+        if (!frame.isRefused()) {
+            mustResume = false;
+        }
+        if (news == 0) {
+            if (frame.kind() == FrameKind.ACK && !isBusy && window.size() > 0 && window.unsent() == window.size() && !hasJustRepeated(now)) {
+                window.repeat();
+            }
+            return;
+        }
+        List<Window.Entry<C>> handled = window.acknowledge(news, now);
+        if (!wasBusy) {
+            window.roundTrip().ifPresent(timeout::measured);
+        }
+        timeout.news();
+        isTimed = window.size() > 0;
+        timerFrom = now;
+        mustResume = frame.isRefused();
+        if (mustResume || isNoMoreBusy) {
+            window.repeat();
+        }
+        for (int i = 0; i < news; i++) {
+            boolean isRefused = i == news - 1 && frame.isRefused();
+            Window.Entry<C> entry = handled.get(i);
+            listener.ended(entry.command, isRefused ? CommandOutcome.REFUSED : entry.isVoid() ? CommandOutcome.UNCONFIRMED : CommandOutcome.DONE);
+        }
+        if (window.size() == 0) {
+            vocabulary.want(now);
+        }
+    }
+
+    private boolean hasJustRepeated(long now) {
+        return hasRepeated && now - repeatedAt < timeoutNanos() / NAK_DIVISOR;
+    }
+
+    /** Records that bytes have come. */
+    public void receiving(long now) {
+        requests.receiving(now);
+    }
+
+    /** Records that a frame has come whose checksum was wrong. */
+    public void damaged() {
+        requests.damaged();
+    }
+
+    private void begin(State next, long now) {
+        state = next;
+        nonce = nonces.next();
+        hellos = 0;
+        helloAt = now;
+    }
+
+    private void end(State next, long now) {
+        List<Window.Entry<C>> lost = window.clear();
+        requests.reset(now);
+        vocabulary.reset();
+        mustResume = false;
+        isBusy = false;
+        isTimed = false;
+        hasRepeated = false;
+        silentRepetitions = 0;
+        timeout.news();
+        begin(next, now);
+        lost.forEach(entry -> listener.ended(entry.command, CommandOutcome.UNCONFIRMED));
+    }
+
+    /**
+     * The frame that is to be written now; null: there is none. It counts as sent: {@link #wrote} follows.
+     *
+     * @param waiting the commands from which it may take some
+     */
+    public WireFrame next(long now, WaitingCommands<C> waiting) {
+        if (state == State.OPEN) {
+            checkTimer(now);
+        }
+        WireFrame frame = switch (state) {
+            case CLOSED -> null;
+            case OPENING -> helloAt - now <= 0 ? hello() : null;
+            case OPEN -> nextInSession(now, waiting);
+        };
+        writing = frame == null ? null : frame.kind();
+        return frame;
+    }
+
+    private WireFrame nextInSession(long now, WaitingCommands<C> waiting) {
+        WireFrame frame = window.unsent() < window.size() ? repetition(now) : null;
+        if (frame == null && requestIsDue(now)) {
+            frame = request(now);
+        }
+        if (frame == null && window.unsent() == window.size()) {
+            frame = commands(now, waiting);
+        }
+        return frame == null && vocabulary.nanosUntilDue(now) == 0 ? vocabulary.next(now) : frame;
+    }
+
+    private boolean requestIsDue(long now) {
+        return requests.nanosUntilDue(now) == 0 && (window.size() == 0 || window.bytes() + WireFrame.OVERHEAD + 1 <= welcome.credit());
+    }
+
+    private WireFrame request(long now) {
+        if (requests.bytes() > 0) {
+            silentRepetitions++; // there is no answer to the one before
+        } else if (window.size() == 0) {
+            heardAt = now; // nothing has been awaited
+        }
+        return requests.next(welcome.longestPayload());
+    }
+
+    private void checkTimer(long now) {
+        if (isSilent(now)) {
+            end(State.CLOSED, now);
+            listener.lapsed();
+        } else if (isTimed && timerFrom + timeoutNanos() - now <= 0) {
+            timeout.timedOut();
+            silentRepetitions++;
+            window.repeat();
+            isTimed = false; // until it has gone out
+        }
+    }
+
+    private boolean isSilent(long now) {
+        return silentRepetitions >= SILENT_REPETITIONS && now - heardAt >= SILENCE_NANOS;
+    }
+
+    private long timeoutNanos() {
+        long nanos = timeout.nanos(window.bytes() * byteNanos);
+        return isBusy ? Math.max(BUSY_NANOS, nanos) : nanos;
+    }
+
+    private WireFrame repetition(long now) {
+        int first = window.unsent();
+        Row row = new Row(window.bytes() == 0);
+        int place = first;
+        for (; place < window.size(); place++) {
+            Window.Entry<C> entry = window.get(place);
+            boolean isVoid = entry.isVoid() || entry.command.isOver();
+            if (!row.add(isVoid ? new CommandItem.Nothing() : vocabulary.itemOf(entry.command.text()))) {
+                break;
+            }
+            if (isVoid) {
+                entry.markVoid();
+            }
+        }
+        if (row.isEmpty()) {
+            return null;
+        }
+        hasRepeated = true;
+        repeatedAt = now;
+        return row.frame(first, place, true, now);
+    }
+
+    private WireFrame commands(long now, WaitingCommands<C> waiting) {
+        if (isSettled()) {
+            heardAt = now; // nothing has been awaited
+        }
+        Row row = new Row(isSettled());
+        int first = window.size();
+        for (C next = waiting.head(); next != null && !window.isFull(); next = waiting.head()) {
+            boolean isTooLong = next.text().length() > CommandItem.MAX_TEXT;
+            CommandItem item = isTooLong ? null : vocabulary.itemOf(next.text());
+            if (isTooLong || item.payload().length() > welcome.longestPayload()) {
+                waiting.begin();
+                listener.ended(next, CommandOutcome.TOO_LONG);
+                continue;
+            }
+            if (!row.add(item)) {
+                break;
+            }
+            waiting.begin();
+            window.add(next);
+        }
+        return row.isEmpty() ? null : row.frame(first, window.size(), false, now);
+    }
+
+    /** Commands of one frame. */
+    private final class Row {
+        private final boolean isFirst; // of what is out, so it may be longer than the credit
+        private String payload = "";
+
+        Row(boolean isFirst) {
+            this.isFirst = isFirst;
+        }
+
+        /** Adds an item if it fits into the frame, and the frame to what is out. */
+        boolean add(CommandItem item) {
+            String longer = payload + item.payload();
+            boolean isAlone = payload.isEmpty();
+            boolean fits = isAlone || longer.length() <= Math.min(MAX_ROW, welcome.longestPayload());
+            long escapes = longer.chars().filter(octet -> octet == 0xA4 || octet == 0xA5).count();
+            long out = window.bytes() + requests.bytes() + WireFrame.OVERHEAD + longer.length() + escapes;
+            if (!fits || out > welcome.credit() && !(isAlone && isFirst)) {
+                return false;
+            }
+            payload = longer;
+            return true;
+        }
+
+        boolean isEmpty() {
+            return payload.isEmpty();
+        }
+
+        WireFrame frame(int first, int end, boolean isRepeated, long now) {
+            FrameKind kind = first == 0 && mustResume ? FrameKind.COMMANDS_WITH_RESUME : FrameKind.COMMANDS;
+            WireFrame frame = WireFrame.of(kind, window.oldest() + first & 0xFF, payload);
+            window.sent(frame.toBytes().length, end, isRepeated, now);
+            return frame;
+        }
+    }
+
+    /** Records when the last byte of the frame that {@link #next} returned leaves the line. */
+    public void wrote(long leavesAt) {
+        if (writing == null) {
+            return;
+        }
+        switch (writing) {
+            case HELLO -> helloAt = leavesAt + (hellos++ == 0 ? SECOND_HELLO_NANOS : LATER_HELLO_NANOS);
+            case ASK -> requests.left(leavesAt);
+            case COMMANDS, COMMANDS_WITH_RESUME -> {
+                window.left(leavesAt);
+                if (window.size() > 0 && !isTimed) {
+                    isTimed = true;
+                    timerFrom = leavesAt;
+                }
+                if (hasRepeated) {
+                    repeatedAt = Math.max(repeatedAt, leavesAt);
+                }
+            }
+            default -> { }
+        }
+    }
+
+    /** Nanoseconds until {@link #next} has a frame though nothing comes and no command is queued; {@link Long#MAX_VALUE}: it has none. */
+    public long nanosUntilDue(long now) {
+        return switch (state) {
+            case CLOSED -> Long.MAX_VALUE;
+            case OPENING -> Math.max(0, helloAt - now);
+            case OPEN -> Math.min(isTimed ? Math.max(0, timerFrom + timeoutNanos() - now) : Long.MAX_VALUE,
+                    Math.min(requestIsDue(now) || requests.nanosUntilDue(now) > 0 ? requests.nanosUntilDue(now) : Long.MAX_VALUE,
+                            vocabulary.nanosUntilDue(now)));
+        };
+    }
+}

@@ -1,0 +1,48 @@
+package javino.session;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.random.RandomGenerator;
+import javino.wire.FrameKind;
+import javino.wire.WireFrame;
+
+/** Chooses the nonces of sessions: those whose HELLO needs no escape and holds no {@code f}, with which frames of version 1 begin. */
+final class Nonces {
+    private static final List<Integer> USABLE = usable();
+
+    private final RandomGenerator random;
+    private int last;
+
+    Nonces(RandomGenerator random) {
+        this.random = random;
+    }
+
+    private static List<Integer> usable() {
+        List<Integer> usable = new ArrayList<>();
+        for (int nonce = 1; nonce <= 0xFF; nonce++) {
+            byte[] bytes = hello(nonce).toBytes();
+            boolean hasF = false;
+            for (byte octet : bytes) {
+                hasF |= octet == 'f';
+            }
+            if (!hasF && bytes.length == WireFrame.OVERHEAD) {
+                usable.add(nonce);
+            }
+        }
+        return usable;
+    }
+
+    static WireFrame hello(int nonce) {
+        return WireFrame.of(FrameKind.HELLO, nonce, "");
+    }
+
+    /** A nonce that differs from the one before. */
+    int next() {
+        int next = last;
+        while (next == last) {
+            next = USABLE.get(random.nextInt(USABLE.size()));
+        }
+        last = next;
+        return next;
+    }
+}

@@ -1,0 +1,166 @@
+package javino.session;
+
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import javino.wire.FrameKind;
+import javino.wire.PerceptReader;
+import javino.wire.WireFrame;
+
+/**
+ * Asks for percepts and reads the answers. What was asked is asked again when the answer is damaged, or later than twice the smoothed
+ * time that answers take; the first answer to any request since the last answer counts.
+ */
+final class Requests {
+    private static final int NUMBERS = 255;
+    private static final long MIN_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+    /** While no answer has been timed. */
+    private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
+    private static final int MAX_DOUBLINGS = 4;
+    /** A line that is silent for as long, or four byte times, is not sending the answer. */
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+    private static final int QUIET_BYTES = 4;
+    /** What comes all the time is something else. */
+    private static final long MAX_POSTPONED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+    private static final int SMOOTHING = 4;
+
+    private final long quietNanos;
+    private final PerceptReader reader = new PerceptReader();
+    private final AnswerParts parts = new AnswerParts();
+    private long asked; // requests in this session
+    private long answered; // requests up to the last that was asked when an answer came
+    private String wanted; // functors; null: nothing is asked
+    private boolean isOut; // a request for it
+    private boolean isDamaged;
+    private int repetitions;
+    private int doublings;
+    private long dueAt;
+    private long leftAt;
+    private long smoothedNanos; // 0: none has been timed
+    private long lastByteAt;
+    private int bytes; // of the newest request, while it is not answered
+
+    Requests(long byteNanos) {
+        quietNanos = Math.max(QUIET_NANOS, QUIET_BYTES * byteNanos);
+    }
+
+    /** Begins to ask for percepts of {@code functors}. */
+    void want(String functors, long now) {
+        wanted = functors;
+        isOut = false;
+        isDamaged = false;
+        repetitions = 0;
+        dueAt = now;
+    }
+
+    /** Ends asking: nobody waits for the answer any more. */
+    void cancel() {
+        wanted = null;
+    }
+
+    boolean isWanted() {
+        return wanted != null;
+    }
+
+    /** Forgets what belongs to a session; what is wanted is asked in the next one. */
+    void reset(long now) {
+        reader.forget();
+        parts.forget();
+        asked = 0;
+        answered = 0;
+        bytes = 0;
+        isOut = false;
+        dueAt = now;
+    }
+
+    /** Bytes of a request that is not answered. */
+    int bytes() {
+        return bytes;
+    }
+
+    long nanosUntilDue(long now) {
+        return wanted == null ? Long.MAX_VALUE : Math.max(0, dueAt() - now);
+    }
+
+    private long dueAt() {
+        if (!isOut) {
+            return dueAt;
+        }
+        long at = isDamaged ? leftAt : dueAt;
+        return at - lastByteAt >= quietNanos ? at : Math.min(lastByteAt + quietNanos, at + MAX_POSTPONED_NANOS);
+    }
+
+    /** The request that is due. */
+    WireFrame next(int longestPayload) {
+        int number = (int) (asked++ % NUMBERS) + 1;
+        if (isOut) {
+            repetitions++;
+            doublings = isDamaged ? doublings : Math.min(doublings + 1, MAX_DOUBLINGS);
+        }
+        isOut = true;
+        isDamaged = false;
+        String functors = wanted.length() < longestPayload ? wanted : ""; // a board may send others, so it may send all
+        WireFrame frame = WireFrame.of(FrameKind.ASK, number, (char) (number == 1 ? 0 : reader.known()) + functors);
+        bytes = frame.toBytes().length;
+        return frame;
+    }
+
+    /** Records when the last byte of the newest request leaves. */
+    void left(long at) {
+        leftAt = at;
+        long timeout = smoothedNanos == 0 ? FIRST_TIMEOUT_NANOS : Math.max(MIN_TIMEOUT_NANOS, 2 * smoothedNanos);
+        dueAt = at + (timeout << doublings);
+    }
+
+    /** Records that a byte has come. */
+    void receiving(long now) {
+        lastByteAt = now;
+    }
+
+    /** Records that a frame has come that was damaged: it may have been the answer. */
+    void damaged() {
+        isDamaged |= isOut;
+    }
+
+    /** Takes a frame of percepts and reports what it completes. */
+    <C> void accept(WireFrame frame, long now, int limit, SessionListener<C> listener) {
+        AnswerParts.Answer answer = parts.accept(frame);
+        if (answer == null) {
+            return;
+        }
+        Optional<String> text = answer.items() == null ? Optional.empty() : reader.read(answer.items());
+        boolean isTooLong = text.isPresent() && text.get().length() > limit;
+        if (isTooLong) {
+            listener.dropped(text.get().length());
+        }
+        if (answer.request() == 0) {
+            text.filter(heard -> !isTooLong).ifPresent(listener::heard);
+        } else {
+            long behind = Math.floorMod((asked - 1) % NUMBERS + 1 - answer.request(), (long) NUMBERS);
+            if (behind < asked - answered) { // none from this request on has been answered
+                answered(asked - behind, text.filter(whole -> !isTooLong), now, listener);
+            }
+        }
+    }
+
+    private <C> void answered(long request, Optional<String> text, long now, SessionListener<C> listener) {
+        if (text.isEmpty()) {
+            damaged();
+            return;
+        }
+        boolean isLate = wanted == null || !isOut;
+        answered = isLate ? request : asked;
+        if (answered == asked) {
+            bytes = 0;
+        }
+        if (isLate) {
+            return;
+        }
+        if (repetitions == 0) {
+            long took = Math.max(1, now - leftAt);
+            smoothedNanos = smoothedNanos == 0 ? took : Math.max(1, smoothedNanos + (took - smoothedNanos) / SMOOTHING);
+            doublings = 0;
+        }
+        wanted = null;
+        listener.answered(text.get());
+    }
+}

@@ -1,0 +1,41 @@
+package javino.session;
+
+import java.util.concurrent.TimeUnit;
+
+/** When what is out is to be repeated: twice the smoothed round trip behind its last byte, and later with each repetition in vain. */
+final class Retransmission {
+    private static final long MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
+    private static final long MAX_DOUBLED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+    /** While no round trip has been measured. */
+    private static final long FIRST_NANOS = TimeUnit.MILLISECONDS.toNanos(150);
+    private static final int SMOOTHING = 8;
+
+    private long smoothedNanos; // 0: none has been measured
+    private int doublings;
+
+    /** Records the time from the last byte of a frame that was sent once to its acknowledgement. */
+    void measured(long nanos) {
+        long atLeast1 = Math.max(1, nanos);
+        smoothedNanos = smoothedNanos == 0 ? atLeast1 : Math.max(1, smoothedNanos + (atLeast1 - smoothedNanos) / SMOOTHING);
+    }
+
+    /** Records that there is news. */
+    void news() {
+        doublings = 0;
+    }
+
+    /** Records that the timeout was over. */
+    void timedOut() {
+        doublings++;
+    }
+
+    /**
+     * The timeout.
+     *
+     * @param lineNanos that what is out takes on the line
+     */
+    long nanos(long lineNanos) {
+        long base = Math.max(MIN_NANOS, (smoothedNanos == 0 ? FIRST_NANOS : 2 * smoothedNanos) + lineNanos);
+        return Math.max(base, Math.min(base << Math.min(doublings, 10), MAX_DOUBLED_NANOS));
+    }
+}

@@ -1,0 +1,28 @@
+package javino.session;
+
+import javino.wire.CriticalReport;
+import javino.wire.Welcome;
+
+/** What a session reports, while one of its methods runs; it is not called back from here. */
+public interface SessionListener<C> {
+    /** A session has begun: the board knows no rules. */
+    void began(Welcome welcome);
+
+    /** The outcome of a command is known. */
+    void ended(C command, CommandOutcome outcome);
+
+    /** The answer to what was asked has come. */
+    void answered(String percepts);
+
+    /** Percepts have come unasked. */
+    void heard(String percepts);
+
+    /** An answer of more bytes than the limit was dropped. */
+    void dropped(int bytes);
+
+    /** A rule on the board has begun to be met. */
+    void reported(CriticalReport report);
+
+    /** The board has not answered for so long that it may have been exchanged for another. The session is closed. */
+    void lapsed();
+}

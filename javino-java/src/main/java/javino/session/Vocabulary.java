@@ -1,0 +1,95 @@
+package javino.session;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import javino.wire.BoardAction;
+import javino.wire.CommandItem;
+import javino.wire.FrameKind;
+import javino.wire.VocabularyPage;
+import javino.wire.WireFrame;
+
+/** Asks the board for its actions, page by page, and knows the numbers of those without arguments. */
+final class Vocabulary {
+    private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+    private static final int MAX_DOUBLINGS = 6;
+    private static final int REQUESTS = 255;
+
+    private final List<BoardAction> actions = new ArrayList<>();
+    private final Map<String, Integer> numbers = new HashMap<>(); // of those without arguments
+    private int request;
+    private int doublings;
+    private boolean isWanted;
+    private boolean isComplete;
+    private long dueAt;
+
+    /** Forgets everything: another session begins. */
+    void reset() {
+        actions.clear();
+        numbers.clear();
+        request = 0;
+        doublings = 0;
+        isWanted = false;
+        isComplete = false;
+    }
+
+    /** Begins to ask. */
+    void want(long now) {
+        if (!isWanted) {
+            isWanted = true;
+            dueAt = now;
+        }
+    }
+
+    /** The actions in the order of their numbers; empty while they are not known. */
+    Optional<List<BoardAction>> actions() {
+        return isComplete ? Optional.of(List.copyOf(actions)) : Optional.empty();
+    }
+
+    /** How a command goes out. */
+    CommandItem itemOf(String text) {
+        Integer number = numbers.get(text);
+        return number == null ? new CommandItem.Text(text) : new CommandItem.Action(number);
+    }
+
+    private boolean asks() {
+        return isWanted && !isComplete;
+    }
+
+    /** Nanoseconds until the next page is asked for. */
+    long nanosUntilDue(long now) {
+        return asks() ? Math.max(0, dueAt - now) : Long.MAX_VALUE;
+    }
+
+    /** The request for the next page. */
+    WireFrame next(long now) {
+        request = request % REQUESTS + 1;
+        dueAt = now + (FIRST_TIMEOUT_NANOS << doublings);
+        doublings = Math.min(doublings + 1, MAX_DOUBLINGS);
+        return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
+    }
+
+    /** Takes a page; returns whether all are known with it. */
+    boolean accept(String payload, long now) {
+        VocabularyPage page = VocabularyPage.read(payload);
+        if (page == null || !asks() || page.first() != actions.size() || page.actions().isEmpty() && page.total() > actions.size()) {
+            return false;
+        }
+        for (BoardAction action : page.actions()) {
+            if (action.arguments() == 0 || action.arguments() == BoardAction.ANY) {
+                numbers.put(action.name(), actions.size());
+            } else {
+                numbers.remove(action.name());
+            }
+            actions.add(action);
+        }
+        numbers.values().removeIf(number -> number > CommandItem.MAX_ACTION);
+        isComplete = actions.size() >= page.total();
+        doublings = 0;
+        dueAt = now;
+        return isComplete;
+    }
+}

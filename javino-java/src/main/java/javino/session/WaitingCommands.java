@@ -1,0 +1,10 @@
+package javino.session;
+
+/** The commands that have not begun to go out. */
+public interface WaitingCommands<C> {
+    /** The command whose turn is next; null: none waits. */
+    C head();
+
+    /** Takes the {@link #head}: it goes out now. */
+    void begin();
+}

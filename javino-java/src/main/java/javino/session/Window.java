@@ -1,0 +1,128 @@
+package javino.session;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.OptionalLong;
+
+/** The commands that are out, and the frames that carry them. */
+final class Window<C> {
+    /** Commands that are out at most. */
+    static final int SIZE = 16;
+
+    /** A command that is out. */
+    static final class Entry<C> {
+        final C command;
+        private boolean isVoid;
+
+        Entry(C command) {
+            this.command = command;
+        }
+
+        /** Records that it has gone out as no command. */
+        void markVoid() {
+            isVoid = true;
+        }
+
+        boolean isVoid() {
+            return isVoid;
+        }
+    }
+
+    /** A frame on its way; it ends in front of the command at place {@code end} of those that are out. */
+    private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
+
+    private final List<Entry<C>> out = new ArrayList<>();
+    private Deque<Sent> frames = new ArrayDeque<>();
+    private int oldest;
+    private int unsent; // place of the first command that is to be sent again
+    private OptionalLong roundTrip = OptionalLong.empty();
+
+    /** The number of the oldest command that is out, or of the next one. */
+    int oldest() {
+        return oldest;
+    }
+
+    int size() {
+        return out.size();
+    }
+
+    boolean isFull() {
+        return out.size() == SIZE;
+    }
+
+    /** The place of the first command that is to be sent again; {@link #size} if there is none. */
+    int unsent() {
+        return unsent;
+    }
+
+    Entry<C> get(int place) {
+        return out.get(place);
+    }
+
+    /** Bytes of the frames that carry what is out. */
+    int bytes() {
+        return frames.stream().mapToInt(Sent::bytes).sum();
+    }
+
+    /** Adds a command behind those that are out. */
+    Entry<C> add(C command) {
+        out.add(new Entry<>(command));
+        return out.get(out.size() - 1);
+    }
+
+    /** Lets all that is out be sent again. */
+    void repeat() {
+        unsent = 0;
+        frames.clear();
+    }
+
+    /** Records that a frame with the commands up to place {@code end} goes out. */
+    void sent(int bytes, int end, boolean isRepeated, long now) {
+        frames.add(new Sent(bytes, end, isRepeated, now));
+        unsent = end;
+    }
+
+    /** Records when the last byte of the newest frame leaves. */
+    void left(long leftAt) {
+        if (!frames.isEmpty()) {
+            Sent last = frames.removeLast();
+            frames.add(new Sent(last.bytes, last.end, last.isRepeated, leftAt));
+        }
+    }
+
+    /** Takes the {@code count} oldest commands, which the board has handled by {@code now}. */
+    List<Entry<C>> acknowledge(int count, long now) {
+        List<Entry<C>> handled = new ArrayList<>(out.subList(0, count));
+        out.subList(0, count).clear();
+        oldest = oldest + count & 0xFF;
+        unsent = Math.max(0, unsent - count);
+        Deque<Sent> rest = new ArrayDeque<>();
+        roundTrip = OptionalLong.empty();
+        for (Sent frame : frames) {
+            if (frame.end > count) {
+                rest.add(new Sent(frame.bytes, frame.end - count, frame.isRepeated, frame.leftAt));
+            } else if (!frame.isRepeated) {
+                roundTrip = OptionalLong.of(now - frame.leftAt);
+            }
+        }
+        frames = rest;
+        return handled;
+    }
+
+    /** The round trip of the newest frame that was acknowledged last and had been sent once. */
+    OptionalLong roundTrip() {
+        return roundTrip;
+    }
+
+    /** Takes all commands. The next one has the number 0. */
+    List<Entry<C>> clear() {
+        List<Entry<C>> all = new ArrayList<>(out);
+        out.clear();
+        frames.clear();
+        oldest = 0;
+        unsent = 0;
+        return all;
+    }
+}

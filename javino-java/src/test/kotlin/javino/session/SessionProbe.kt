@@ -1,0 +1,85 @@
+package javino.session
+
+import javino.wire.CriticalReport
+import javino.wire.Welcome
+import javino.wire.WireFrame
+import java.util.SplittableRandom
+
+internal class Order(private val words: String) : SessionCommand {
+    var isGivenUp = false
+    override fun text() = words
+    override fun isOver() = isGivenUp
+    override fun toString() = words
+}
+
+/** A session whose frames and time a test holds. */
+internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : SessionListener<Order>, WaitingCommands<Order> {
+    var now = 0L
+    val waiting = ArrayDeque<Order>()
+    val outcomes = mutableListOf<Pair<Order, CommandOutcome>>()
+    val answers = mutableListOf<String>()
+    val heard = mutableListOf<String>()
+    val reports = mutableListOf<CriticalReport>()
+    var sessions = 0
+    var lapses = 0
+    var dropped = 0
+    val session = ComputerSession(BYTE_NANOS, answerLimit, SplittableRandom(seed), this)
+
+    fun offer(vararg texts: String): List<Order> = texts.map(::Order).also(waiting::addAll)
+
+    /** The next frame, which leaves at once. */
+    fun next(): WireFrame? = session.next(now, this)?.also { session.wrote(now) }
+
+    fun all(): List<WireFrame> = generateSequence(::next).toList()
+
+    fun after(millis: Int): SessionProbe = apply { now += millis * 1_000_000L }
+
+    fun receive(frames: List<WireFrame>) = frames.forEach { session.received(it, now) }
+
+    /** Lets the board answer all that is written, until nothing is. */
+    fun exchangeWith(board: BoardModel) {
+        for (frame in generateSequence(::next)) receive(board.received(frame))
+    }
+
+    override fun head(): Order? {
+        while (waiting.firstOrNull()?.isGivenUp == true) waiting.removeFirst()
+        return waiting.firstOrNull()
+    }
+
+    override fun begin() {
+        waiting.removeFirst()
+    }
+
+    override fun began(welcome: Welcome) {
+        sessions++
+    }
+
+    override fun ended(command: Order, outcome: CommandOutcome) {
+        outcomes += command to outcome
+    }
+
+    override fun answered(percepts: String) {
+        answers += percepts
+    }
+
+    override fun heard(percepts: String) {
+        heard += percepts
+    }
+
+    override fun dropped(bytes: Int) {
+        dropped = bytes
+    }
+
+    override fun reported(report: CriticalReport) {
+        reports += report
+    }
+
+    override fun lapsed() {
+        lapses++
+        session.open(now)
+    }
+
+    companion object {
+        const val BYTE_NANOS = 86_805L
+    }
+}
