@@ -21,6 +21,9 @@ import javino.Frame
  *   it out
  * - `urgent`: the command overtakes waiting ones that are not urgent. It never interrupts a command on the line, and with a board of
  *   version 2 it waits for the outcome of that command
+ * - `latest`: the command takes the place of the first waiting one of the same functor, whatever the arguments; that one and all others of
+ *   the functor that have not begun to go out are never sent, and fail with `error(act_replaced)`. So `argo.act(speed(V), [latest])` sends
+ *   the newest speed when the line is free, however often it is called. With `urgent` it has the place of an urgent command
  *
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`,
  * `error(port_timeout)`, `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` for an action

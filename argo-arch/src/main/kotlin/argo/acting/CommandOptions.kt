@@ -11,23 +11,25 @@ import jason.asSyntax.Term
  *
  * @property timeoutMs the time in ms from the call after which its outcome is known in any case; null: there is no such limit
  * @property urgent whether it goes before the commands that wait and are not urgent
+ * @property latest whether it takes the place of the commands of the same functor that wait
  */
-internal data class CommandOptions(val timeoutMs: Int? = null, val urgent: Boolean = false) {
+internal data class CommandOptions(val timeoutMs: Int? = null, val urgent: Boolean = false, val latest: Boolean = false) {
     companion object {
         private const val MAX_MS = 600_000
-        private const val KNOWN = "timeout(Ms) and urgent"
+        private const val KNOWN = "timeout(Ms), urgent and latest"
 
         /**
-         * Reads a list such as `[timeout(200), urgent]`.
+         * Reads a list such as `[timeout(200), latest]`.
          * @throws ArgumentException if it is not a list of known options
          */
         fun of(term: Term): CommandOptions =
-            optionsIn(term, "[timeout(200), urgent]").fold(CommandOptions()) { options, option -> options.with(option) }
+            optionsIn(term, "[timeout(200), latest]").fold(CommandOptions()) { options, option -> options.with(option) }
 
         private fun CommandOptions.with(option: Term): CommandOptions {
             val literal = (option as? Literal)?.takeUnless { it.isVar }
             return when {
                 literal?.functor == "urgent" && literal.arity == 0 -> copy(urgent = true)
+                literal?.functor == "latest" && literal.arity == 0 -> copy(latest = true)
                 literal?.functor == "timeout" && literal.arity == 1 -> copy(timeoutMs = whole(literal, 1..MAX_MS))
                 else -> throw ArgumentException("$option is not an option; there are $KNOWN")
             }

@@ -30,7 +30,8 @@ internal class CommandSender(
      * Queues [text], see [Link.send].
      *
      * With a time limit its outcome is known when that is over: `act_timeout` if it has not begun to go out, and then it never will;
-     * `act_unconfirmed` if it has, but is not known to have been carried out.
+     * `act_unconfirmed` if it has, but is not known to have been carried out. One whose place a later command has taken fails with
+     * `act_replaced`.
      *
      * @param outcome is called once, by any thread, with null when the command's last byte has left the line or, in version 2, the board
      *     has acted, else with the reason why not
@@ -55,7 +56,7 @@ internal class CommandSender(
         failed(unloadable)
     }
 
-    private fun CommandOptions.forLink() = SendOptions(urgent, timeoutMs ?: 0)
+    private fun CommandOptions.forLink() = SendOptions(urgent, timeoutMs ?: 0, latest)
 
     private fun failed(trouble: Throwable): Failure {
         if (trouble is PortGoneException) lost(trouble)

@@ -5,6 +5,7 @@ import jason.JasonException
 import jason.asSyntax.ASSyntax
 import javino.ActionRefusedException
 import javino.ActionUnconfirmedException
+import javino.CommandReplacedException
 import javino.CommandWithdrawnException
 import javino.NoSuchPortException
 import javino.PortBusyException
@@ -41,6 +42,7 @@ private fun failureOf(trouble: PortException): Failure = Failure(
         is ActionRefusedException -> "act_refused"
         is ActionUnconfirmedException -> "act_unconfirmed"
         is CommandWithdrawnException -> "act_timeout"
+        is CommandReplacedException -> "act_replaced"
         else -> "port_failed"
     },
     trouble.message ?: trouble.javaClass.simpleName,

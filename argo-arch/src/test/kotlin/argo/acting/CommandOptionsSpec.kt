@@ -19,6 +19,8 @@ class CommandOptionsSpec : FunSpec({
         of("[urgent,timeout(200)]") shouldBe CommandOptions(200, true)
         of("[timeout(200),urgent]") shouldBe CommandOptions(200, true)
         of("[urgent]") shouldBe CommandOptions(null, true)
+        of("[latest]") shouldBe CommandOptions(null, urgent = false, latest = true)
+        of("[latest,urgent,timeout(200)]") shouldBe CommandOptions(200, urgent = true, latest = true)
     }
 
     test("an option that cannot be used is refused in words that say what can") {
@@ -28,13 +30,14 @@ class CommandOptionsSpec : FunSpec({
             "[timeout(1.5)]" to "whole number",
             "[timeout(600001)]" to "to 600000",
             "[timeout(soon)]" to "whole number",
-            "[timeout]" to "timeout is not an option; there are timeout(Ms) and urgent",
+            "[timeout]" to "timeout is not an option; there are timeout(Ms), urgent and latest",
             "[urgent(1)]" to "urgent(1) is not an option",
+            "[latest(1)]" to "latest(1) is not an option",
             "[Urgent]" to "is not an option",
             "[3]" to "3 is not an option",
             "[\"urgent\"]" to "is not an option",
             "urgent" to "a list of options",
-            "Options" to "a list of options such as [timeout(200), urgent], not Options",
+            "Options" to "a list of options such as [timeout(200), latest], not Options",
             "[urgent|Rest]" to "a list of options",
         ).forEach { (text, words) -> shouldThrow<ArgumentException> { of(text) }.message shouldContain words }
     }

@@ -48,6 +48,38 @@ class ActingOptionsSpec : FunSpec({
         }
     }
 
+    for (version in 1..2) {
+        test("in version $version a latest command takes the place of waiting ones of its functor, whose plans fail") {
+            agentOf("""
+                !start.
+                +!start <- argo.port(ttyACM0, [protocol($version)]); !!do(walk(0),[]);
+                           for (.range(I,1,3)) { !!do(speed(I),[latest]) }; !!do(walk(1),[latest]); !!do(say(1),[]); !!do(say(2),[]).
+                +!do(W,Options) <- argo.act(W,Options); +done(W).
+                -!do(W,_)[error(E),error_msg(M)] <- +failed(W,E); .print(M).
+            """) {
+                if (version == 2) board.version2()
+                board.boots(1.seconds) // until then all of them wait
+            }.use { bob ->
+                bob.shouldBelieve("done(say(2))", within = 10.seconds).sent shouldBe listOf("walk(1)", "speed(3)", "say(1)", "say(2)")
+                bob.shouldBelieve("failed(walk(0),act_replaced) & failed(speed(1),act_replaced) & failed(speed(2),act_replaced)")
+                bob.shouldBelieve("done(walk(1)) & done(speed(3)) & not failed(speed(3),_)")
+                bob.shouldPrint("\"speed(1)\" had not begun to go out through port ttyACM0 when \"speed(2)\" took its place, so it was not sent")
+            }
+        }
+    }
+
+    test("an urgent latest command goes first, and replaces those that are not urgent") {
+        agentOf("""
+            !start.
+            +!start <- argo.port(ttyACM0); !!do(walk,[]); !!do(speed(1),[]); !!do(speed(0),[latest,urgent]).
+            +!do(W,Options) <- argo.act(W,Options).
+            -!do(W,_)[error(E)] <- +failed(W,E).
+        """) { board.boots(1.seconds) }.use { bob ->
+            bob.shouldSend("walk", within = 10.seconds).shouldBelieve("failed(speed(1),act_replaced)")
+            bob.sent shouldBe listOf("speed(0)", "walk")
+        }
+    }
+
     test("a board of version 2 that does not confirm in time leaves the command unconfirmed, and the next one goes out") {
         agentOf("""
             !start.
