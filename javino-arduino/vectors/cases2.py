@@ -10,23 +10,26 @@ ABOUT = [
     "Test vectors of version 2 of the Javino protocol, see docs/protocol.md. Made and checked by reference.py (make vectors).",
     "Names that end in hex hold bytes as hexadecimal digits. Texts are bytes of ISO 8859-1, a character for each byte.",
     "frames: a frame's kind (CC) and number (SS), its payload before escaping, and its bytes on the line.",
-    "receive: chunks of bytes arrive gapMs after the chunk before, the bytes of a chunk at once; the timeout is 100 ms, and no gap equals it or a"
-    " quarter of it. direction says who receives: to-board the board, from-board the computer. frames are all that is delivered, as CC SS payload."
-    " For a board, session says whether it has one all the time, and version1 lists the messages of version 1 that count, which is decided"
-    " 200 ms after the last chunk.",
-    "commands: the payload of COMMANDS and the row of commands that is read from it: the number of an action, a text, or null for FE. Where write is true"
-    " the row is written as this payload too.",
-    "percepts: the answers of one session of a board with room for so many shapes: what the newest ASK says is known, the texts, the items (neighbouring ids"
-    " joined). A computer that reads all answers reads the texts.",
+    "receive: chunks of bytes arrive gapMs after the chunk before, the bytes of a chunk at once; the timeout is 100 ms, and no gap"
+    " equals it or a quarter of it. direction says who receives: to-board the board, from-board the computer. frames are all that is"
+    " delivered, as CC SS payload. For a board, session says whether it has one all the time, and version1 lists the messages of version"
+    " 1 that count, which is decided 200 ms after the last chunk.",
+    "commands: the payload of COMMANDS and the row of commands that is read from it: the number of an action, a text, or null for FE."
+    " Where write is true the row is written as this payload too.",
+    "percepts: the answers of one session of a board with room for so many shapes: what the newest ASK says is known, the texts, the"
+    " items (neighbouring ids joined). A computer that reads all answers reads the texts.",
     "void: items read one after another by one computer; texts is null where they are void, known is what the next ASK says.",
-    "parts: an answer, and the payloads that carry it, as CC and payload, with so many bytes of it in each part (null: as many as a frame holds).",
+    "parts: an answer, and the payloads that carry it, as CC and payload, with so many bytes of it in each part (null: as many as a"
+    " frame holds).",
     "assemble: payloads from the board, as CC and payload, and the answers that they make, each as the request's number and the items.",
-    "vocabulary: pages; an action is its name and how many arguments it has, 255 for any number. numbers: what goes by number without arguments.",
+    "vocabulary: pages; an action is its name and how many arguments it has, 255 for any number. numbers: what goes by number without"
+    " arguments.",
     "rules: the command that sets a rule, percepts, and whether each meets it; met is null where a board refuses the command.",
-    "board: conversations. A board has actions, texts that its program refuses, and texts whose outcome is reported later; all others are carried out. Frames"
-    " are CC SS payload; of the payload of WELCOME compare the first byte alone. A step has what goes to the board (to), what it sends (from) and what"
-    " its program carries out (carried). percepts sets the texts of now, look has the rules compared, unasked has percepts sent unasked, report gives"
-    " the outcome of the action whose outcome was open, restart switches the board off and on.",
+    "board: conversations. A board has actions, texts that its program refuses, and texts whose outcome is reported later; all others"
+    " are carried out. Frames are CC SS payload; of the payload of WELCOME compare the first byte alone. A step has what goes to the"
+    " board (to), what it sends (from) and what its program carries out (carried). percepts sets the texts of now, look has the rules"
+    " compared, unasked has percepts sent unasked, report gives the outcome of the action whose outcome was open, restart switches the"
+    " board off and on.",
 ]
 
 
@@ -130,15 +133,19 @@ def receive():
              *[encode(Frame(kind | flags, kind & 7, b"\x01\x02")) for kind in range(0x80, 0x87) for flags in (0, 0x20, 0x40, 0x60)]),
         case("kinds of the own direction, to a board", to, ack + h + busy + h),
         case("kinds of the own direction, to a computer", FROM_BOARD, h + ack + r + ack + a + busy),
-        case("unknown kinds to a board", to, *[encode(Frame(kind, 1)) + h for kind in (0, 0x0F, 0x11, 0x21, 0x29, 0x32, 0x50, 0x70, 0x7F, 0xFF)]),
-        case("unknown kinds from a board", FROM_BOARD, *[encode(Frame(kind, 1)) + ack for kind in (0x00, 0x01, 0x41, 0x87, 0x88, 0x90, 0xC7, 0xF1)]),
-        case("an unknown kind ends the frame with that byte: what follows is noise, with frames in it", to, b"\xa5\x20\x7f" + h + b"abc" + r),
+        case("unknown kinds to a board", to, *[encode(Frame(kind, 1)) + h for kind in (0, 0x0F, 0x11, 0x21, 0x29, 0x32, 0x50, 0x70, 0x7F,
+             0xFF)]),
+        case("unknown kinds from a board", FROM_BOARD, *[encode(Frame(kind, 1)) + ack for kind in (0x00, 0x01, 0x41, 0x87, 0x88, 0x90, 0xC7,
+             0xF1)]),
+        case("an unknown kind ends the frame with that byte: what follows is noise, with frames in it", to,
+             b"\xa5\x20\x7f" + h + b"abc" + r),
         case("a kind that is escaped", FROM_BOARD, encode(Frame(0xA4, 1, b"\x01\x00")) + busy),
         case("an escaped byte that is no kind", to, b"\xa5\x00\xa4\x05\x00" + h),
         case("A4 in front of another byte than 04, 05 and A5", to, r[:4] + b"\xa4\x06" + r[4:] + h),
         case("A4 in front of A5", to, r[:4] + b"\xa4" + h),
         case("A4 in front of A4", to, b"\xa5\x02\x30\x00\xa4\xa4\x05\x81" + h),
-        case("A4 at the end of a chunk, 04 behind a gap", to, (0, escaped[:escaped.index(b"\xa4\x04") + 1]), (60, escaped[escaped.index(b"\xa4\x04") + 1:])),
+        case("A4 at the end of a chunk, 04 behind a gap", to, (0, escaped[:escaped.index(b"\xa4\x04") + 1]),
+             (60, escaped[escaped.index(b"\xa4\x04") + 1:])),
         case("A4, then silence, then 04 and a frame", to, (0, b"\xa5\x01\x30\x00\xa4"), (150, b"\x04" + h)),
         case("A5 twice", to, b"\xa5" + h),
         case("A5 in front of everything, many times", to, b"\xa5\xa5\xa5" + h + b"\xa5\xa5" + r),
@@ -157,8 +164,10 @@ def receive():
         case("a damaged frame with one of version 1 in its text is nothing, in a session", to, changed(long, 8, 1) + h, session=True),
         case("the start is damaged in front of a text with a frame of version 1, in a session", to, b"\x25" + long[1:] + h, session=True),
         case("version 1 between frames, without a session", to, h + v1, (50, v1 + h), (10, r)),
-        case("version 1 between frames, in a session: it counts behind a silence", to, r + v1, (50, v1), (10, r), (50, v1), (10, r), session=True),
-        case("version 1 behind noise and behind another, in a session", to, (200, b"x" + v1), (200, v1 + v1), (200, b"f" + v1), (200, v1), session=True),
+        case("version 1 between frames, in a session: it counts behind a silence", to, r + v1, (50, v1), (10, r), (50, v1), (10, r),
+             session=True),
+        case("version 1 behind noise and behind another, in a session", to, (200, b"x" + v1), (200, v1 + v1), (200, b"f" + v1), (200, v1),
+             session=True),
         case("version 1 in chunks, in a session", to, (200, v1[:3]), (60, v1[3:7]), (10, v1[7:]), session=True),
         case("version 1 cut by a silence, in a session", to, (200, v1[:8]), (150, v1[8:]), (150, v1), session=True),
         case("A5 in the payload of version 1, without a session", to, b"fffe03a\xa5b", (200, h)),
@@ -241,7 +250,7 @@ def percepts():
 
     page = two("the example of the page", b"dist(f,123);", b"light(f,95);")
     assert page["answers"][1]["itemsHex"] == "8002123f95ff"
-    twelve = [b"dist(s%s,%d);" % (s, 10 * i) for i, s in enumerate([b"a", b"b", b"c", b"d", b"e", b"f", b"g", b"h", b"i", b"j", b"k", b"l"])]
+    twelve = [b"dist(%c,%d);" % (c, 10 * i) for i, c in enumerate(b"abcdefghijkl")]
     full = [b"p%s(%d);" % (bytes([97 + i // 26, 97 + i % 26]), i) for i in range(127)]
     return [
         case("an empty answer", (0, []), (0, [])),
@@ -259,11 +268,14 @@ def percepts():
         case("digits change, signs make a new shape", (0, [b"x(5);"]), (1, [b"x(1234);"]), (1, [b"x(-1234);"]), (2, [b"x(-1);", b"x(1);"])),
         case("the same shape twice in one answer", (0, [b"ball(1,2);", b"ball(3,44);"]), (1, [b"ball(5,6);", b"ball(7,88);"])),
         case("the same text three times", (0, [b"a;"] * 3), (1, [b"a;"] * 3)),
-        case("runs in another order", (0, [b"a(1);", b"b(2);", b"c(3);", b"d(4);"]), (4, [b"c(5);", b"d(6);", b"a(7);", b"b(8);", b"d(9);", b"c(0);"])),
-        case("a run is interrupted by a new text", (0, [b"a(1);", b"b(2);"]), (2, [b"a(3);", b"new(4);", b"b(5);"]), (3, [b"a(3);", b"b(5);", b"new(6);"])),
+        case("runs in another order", (0, [b"a(1);", b"b(2);", b"c(3);", b"d(4);"]),
+             (4, [b"c(5);", b"d(6);", b"a(7);", b"b(8);", b"d(9);", b"c(0);"])),
+        case("a run is interrupted by a new text", (0, [b"a(1);", b"b(2);"]), (2, [b"a(3);", b"new(4);", b"b(5);"]),
+             (3, [b"a(3);", b"b(5);", b"new(6);"])),
         case("less is known than was sent", (0, [b"a(1);", b"b(2);", b"c(3);"]), (1, [b"a(4);", b"b(5);", b"c(6);"])),
         case("nothing is known any more", (0, [b"a(1);"]), (1, [b"a(2);"]), (0, [b"a(3);"]), (1, [b"a(4);"])),
-        case("fewer percepts, then all again", (0, [b"a(1);", b"b(2);", b"c(3);"]), (3, [b"b(9);"]), (3, []), (3, [b"a(1);", b"b(2);", b"c(3);"])),
+        case("fewer percepts, then all again", (0, [b"a(1);", b"b(2);", b"c(3);"]), (3, [b"b(9);"]), (3, []),
+             (3, [b"a(1);", b"b(2);", b"c(3);"])),
         two("a table for two", b"a(1);", b"b(2);", b"c(3);", b"d(4);", shapes=2),
         case("a full table keeps what it has", (0, [b"a(1);"]), (1, [b"b(2);", b"a(3);"]), (1, [b"a(4);", b"b(5);"]), shapes=1),
         two("no table", b"a(1);", b"b(2);", shapes=0),
@@ -285,7 +297,8 @@ def void():
         reader, shown = Reader(), []
         for items in answers:
             texts = reader.read(items)
-            shown.append({"itemsHex": items.hex(), "texts": texts and [text(t) for t in texts] if texts != [] else [], "known": reader.known()})
+            shown.append({"itemsHex": items.hex(), "texts": texts and [text(t) for t in texts] if texts != [] else [],
+                 "known": reader.known()})
         return {"name": name, "answers": shown}
 
     a, b = b"\x00\x05a(1);", b"\x01\x05b(2);"
@@ -309,7 +322,8 @@ def void():
 def part_splits():
     def case(name, request, answer, size):
         made = parts.split(request, answer, size)
-        return {"name": name, "request": request, "answerHex": answer.hex(), "size": size, "payloads": [(bytes([k]) + p).hex() for k, p in made]}
+        return {"name": name, "request": request, "answerHex": answer.hex(), "size": size,
+             "payloads": [(bytes([k]) + p).hex() for k, p in made]}
 
     answer = bytes(range(40))
     return [
@@ -329,7 +343,8 @@ def assembled():
     def case(name, *payloads):
         assembly = parts.Assembly()
         answers = [assembly.take(p[0], p[1:]) for p in payloads]
-        return {"name": name, "payloads": [p.hex() for p in payloads], "answers": [{"request": a[0], "itemsHex": a[1].hex()} for a in answers if a]}
+        return {"name": name, "payloads": [p.hex() for p in payloads],
+             "answers": [{"request": a[0], "itemsHex": a[1].hex()} for a in answers if a]}
 
     return [
         case("a whole answer", b"\x82\x01abc"),
@@ -382,7 +397,8 @@ def rule_cases():
         except rules.Malformed:
             return {"name": name, "command": text(command), "met": None}
         assert isinstance(rule, rules.Rule), name
-        return {"name": name, "command": text(command), "percepts": [text(p) for p in percepts], "met": [rules.met(rule, p) for p in percepts]}
+        return {"name": name, "command": text(command), "percepts": [text(p) for p in percepts],
+             "met": [rules.met(rule, p) for p in percepts]}
 
     def on(conditions):
         return b"\x01\x07d\x00" + conditions
@@ -402,9 +418,11 @@ def rule_cases():
         case("at least", on(b"1}40\x00"), *one),
         case("equal numbers", on(b"1=40\x00"), *one),
         case("different numbers", on(b"1!40\x00"), *one),
-        case("a sign and a point", on(b"1<-1.5\x00"), b"d(-2);", b"d(-1.5);", b"d(-1.50001);", b"d(-1);", b"d(0);", b"d(2);", b"d(+1);", b"d(-10);"),
+        case("a sign and a point", on(b"1<-1.5\x00"), b"d(-2);", b"d(-1.5);", b"d(-1.50001);", b"d(-1);", b"d(0);", b"d(2);", b"d(+1);",
+             b"d(-10);"),
         case("zero has no sign", on(b"1=0\x00"), b"d(0);", b"d(-0);", b"d(0.000);", b"d(00);", b"d(0.001);"),
-        case("long numbers", on(b"1>9999999999.999\x00"), b"d(10000000000);", b"d(9999999999.9991);", b"d(9999999999.999);", b"d(9999999999.9989);"),
+        case("long numbers", on(b"1>9999999999.999\x00"), b"d(10000000000);", b"d(9999999999.9991);", b"d(9999999999.999);",
+             b"d(9999999999.9989);"),
         case("equal texts", on(b"1=f\x00"), *words),
         case("different texts", on(b"1!f\x00"), *words),
         case("a text in quotes", on(b"1=\"f\"\x00"), *words),
@@ -427,7 +445,8 @@ def conversations():
 
 
 def converse(name, board, *steps):
-    description = {"actions": [["front", 0], ["left", 0], ["speed", 1], ["bump", 0], ["grip", 0]], "refuses": ["bump"], "later": ["grip"]} | board
+    description = {"actions": [["front", 0], ["left", 0], ["speed", 1], ["bump", 0], ["grip", 0]], "refuses": ["bump"],
+         "later": ["grip"]} | board
     program = Program([(raw(n), a) for n, a in description["actions"]], map(raw, description["refuses"]), map(raw, description["later"]))
     device, shown = Board(program), []
     for step in steps:
@@ -473,17 +492,22 @@ CONVERSATIONS = [
      to(row(0, FRONT, resume=True)), HELLO, to(row(0, FRONT))),
     ("commands in turn", {}, HELLO, to(row(0, FRONT)), to(row(1, SPEED, LEFT)), to(row(3, FRONT), row(4, LEFT))),
     ("no command is an ACK", {}, HELLO, to(row(0)), to(row(200))),
-    ("a repetition is passed over", {}, HELLO, to(row(0, FRONT, LEFT)), to(row(0, FRONT, LEFT)), to(row(1, LEFT, SPEED)), to(row(0, FRONT, LEFT, SPEED, FRONT))),
+    ("a repetition is passed over", {}, HELLO, to(row(0, FRONT, LEFT)), to(row(0, FRONT, LEFT)), to(row(1, LEFT, SPEED)),
+     to(row(0, FRONT, LEFT, SPEED, FRONT))),
     ("a gap is not jumped", {}, HELLO, to(row(1, LEFT)), to(row(0, FRONT)), to(row(2, SPEED)), to(row(1, LEFT, SPEED))),
     ("FE uses a number up", {}, HELLO, to(row(0, None, FRONT)), to(row(2, None)), to(row(2, LEFT)), to(row(3, FRONT))),
     ("a row that is cut", {}, HELLO, to(f(0x30, 0, b"\x80\x05spee")), to(f(0x30, 1, b"\x81\xff\x80"))),
-    ("numbers wrap", {}, HELLO, *[to(row(16 * i % 256, *[FRONT] * 16)) for i in range(15)], to(row(240, *[LEFT] * 15)), to(row(254, LEFT, FRONT, LEFT)),
+    ("numbers wrap", {}, HELLO, *[to(row(16 * i % 256, *[FRONT] * 16)) for i in range(15)], to(row(240, *[LEFT] * 15)),
+     to(row(254, LEFT, FRONT, LEFT)),
      to(row(255, FRONT, LEFT, SPEED)), to(row(250, *[LEFT] * 10)), to(row(130, FRONT)), to(row(3, FRONT))),
-    ("128 behind is passed over, 127 ahead is dropped", {}, HELLO, *[to(row(16 * i, *[FRONT] * 16)) for i in range(8)], to(row(0, LEFT)), to(row(255, LEFT)),
+    ("128 behind is passed over, 127 ahead is dropped", {}, HELLO, *[to(row(16 * i, *[FRONT] * 16)) for i in range(8)], to(row(0, LEFT)),
+     to(row(255, LEFT)),
      to(row(128, LEFT)), to(row(1, SPEED)), to(row(0, SPEED))),
-    ("a refusal holds what follows", {}, HELLO, to(row(0, FRONT, BUMP, LEFT)), to(row(2, LEFT)), to(row(3, SPEED)), to(row(0, FRONT, BUMP, LEFT)),
+    ("a refusal holds what follows", {}, HELLO, to(row(0, FRONT, BUMP, LEFT)), to(row(2, LEFT)), to(row(3, SPEED)),
+     to(row(0, FRONT, BUMP, LEFT)),
      to(row(2, LEFT, SPEED, resume=True)), to(row(2, LEFT, SPEED, resume=True)), to(row(4, FRONT))),
-    ("RESUME counts for what is due alone", {}, HELLO, to(row(0, FRONT, BUMP)), to(row(0, FRONT, BUMP, LEFT, resume=True)), to(row(1, BUMP, LEFT, resume=True)),
+    ("RESUME counts for what is due alone", {}, HELLO, to(row(0, FRONT, BUMP)), to(row(0, FRONT, BUMP, LEFT, resume=True)),
+     to(row(1, BUMP, LEFT, resume=True)),
      to(row(3, LEFT, resume=True)), to(row(2, LEFT, resume=True))),
     ("RESUME without commands", {}, HELLO, to(row(0, BUMP)), to(row(1, resume=True)), to(row(1, FRONT))),
     ("what follows RESUME may be refused again", {}, HELLO, to(row(0, BUMP, BUMP, FRONT)), to(row(1, BUMP, FRONT, resume=True)),
@@ -491,41 +515,54 @@ CONVERSATIONS = [
     ("RESUME where nothing was refused", {}, HELLO, to(row(0, FRONT, resume=True)), to(row(0, FRONT, LEFT, resume=True))),
     ("FE for a refused command", {}, HELLO, to(row(0, BUMP, LEFT)), to(row(0, None, None)), to(row(1, None, FRONT, resume=True))),
     ("FE is not taken while a refusal holds", {}, HELLO, to(row(0, BUMP)), to(row(1, None)), to(row(1, None, resume=True))),
-    ("unknown actions, wrong arguments", {}, HELLO, to(row(0, b"fly")), to(row(1, b"speed", resume=True)), to(row(2, b"front(1)", resume=True)),
+    ("unknown actions, wrong arguments", {}, HELLO, to(row(0, b"fly")), to(row(1, b"speed", resume=True)),
+     to(row(2, b"front(1)", resume=True)),
      to(row(3, 2, resume=True)), to(row(4, 5, resume=True)), to(row(5, 125, resume=True)), to(row(6, b"speed(1)", resume=True))),
     ("an action of any number of arguments goes by number", {"actions": [["say", 255]]}, HELLO, to(row(0, 0, b"say", b"say(1,2)"))),
-    ("BUSY, then done", {}, HELLO, to(row(0, FRONT, GRIP, LEFT)), to(row(1, GRIP, LEFT)), to(row(3, SPEED)), to(f(0x20, 1, b"\x00")), {"report": "done"},
+    ("BUSY, then done", {}, HELLO, to(row(0, FRONT, GRIP, LEFT)), to(row(1, GRIP, LEFT)), to(row(3, SPEED)), to(f(0x20, 1, b"\x00")),
+     {"report": "done"},
      to(row(1, GRIP, LEFT, SPEED))),
     ("BUSY, then refused", {}, HELLO, to(row(0, GRIP, LEFT)), {"report": "refused"}, to(row(1, LEFT)), to(row(1, LEFT, resume=True))),
-    ("RESUME while BUSY", {}, HELLO, to(row(0, BUMP)), to(row(1, GRIP, FRONT, resume=True)), to(row(1, GRIP, FRONT, resume=True)), {"report": "refused"},
+    ("RESUME while BUSY", {}, HELLO, to(row(0, BUMP)), to(row(1, GRIP, FRONT, resume=True)), to(row(1, GRIP, FRONT, resume=True)),
+     {"report": "refused"},
      to(row(1, GRIP, FRONT, resume=True)), to(row(2, FRONT, resume=True))),
     ("FE while BUSY", {}, HELLO, to(row(0, GRIP)), to(row(0, None, FRONT)), {"report": "done"}, to(row(0, None, FRONT))),
     ("HELLO ends REFUSED", {}, HELLO, to(row(0, BUMP)), to(f(0x10, 9)), to(row(0, FRONT))),
-    ("HELLO ends BUSY: the outcome of then counts no more", {}, HELLO, to(row(0, GRIP)), to(f(0x10, 9)), {"report": "done"}, to(row(0, FRONT))),
+    ("HELLO ends BUSY: the outcome of then counts no more", {}, HELLO, to(row(0, GRIP)), to(f(0x10, 9)), {"report": "done"},
+     to(row(0, FRONT))),
     ("a restart", {}, HELLO, to(row(0, FRONT)), {"restart": True}, to(row(1, LEFT)), to(row(0, FRONT)), to(f(0x10, 9)), to(row(0, FRONT))),
     ("HELLO again: numbers begin anew", {}, HELLO, to(row(0, FRONT, LEFT)), to(f(0x10, 7)), to(row(0, FRONT))),
-    ("answers", {}, HELLO, {"percepts": ["dist(f,123);", "light(f,95);"], "to": [f(0x20, 1, b"\x00")]}, to(f(0x20, 2, b"\x02")), to(f(0x20, 255, b"\x01")),
+    ("answers", {}, HELLO, {"percepts": ["dist(f,123);", "light(f,95);"], "to": [f(0x20, 1, b"\x00")]}, to(f(0x20, 2, b"\x02")),
+     to(f(0x20, 255, b"\x01")),
      to(f(0x20, 1, b"\x02(light)")), to(f(0x20, 2, b"\x00(none)"))),
     ("answers carry what is due and REFUSED", {}, HELLO, {"percepts": ["dist(f,1);"], "to": [row(0, FRONT, BUMP), f(0x20, 1, b"\x00")]},
      to(f(0x20, 2, b"\x01"), row(2, LEFT, resume=True), f(0x20, 3, b"\x01"))),
-    ("HELLO forgets texts", {}, HELLO, {"percepts": ["a(1);", "b(2);"], "to": [f(0x20, 1, b"\x00")]}, {"percepts": ["b(3);"], "to": [f(0x10, 8), f(0x20, 1, b"\x00")]}),
-    ("percepts unasked", {}, {"percepts": ["a(1);"], "unasked": True}, HELLO, {"unasked": True}, to(f(0x20, 1, b"\x00")), {"unasked": True}, to(f(0x20, 2, b"\x01")),
+    ("HELLO forgets texts", {}, HELLO, {"percepts": ["a(1);", "b(2);"], "to": [f(0x20, 1, b"\x00")]},
+     {"percepts": ["b(3);"], "to": [f(0x10, 8), f(0x20, 1, b"\x00")]}),
+    ("percepts unasked", {}, {"percepts": ["a(1);"], "unasked": True}, HELLO, {"unasked": True}, to(f(0x20, 1, b"\x00")), {"unasked": True},
+     to(f(0x20, 2, b"\x01")),
      {"percepts": ["a(2);", "b(3);"], "unasked": True}),
-    ("DESCRIBE", {}, HELLO, to(f(0x28, 1, b"\x00")), to(f(0x28, 2, b"\x03")), to(f(0x28, 3, b"\x05")), to(row(0, BUMP), f(0x28, 4, b"\x04"))),
-    ("a rule and its reflex", {}, HELLO, {"percepts": ["dist(f,41);"], "to": [row(0, SET_RULE)]}, {"look": True}, {"percepts": ["dist(f,39);"], "look": True},
-     {"look": True}, {"percepts": ["dist(f,38);"], "look": True}, {"percepts": ["dist(f,50);"], "look": True}, {"percepts": ["dist(f,2);"], "look": True},
+    ("DESCRIBE", {}, HELLO, to(f(0x28, 1, b"\x00")), to(f(0x28, 2, b"\x03")), to(f(0x28, 3, b"\x05")),
+     to(row(0, BUMP), f(0x28, 4, b"\x04"))),
+    ("a rule and its reflex", {}, HELLO, {"percepts": ["dist(f,41);"], "to": [row(0, SET_RULE)]}, {"look": True},
+     {"percepts": ["dist(f,39);"], "look": True},
+     {"look": True}, {"percepts": ["dist(f,38);"], "look": True}, {"percepts": ["dist(f,50);"], "look": True},
+          {"percepts": ["dist(f,2);"], "look": True},
      {"percepts": [], "look": True}, {"percepts": ["dist(l,90);", "dist(f,39);", "dist(r,1);"], "look": True}),
     ("a rule without a reflex, and one whose reflex is refused", {}, HELLO, to(row(0, b"\x01\x01a\x00", b"\x01\x02b\x00\x02bump")),
      {"percepts": ["b(2);", "a(1);"], "look": True}),
-    ("a rule is met at once when it is set", {}, HELLO, {"percepts": ["dist(f,39);"], "to": [row(0, SET_RULE)]}, {"look": True}, to(row(1, SET_RULE)), {"look": True}),
-    ("rules are removed", {}, HELLO, {"percepts": ["a;", "b;"], "to": [row(0, b"\x01\x01a\x00", b"\x01\x02b\x00", b"\x01\x01")]}, {"look": True},
+    ("a rule is met at once when it is set", {}, HELLO, {"percepts": ["dist(f,39);"], "to": [row(0, SET_RULE)]}, {"look": True},
+     to(row(1, SET_RULE)), {"look": True}),
+    ("rules are removed", {}, HELLO, {"percepts": ["a;", "b;"], "to": [row(0, b"\x01\x01a\x00", b"\x01\x02b\x00", b"\x01\x01")]},
+     {"look": True},
      to(row(3, b"\x01", b"\x01\x09")), {"look": True}),
     ("HELLO forgets rules", {}, HELLO, to(row(0, b"\x01\x01a\x00")), to(f(0x10, 8)), {"percepts": ["a;"], "look": True}),
     ("a rule that a board cannot watch is refused", {}, HELLO, to(row(0, b"\x01\x07d\x001?4\x00", FRONT))),
     ("a reflex while a refusal holds, and BUSY", {}, HELLO, {"percepts": ["dist(f,3);"], "to": [row(0, SET_RULE, BUMP)]}, {"look": True},
      {"percepts": [], "to": [row(2, GRIP, resume=True)], "look": True}, {"percepts": ["dist(f,3);"], "look": True}, {"report": "done"}),
     ("with rules set an answer goes in parts of twelve bytes", {}, HELLO,
-     {"percepts": ["dist(f,123);", "light(f,95);"], "to": [row(0, b"\x01\x01a\x00"), f(0x20, 1, b"\x00")]}, to(f(0x20, 2, b"\x02")), to(row(1, b"\x01"), f(0x20, 3, b"\x00"))),
+     {"percepts": ["dist(f,123);", "light(f,95);"], "to": [row(0, b"\x01\x01a\x00"), f(0x20, 1, b"\x00")]}, to(f(0x20, 2, b"\x02")),
+          to(row(1, b"\x01"), f(0x20, 3, b"\x00"))),
 ]
 
 

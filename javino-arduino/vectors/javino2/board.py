@@ -12,12 +12,14 @@ class Board:
     """A board with a program on it: an object with `actions` (pairs of name and number of arguments), `percepts(functors)`, the
     texts of now, and `carry_out(text)`, which returns DONE, REFUSES or LATER.
 
-    `numbers` is how many numbers there are before they wrap; the protocol has 256 of them, a model fewer.
+    `numbers` is how many numbers there are before they wrap; the protocol has 256 of them, a model fewer. Parts of an answer have
+    `part_size` bytes of it, or as many as a frame holds; with rules set at most twelve.
     """
 
-    def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256):
+    def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256, part_size=None):
         self.program = program
         self.credit, self.longest, self.max_rules, self.shapes, self.numbers = credit, longest, max_rules, shapes, numbers
+        self.part_size = part_size
         self._begin(0)
 
     def _begin(self, session):
@@ -104,7 +106,8 @@ class Board:
 
     def _percepts(self, request, texts):
         answer = self.writer.write(texts, self.known)
-        return [self._say(kind, payload) for kind, payload in parts.split(request, answer, PART_WITH_RULES if self.rules else None)]
+        size = PART_WITH_RULES if self.rules else self.part_size
+        return [self._say(kind, payload) for kind, payload in parts.split(request, answer, size)]
 
     # ---- rules ----
 

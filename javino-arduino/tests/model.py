@@ -1,0 +1,426 @@
+#!/usr/bin/env python3
+"""Explores both ends of version 2 exhaustively: every order of loss, repetition, refusal, restart and late outcome.
+
+    model.py              explore all set-ups
+    model.py --mutations  explore with each of a list of defects in a machine, and expect that a property fails
+
+The machines are those of the reference, with few numbers before they wrap and a small window. The lines keep the order of frames and lose
+any of them; damage is loss. Breadth first, so a failure is shown by the shortest way to it.
+
+The properties: what is reported done was carried out once, what is reported refused was refused; all in order, nothing twice; nothing behind
+a refused command is handled before the computer has seen the refusal; a command whose time is over is not sent; an answer that is believed was
+given to that request of that session; and from every state, if nothing more is lost, everything ends and a question is answered.
+"""
+import sys
+import time
+from collections import deque
+from itertools import product
+from typing import NamedTuple
+
+from machines import Machine
+from javino2 import board as boards
+from javino2 import session as sessions, window as windows
+from javino2.commands import NOTHING, read_row
+from javino2.frames import ACK, ASK, COMMANDS, COMMANDS_RESUME, Frame
+
+NUMBERS, WINDOW, IN_FLIGHT, PART_SIZE = 4, 2, 2, 6
+
+
+class Violation(Exception):
+    pass
+
+
+class Stuck(Exception):
+    """From this state on, although nothing is lost."""
+
+    def __init__(self, state, what):
+        super().__init__(what)
+        self.state = state
+
+
+class Setup(NamedTuple):
+    """What may happen, and how often."""
+    behaviour: tuple  # for each command: D done, R refused, d done later, r refused later
+    asks: int = 0
+    board_restarts: int = 0
+    computer_restarts: int = 0
+    sessions_given_up: int = 0
+    over: int = 0  # commands whose time is over while they are out
+    strays: int = 0  # frames with a number that acknowledges more than is out
+
+
+def next_nonce(last):
+    return last + 1
+
+
+def text_of(command):
+    return b"%c" % (ord("a") + command)
+
+
+def number_of(text):
+    return text[0] - ord("a")
+
+
+class Program:
+    """The board's program. Command number 0 is the text `a`, and so on."""
+    actions = ()
+
+    def __init__(self, behaviour):
+        self.behaviour = behaviour
+        self.count = 0
+        self.pending = None
+        self.log = []
+
+    def carry_out(self, text):
+        command = number_of(text)
+        kind = self.behaviour[command]
+        if kind == "R":
+            self.log.append(("refused", command))
+            return boards.REFUSES
+        self.count += 1
+        self.log.append(("carried out", command))
+        if kind == "D":
+            return boards.DONE
+        self.pending = command
+        return boards.LATER
+
+    def percepts(self, functors):
+        return [b"m%d;" % self.count] * (self.count > 0) + [b"n%d;" % self.count]
+
+
+def step_board(board, event):
+    program = board.program
+    if event == "report":
+        kind = program.behaviour[program.pending]
+        if kind == "r":
+            program.log.append(("refused", program.pending))
+        program.pending = None
+        frames = board.report(boards.REFUSES if kind == "r" else boards.DONE)
+    else:
+        if event.kind == ASK and board.session:
+            program.log.append(("said", board.session, event.number, tuple(program.percepts(b""))))
+        frames = board.receive(event)
+        if not board.busy:
+            program.pending = None
+    log, program.log = tuple(program.log), []
+    return tuple(frames), log
+
+
+def step_computer(session, event):
+    frames = []
+    if event[0] == "frame":
+        frames = session.receive(event[1], event[2])
+    elif event[0] == "send":
+        frames = [session.window.send([text_of(c) for c in event[1]])]
+    elif event[0] == "ask":
+        frames = [session.ask()]
+    elif event[0] == "timer":
+        frames = [session.repeat()]
+    elif event[0] == "over":
+        session.window.time_over(text_of(event[1]))
+    elif event[0] == "give up":
+        frames = [session.give_up()]
+    elif event[0] == "restart":
+        session._close()
+        session.outcomes = []
+        frames = [session.hello()]
+    outcomes = tuple((number_of(c), outcome) for c, outcome in session.outcomes)
+    answers = tuple((session.nonce, request, tuple(texts)) for request, texts in session.answers if texts is not None)
+    session.outcomes, session.answers, session.pages = [], [], []
+    return tuple(frames), outcomes, answers
+
+
+class State(NamedTuple):
+    computer: int
+    board: int
+    to_board: tuple
+    to_computer: tuple
+    left: tuple  # asks, board restarts, computer restarts, sessions given up, over, strays
+    sent: int  # commands that went out
+    carried: int  # a bit for each command
+    refused: int
+    over: int
+    reported: tuple  # for each command its outcome or None
+    said: tuple  # (session, request, texts), for what was asked
+
+
+class Model:
+    def __init__(self, setup):
+        self.setup = setup
+        self.commands = len(setup.behaviour)
+        self.believed = 0
+        self.computers, self.boards = Machine(step_computer), Machine(step_board)
+        self.fresh_board = self.boards.id_of(self._board())
+        session = sessions.Session(lambda last: next_nonce(last), NUMBERS, WINDOW)
+        self.start = State(self.computers.id_of(session), self.fresh_board, (), (), setup[1:], 0, 0, 0, 0, (None,) * self.commands, ())
+
+    def _board(self):
+        return boards.Board(Program(self.setup.behaviour), numbers=NUMBERS, part_size=PART_SIZE)
+
+    # ---- steps of one end ----
+
+    def computer(self, state, event):
+        id, (frames, outcomes, answers) = self.computers.after(state.computer, event)
+        reported = list(state.reported)
+        for command, outcome in outcomes:
+            self._check_outcome(state, reported, command, outcome)
+            reported[command] = outcome
+        for answer in answers:
+            self.believed += 1
+            if answer not in state.said:
+                raise Violation(f"the answer {answer} is believed, and was never said")
+        for frame in frames:
+            self._check_sent(state, frame)
+        return state._replace(computer=id, to_board=state.to_board + frames, reported=tuple(reported))
+
+    def board(self, state, event):
+        id, (frames, log) = self.boards.after(state.board, event)
+        for what, *about in log:
+            if what == "said":
+                state = state._replace(said=state.said + (tuple(about),))
+            elif what == "refused":
+                self._check_order(state, about[0])
+                state = state._replace(refused=state.refused | 1 << about[0])
+            else:
+                self._check_order(state, about[0])
+                if state.carried >> about[0]:
+                    raise Violation(f"command {about[0]} is carried out after {bin(state.carried)}: twice, or out of order")
+                state = state._replace(carried=state.carried | 1 << about[0])
+        return state._replace(board=id, to_computer=state.to_computer + frames)
+
+    # ---- properties ----
+
+    @staticmethod
+    def _check_outcome(state, reported, command, outcome):
+        if reported[command] is not None:
+            raise Violation(f"the outcome of command {command} is reported twice")
+        refused, carried = state.refused >> command & 1, state.carried >> command & 1
+        if outcome == windows.DONE and (refused or not carried):
+            raise Violation(f"command {command} is reported done, and was {'refused' if refused else 'not carried out'}")
+        if outcome == windows.REFUSED and not refused:
+            raise Violation(f"command {command} is reported refused, and was not")
+        if outcome == windows.DONE and any(reported[c] is None for c in range(command)):
+            raise Violation(f"command {command} is reported done before one in front of it")
+
+    @staticmethod
+    def _check_order(state, command):
+        for c in range(command):
+            if state.refused >> c & 1 and state.reported[c] is None:
+                raise Violation(f"command {command} is handled before the computer has seen that {c} was refused")
+
+    @staticmethod
+    def _check_sent(state, frame):
+        if frame.kind in (COMMANDS, COMMANDS_RESUME):
+            for command in read_row(frame.payload):
+                if command is not NOTHING and state.over >> number_of(command) & 1:
+                    raise Violation(f"command {number_of(command)} is sent although its time is over")
+
+    # ---- what may happen ----
+
+    def next(self, state):
+        """All that may happen: its name, and a function that gives the state that follows."""
+        session = self.computers.objects[state.computer]
+        board = self.boards.objects[state.board]
+        left = state.left
+        room = IN_FLIGHT - len(state.to_board)
+        if state.to_board:
+            behind = state._replace(to_board=state.to_board[1:])
+            yield "lost on the way to the board", lambda: behind
+            if len(state.to_computer) < IN_FLIGHT:
+                yield f"to the board: {show(state.to_board[0])}", lambda: self.board(behind, state.to_board[0])
+        if state.to_computer:
+            before = state._replace(to_computer=state.to_computer[1:])
+            yield "lost on the way to the computer", lambda: before
+            if room:
+                frame = state.to_computer[0]
+                yield f"to the computer: {show(frame)}", lambda: self.computer(before, ("frame", frame, False))
+                yield f"to the computer, lately repeated: {show(frame)}", lambda: self.computer(before, ("frame", frame, True))
+        if board.busy and len(state.to_computer) < IN_FLIGHT:
+            yield "the outcome of an action", lambda: self.board(state, "report")
+        if room:
+            yield from self._sendings(state, session)
+        if left[1]:
+            yield "the board restarts", lambda: spend(state, 1)._replace(board=self.fresh_board)
+        if left[5] and session.open and len(session.window.out) < WINDOW and room:
+            stray = Frame(ACK, (session.window.oldest + len(session.window.out) + 1) % NUMBERS)
+            yield "a stray ACK", lambda: self.computer(spend(state, 5), ("frame", stray, True))
+        if left[4] and session.open:
+            for entry in session.window.out:
+                if not entry.over:
+                    command = number_of(entry.command)
+                    yield f"the time of command {command} is over", lambda c=command: self._over(state, c)
+
+    def _over(self, state, command):
+        state = self.computer(spend(state, 4), ("over", command))
+        return state._replace(over=state.over | 1 << command)
+
+    def _sendings(self, state, session):
+        left = state.left
+        if session.open and session.window.out or not session.open:
+            yield "timer", lambda: self.computer(state, ("timer",))
+        if session.open:
+            for n in range(1, min(session.window.room(), self.commands - state.sent) + 1):
+                yield f"{n} commands are sent", lambda n=n: self._send(state, n)
+            if left[0]:
+                yield "ask", lambda: self.computer(spend(state, 0), ("ask",))
+            if left[3]:
+                yield "the session is given up", lambda: self.computer(spend(state, 3), ("give up",))
+        if left[2]:
+            yield "the computer restarts", lambda: self._restart(state, session)
+
+    def _send(self, state, n):
+        return self.computer(state, ("send", tuple(range(state.sent, state.sent + n))))._replace(sent=state.sent + n)
+
+    def _restart(self, state, session):
+        """What was out is forgotten with the computer."""
+        reported = list(state.reported)
+        if session.open:
+            for entry in session.window.out:
+                reported[number_of(entry.command)] = windows.UNCONFIRMED
+        return self.computer(spend(state, 2), ("restart",))._replace(reported=tuple(reported))
+
+    # ---- progress ----
+
+    def settled(self, state):
+        session = self.computers.objects[state.computer]
+        return session.open and not session.window.out and state.sent == self.commands and not state.to_board and not state.to_computer
+
+    def fair(self, state):
+        """The next state where nothing is lost and no timer is early."""
+        if state.to_board:
+            return self.board(state._replace(to_board=state.to_board[1:]), state.to_board[0])
+        if state.to_computer:
+            return self.computer(state._replace(to_computer=state.to_computer[1:]), ("frame", state.to_computer[0], False))
+        if self.boards.objects[state.board].busy:
+            return self.board(state, "report")
+        session = self.computers.objects[state.computer]
+        if session.open and not session.window.out and state.sent < self.commands:
+            return self._send(state, min(WINDOW, self.commands - state.sent))
+        return self.computer(state, ("timer",))
+
+    def check_progress(self, states):
+        good = set()
+        for state in states:
+            try:
+                self._check_ends(state, good)
+            except Violation as violation:
+                raise Stuck(state, violation) from None
+
+    def _check_ends(self, state, good):
+        """From here on everything ends, and a question is answered; `good` are the states of which this is known."""
+        way = set()
+        while state not in good and not self.settled(state):
+            if state in way:
+                raise Violation("the same happens again and again")
+            way.add(state)
+            state = self.fair(state)
+        if state not in good:
+            self._check_answered(state)
+        good |= way
+        good.add(state)
+
+    def _check_answered(self, state):
+        """Of three questions one is answered: the first may find that the board was restarted, the second a void answer."""
+        before = self.believed
+        for _ in range(3):
+            state = self.computer(state, ("ask",))
+            while not self.settled(state):
+                state = self.fair(state)
+            if self.believed > before:
+                return
+        raise Violation("three questions without an answer")
+
+
+def spend(state, what):
+    left = list(state.left)
+    left[what] -= 1
+    return state._replace(left=tuple(left))
+
+
+def show(frame):
+    return f"{frame.kind:02X} {frame.number} {frame.payload.hex()}"
+
+
+def explore(setup, limit=10**9):
+    """Explores all states, and returns how many there are. A violation is raised with the shortest way to it."""
+    model = Model(setup)
+    came = {model.start: None}
+    todo = deque([model.start])
+    while todo and len(came) < limit:
+        state = todo.popleft()
+        for name, event in model.next(state):
+            try:
+                after = event()
+            except Violation as violation:
+                raise Violation("\n".join(way_to(came, state) + [name, f"=> {violation}"])) from None
+            if after not in came:
+                came[after] = (state, name)
+                todo.append(after)
+    try:
+        model.check_progress(came)
+    except Stuck as stuck:
+        raise Violation("\n".join(way_to(came, stuck.state) + [f"=> then, although nothing more is lost: {stuck}"])) from None
+    return len(came)
+
+
+def way_to(came, state):
+    way = []
+    while came[state] is not None:
+        state, name = came[state]
+        way.append(name)
+    return way[::-1]
+
+
+def setups():
+    """The set-ups that are explored: all outcomes of the commands, and in turn everything else that may happen."""
+    yield Setup("DDDD")
+    for behaviour in ("D", "R", "d"):
+        yield Setup(behaviour, asks=2, sessions_given_up=1)
+        yield Setup(behaviour, asks=2, board_restarts=1)
+    for behaviour in ("DD", "DR", "RD", "dD"):
+        yield Setup(behaviour, asks=2)
+    for behaviour in product("RDd", repeat=3):
+        yield Setup(behaviour, strays=1)
+        yield Setup(behaviour, over=1)
+        yield Setup(behaviour, computer_restarts=1)
+        yield Setup(behaviour, sessions_given_up=1)
+        yield Setup(behaviour, board_restarts=1)
+    yield Setup("RD", board_restarts=1, computer_restarts=1, sessions_given_up=1, over=1)
+    for behaviour in product("DRdr", repeat=4):
+        yield Setup(behaviour)
+
+
+def explore_all():
+    """The number of set-ups and of states."""
+    counts = [explore(setup) for setup in setups()]
+    return len(counts), sum(counts)
+
+
+def check_mutations():
+    """Whether the model finds every defect of the list."""
+    from mutations import MUTATIONS
+    missed = 0
+    for name, defect in MUTATIONS:
+        with defect:
+            try:
+                explore_all()
+                print(f"not found: {name}")
+                missed += 1
+            except Violation as violation:
+                print(f"{name}:\n    " + str(violation).replace("\n", "\n    "))
+    print(f"  model of version 2: {len(MUTATIONS) - missed} of {len(MUTATIONS)} defects found")
+    return missed == 0
+
+
+def main():
+    begun = time.monotonic()
+    if sys.argv[1:] == ["--mutations"]:
+        return 0 if check_mutations() else 1
+    count, states = explore_all()
+    print(f"  model of version 2: {count} set-ups, {states} states explored, {time.monotonic() - begun:.0f} s")
+    return 0
+
+
+if __name__ == "__main__":
+    import model  # so that the defects are put into the module that runs
+    sys.exit(model.main())

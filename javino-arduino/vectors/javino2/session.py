@@ -1,0 +1,91 @@
+"""The computer's side of a session: frames in, frames out. When something is repeated is decided by who calls; no clocks are in here."""
+from . import vocabulary
+from .frames import ACK, ASK, BUSY, CRITICAL, DESCRIBE, FLAGS, HELLO, LAST_PART, PART, PERCEPTS, REFUSED, VOCABULARY, WELCOME, Frame
+from .parts import Assembly
+from .percepts import Reader
+from .window import Window
+
+
+class Session:
+    """`next_nonce` gives a nonce from the last one. What comes in is added to `outcomes` (command, outcome), `answers` (request, texts;
+    texts is None where the answer is void), `critical` (payloads) and `pages` of the vocabulary, for who calls to take."""
+
+    def __init__(self, next_nonce, numbers=256, size=16):
+        self.next_nonce, self.numbers, self.size = next_nonce, numbers, size
+        self.nonce = 0
+        self.outcomes, self.answers, self.critical, self.pages = [], [], [], []
+        self.window = Window(numbers, size)
+        self._close()
+
+    def _close(self):
+        self.open = False
+        self.outcomes += self.window.give_up()
+        self.nonce = self.next_nonce(self.nonce)
+        self.welcome = b""
+
+    def _open(self, welcome):
+        self.open = True
+        self.welcome = welcome
+        self.window = Window(self.numbers, self.size)
+        self.reader, self.assembly = Reader(), Assembly()
+        self.requests, self.asked = 0, []
+
+    def hello(self):
+        return Frame(HELLO, self.nonce)
+
+    def give_up(self):
+        """Ends the session; the frame with which the next one begins."""
+        self._close()
+        return self.hello()
+
+    def ask(self, functors=b""):
+        self.requests = self.requests % 255 + 1
+        self.asked.append(self.requests)
+        return Frame(ASK, self.requests, bytes([0 if self.requests == 1 else self.reader.known()]) + functors)
+
+    def repeat(self):
+        """The frame that is sent when the time for an answer is over, or None."""
+        if not self.open:
+            return self.hello()
+        return self.window.repetition() if self.window.out else None
+
+    def receive(self, frame, repeated_lately):
+        """The frames that are sent at once, when this one comes."""
+        kind = frame.kind & ~FLAGS
+        if kind == WELCOME and not self._welcomed(frame):
+            return [self.hello()]
+        if not self.open:
+            return []
+        busy = bool(frame.kind & BUSY)
+        news = self.window.heard(frame.number, bool(frame.kind & REFUSED), busy)
+        self.outcomes += news.outcomes
+        if kind in (PERCEPTS, PART, LAST_PART):
+            self._part(kind, frame.payload)
+        elif kind == CRITICAL:
+            self.critical.append(frame.payload)
+        elif kind == VOCABULARY:
+            self.pages.append(vocabulary.read_page(frame.payload))
+        without_news = kind == ACK and news.accepted and not news.outcomes and not busy and not repeated_lately
+        return [self.window.repetition()] if self.window.out and (news.again or without_news) else []
+
+    def _welcomed(self, frame):
+        """Takes a WELCOME; returns whether it leaves things as they are, or opens the session."""
+        nonce = frame.payload[:1]
+        if nonce == bytes([self.nonce]):
+            if not self.open:
+                self._open(frame.payload)
+            return True
+        if not self.open:
+            return True
+        self._close()
+        return False
+
+    def _part(self, kind, payload):
+        answer = self.assembly.take(kind, payload)
+        if answer is None:
+            return
+        request, items = answer
+        if request and request not in self.asked:
+            return
+        self.asked = [r for r in self.asked if r != request]
+        self.answers.append((request, self.reader.read(items)))
