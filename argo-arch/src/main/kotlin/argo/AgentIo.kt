@@ -38,6 +38,7 @@ import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
+import javino.wire.BoardAction as RegisteredAction
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
@@ -100,6 +101,9 @@ internal class AgentIo(
 
     /** The port in use, or null. Any thread. */
     fun portInUse(): OpenPort? = ports.current
+
+    /** The actions that the board in use has registered; null: they are not known. Any thread. */
+    fun vocabulary(): List<RegisteredAction>? = portInUse()?.link?.vocabulary()?.orElse(null)?.takeIf { it.isNotEmpty() }
 
     /** Makes [name] the port in use: see [Ports.choose]. */
     fun choosePort(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =

@@ -21,9 +21,10 @@ import java.util.logging.Logger
  *
  *     agents: robot agentArchClass argo.Arch;
  *
- * and its agents use the internal actions `argo.port`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.change_filter`, `argo.age` and
- * `argo.explain`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`, which is when snapshots of the sensors are handed
- * over; `argo_percepts=4096`, how many percepts are believed at once; and those of observers, such as `argo_view=8080` of the live view.
+ * and its agents use the internal actions `argo.port`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`, `argo.change_filter`,
+ * `argo.age` and `argo.explain`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`, which is when snapshots of the
+ * sensors are handed over; `argo_percepts=4096`, how many percepts are believed at once; and those of observers, such as `argo_view=8080`
+ * of the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
  * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.

@@ -1,16 +1,15 @@
 package argo
 
 import argo.calls.Failure
+import argo.calls.isStepOf
 import argo.calls.wrongArgument
 import jason.asSemantics.DefaultInternalAction
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
-import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.ListTerm
 import jason.asSyntax.Literal
 import jason.asSyntax.NumberTerm
-import jason.asSyntax.PlanBody
 import jason.asSyntax.Term
 
 /**
@@ -38,18 +37,10 @@ open class age : DefaultInternalAction() {
         }
         if (!args[1].isVar && args[1] !is NumberTerm) throw wrongArgument("an age is a number of milliseconds, not ${args[1]}").of(call)
         val arch = archOf(ts) ?: throw notArgo(ts).of(call)
-        val (youngest, ageMs) = arch.youngest(percept, un) ?: return if (isPlanStep(ts, un)) throw notPerceived(percept).of(call) else false
+        val (youngest, ageMs) = arch.youngest(percept, un) ?: return if (isStepOf<age>(ts, un)) throw notPerceived(percept).of(call) else false
         return un.unifies(percept, youngest) && un.unifies(args[1], ASSyntax.createNumber(ageMs.toDouble()))
     }
 
     private fun notPerceived(percept: Literal) =
         Failure("not_perceived", "no percept of a board that is believed now unifies with $percept")
-
-    /** Whether this call is a step of a plan, whose unifier Jason passes then; a context has a unifier of its own. */
-    private fun isPlanStep(ts: TransitionSystem, un: Unifier): Boolean {
-        val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
-        val step = means.currentStep ?: return false
-        return means.unif === un && step.bodyType == PlanBody.BodyType.internalAction &&
-            (step.bodyTerm as? InternalActionLiteral)?.getIA(ts.ag) is age
-    }
 }

@@ -31,3 +31,7 @@ class explain : argo.explain()
 /** `.age(…)`: see [argo.age]. */
 @Suppress("ClassName")
 class age : argo.age()
+
+/** `.can(…)`: see [argo.can]. */
+@Suppress("ClassName")
+class can : argo.can()

@@ -31,3 +31,7 @@ class explain : argo.explain()
 /** `.argo.age(…)`: see [argo.age]. */
 @Suppress("ClassName")
 class age : argo.age()
+
+/** `.argo.can(…)`: see [argo.can]. */
+@Suppress("ClassName")
+class can : argo.can()

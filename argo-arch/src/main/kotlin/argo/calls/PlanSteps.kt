@@ -1,0 +1,15 @@
+package argo.calls
+
+import jason.asSemantics.InternalAction
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.InternalActionLiteral
+import jason.asSyntax.PlanBody
+
+/** Whether a call of the internal action [A] is a step of a plan, whose unifier [un] Jason passes then; a context has one of its own. */
+internal inline fun <reified A : InternalAction> isStepOf(ts: TransitionSystem, un: Unifier): Boolean {
+    val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
+    val step = means.currentStep ?: return false
+    return means.unif === un && step.bodyType == PlanBody.BodyType.internalAction &&
+        (step.bodyTerm as? InternalActionLiteral)?.getIA(ts.ag) is A
+}

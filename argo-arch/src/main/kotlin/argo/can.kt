@@ -1,0 +1,64 @@
+package argo
+
+import argo.calls.Failure
+import argo.calls.isStepOf
+import argo.calls.wrongArgument
+import jason.asSemantics.DefaultInternalAction
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+import jason.asSyntax.VarTerm
+import javino.wire.BoardAction.ANY
+import javino.wire.BoardAction as RegisteredAction
+
+/**
+ * The internal action `argo.can(Action)`: true if the board in use has registered Action, that is its functor with this number of
+ * arguments; their values do not matter. It is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
+ *
+ * If Action is a variable, it is bound to one action after the other, as `speed(_)`: `.findall(A, argo.can(A), All)`. An action that takes
+ * any number of arguments is given without any.
+ *
+ * Boards of version 2 describe themselves; ARGO asks for the description at the beginning of a session. If it is not known (version 1, a
+ * sketch without a table of actions, no port in use, or no answer yet), the action is false in a context; as a step of a plan it fails the
+ * plan with `error(no_vocabulary)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
+ */
+@Suppress("ClassName")
+open class can : DefaultInternalAction() {
+    override fun getMinArgs() = 1
+
+    override fun getMaxArgs() = 1
+
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        checkArguments(args)
+        val action = args[0] as? Literal
+        if (action == null || action is ListTerm) throw wrongArgument("an action is a literal such as speed(V), not ${args[0]}").of(call(args))
+        val arch = archOf(ts) ?: throw notArgo(ts).of(call(args))
+        val vocabulary = arch.io.vocabulary() ?: return if (isStepOf<can>(ts, un)) throw noVocabulary(arch).of(call(args)) else false
+        if (!action.isVar) return vocabulary.any { it.name == action.functor && (it.arguments == ANY || it.arguments == action.arity) }
+        return vocabulary.mapNotNull(::literalOf).distinctBy { it.predicateIndicator }.mapNotNull { known ->
+            un.clone().takeIf { it.unifies(action, known) }
+        }.iterator()
+    }
+
+    private fun call(args: Array<Term>) = "argo.can(${args.joinToString(",")})"
+
+    private fun noVocabulary(arch: Arch): Failure {
+        val port = arch.io.portInUse()?.link?.port()
+        return Failure(
+            "no_vocabulary",
+            if (port == null) "no port is in use; choose one with argo.port first"
+            else "the board on port $port has not described its actions; boards of version 2 with a table of actions do",
+        )
+    }
+}
+
+/** A literal that the agent can act by; null: the board's name for the action is no atom. */
+private fun literalOf(action: RegisteredAction): Literal? = action.name.takeIf(ATOM::matches)?.let { name ->
+    val arguments = if (action.arguments == ANY) 0 else action.arguments
+    ASSyntax.createLiteral(name, *Array<Term>(arguments) { VarTerm("_") })
+}
+
+private val ATOM = Regex("[a-z][A-Za-z0-9_]*")
