@@ -1,10 +1,11 @@
 package benchmarks
 
 import javino.LineClock
-import javino.PerceptsRequest
 import javino.Protocol
 import javino.Transport
 import javino.sim.BoardLoop
+import javino.sim.BoardProgram
+import javino.sim.BoardSession
 import javino.sim.SimulatedBoard
 
 /**
@@ -28,26 +29,23 @@ class SensorBoard(
     }
 
     /** Runs until [line] is gone. */
-    override fun run(line: Transport) {
-        val loop = BoardLoop(line, speaks, LineClock.system())
-        var answers = 0
-        while (true) {
-            val message = loop.next(READ_MS) ?: continue
-            if (PerceptsRequest.isIn(message.text())) {
-                val answer = loop.bytesOf(percepts(++answers))
-                val start = System.nanoTime()
-                loop.write(*answer)
-                witness.answered(answers, start + answer.size * line.line().byteNanos(), message.length() + answer.size)
-            } else {
-                witness.acted(message.text())
-                loop.acknowledge(message)
-            }
+    override fun run(line: Transport) = BoardLoop(line, Program(line), speaks, BoardSession.Capacity.FULL, LineClock.system()).run()
+
+    private inner class Program(private val line: Transport) : BoardProgram {
+        private var answers = 0
+
+        override fun percepts(request: String) = percepts(++answers)
+
+        override fun answered(requestBytes: Int, answerBytes: Int) =
+            witness.answered(answers, System.nanoTime() + answerBytes * line.line().byteNanos(), requestBytes + answerBytes)
+
+        override fun carryOut(command: String): BoardProgram.Outcome {
+            witness.acted(command)
+            return BoardProgram.Outcome.DONE
         }
     }
 
     companion object {
-        private const val READ_MS = 1000
-
         /** The message of a robot with sensors on its four sides: twelve percepts, all of which differ from those of [n] - 1. */
         fun robot(n: Int): String {
             val sides = listOf("f", "b", "l", "r")

@@ -44,7 +44,7 @@ class Board internal constructor(private val time: VirtualTime) {
     private val taken = HashSet<Int>()
 
     init {
-        fake.whenAsked(PerceptsRequest.ALL).answer(::percepts)
+        fake.whenAsked(PerceptsRequest.ALL).answer(::percepts) { perceptsOf(PerceptsRequest.ALL) }
         fake.whenAsked(PerceptsRequest::isIn).answer(::percepts)
     }
 
@@ -90,6 +90,18 @@ class Board internal constructor(private val time: VirtualTime) {
         isVersion2 = true
         fake.version2()
     }
+
+    /**
+     * It tells agents that speak version 2 that [actions] are all it can do: `ledOn`, `speed/1` with an argument, `say` with a slash and a star
+     * behind it for any number of them. Without this it tells nothing, and agents check no command before they send it.
+     */
+    fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
+
+    /**
+     * It has room for [count] critical rules, which it watches itself: it compares them every 5 ms with what its sensors [show][shows], and
+     * carries out their reflexes, which count as [commands] that arrived. In version 2; to be called before the port is opened.
+     */
+    fun holdsRules(count: Int): Board = apply { fake.holdsRules(count) }
 
     /** It refuses [command]; in version 2 the agent's plan fails with `error(act_refused)`. */
     fun refuses(command: String): Board = apply { fake.whenAsked(command).refuse() }
@@ -193,6 +205,10 @@ class Board internal constructor(private val time: VirtualTime) {
     private fun percepts(request: String): String? {
         if (isSilent) return null
         answers++
+        return perceptsOf(request)
+    }
+
+    private fun perceptsOf(request: String): String {
         val functors = PerceptsRequest.functorsIn(request)
         return messageOf(sensors(time.nanos().nanoseconds).filter { functors.isEmpty() || functorOf(it) in functors })
     }

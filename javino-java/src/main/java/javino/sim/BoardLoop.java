@@ -1,111 +1,198 @@
 package javino.sim;
 
-import java.io.ByteArrayOutputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import javino.Frame;
 import javino.FrameDecoder;
 import javino.LineClock;
+import javino.PerceptsRequest;
 import javino.PortException;
 import javino.PortGoneException;
 import javino.Protocol;
 import javino.Transport;
+import javino.wire.FrameKind;
+import javino.wire.WireFrame;
 
 /**
- * What all boards' programs have in common: takes messages from a line, one after the other, and answers each in its version of the
- * protocol. In version 2 an action that is repeated is acknowledged again, but not returned again.
+ * What runs a board's program: takes messages from a line, one after the other, has the program handle each, and answers in the version
+ * of the protocol in which it came.
  *
- * <p>One loop serves one opening of the port. Its thread calls all methods; {@link #write} and {@link #bytesOf} are safe on any thread.
+ * <p>One loop serves one opening of the port. Its thread, the board's, calls all methods; {@link #say} and {@link #write} are safe on any.
  */
 public final class BoardLoop {
     private static final int WRITE_MILLIS = 10_000;
+    private static final int READ_MILLIS = 100;
+    private static final int LOOK_MILLIS = 5;
 
     private final Transport line;
+    private final BoardProgram program;
     private final LineClock clock;
     private final Lock writing; // a test sends on its own thread
     private final Condition never; // of the same lock
-    private final FrameDecoder decoder;
-    private final Deque<Frame> arrived = new ArrayDeque<>();
+    private final BoardReceiver receiver;
+    private final BoardSession session;
+    private final Deque<BoardReceiver.Found> arrived = new ArrayDeque<>();
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
-    private volatile int version = 1; // of the message taken last
-    private int sequence; // guarded by this
-    private Frame acted; // the last action that wanted to be acknowledged; null: there was none
-    private int actedWith; // the outcome's flag
+    private volatile Thread board;
+    private volatile int version = 1; // of the message handled last
+    private long silentNanos; // in all: the receiver's clock, since bytes that waited in a buffer or for this thread are not late
+    private long listenedNanos; // since the last byte
+    private long lookedNanos;
+    private boolean isLooking;
+    private boolean isHandlingCommands; // of which others may follow
+    private boolean isAnswering;
+    private int requestBytes;
+    private int answerBytes;
     private long read; // bytes
     private volatile long handled; // bytes, all messages of which have been handled
     private volatile int silences;
 
-    /**
-     * @param line the board's end
-     * @param reads the version whose messages are found, or both
-     * @param clock the line's
-     */
-    public BoardLoop(Transport line, Protocol reads, LineClock clock) {
-        this.line = line;
-        this.clock = clock;
-        writing = clock.newLock(false);
-        never = writing.newCondition();
-        decoder = new FrameDecoder(FrameDecoder.interByteTimeoutNanos(line.line()), reads, arrived::add);
+    /** A loop that reads both versions and watches no rules. */
+    public BoardLoop(Transport line, BoardProgram program, LineClock clock) {
+        this(line, program, Protocol.AUTO, BoardSession.Capacity.FULL, clock);
     }
 
     /**
-     * Takes the next message, waiting for one at most {@code timeoutMillis}.
+     * @param line the board's end
+     * @param reads the version whose messages are found, or both
+     * @param capacity what it tells computers of version 2
+     * @param clock the line's
+     */
+    public BoardLoop(Transport line, BoardProgram program, Protocol reads, BoardSession.Capacity capacity, LineClock clock) {
+        this.line = line;
+        this.program = program;
+        this.clock = clock;
+        writing = clock.newLock(false);
+        never = writing.newCondition();
+        session = new BoardSession(program, capacity, this::sendFrame);
+        receiver = new BoardReceiver(reads, FrameDecoder.interByteTimeoutNanos(line.line()), capacity.longestPayload(), this::hasSession,
+                arrived::add);
+    }
+
+    /** Whether the bytes that arrive now belong to a session, one that has yet to be begun included. */
+    private boolean hasSession() {
+        return session.isOpen() || arrived.stream().anyMatch(BoardReceiver.Found::isHello);
+    }
+
+    /**
+     * Handles messages until the line is gone.
      *
-     * @return null if none has arrived, or only an action that had been handled before
-     * @throws javino.PortGoneException if the line is gone
+     * @throws javino.PortGoneException when it is
      * @throws InterruptedException if the thread is interrupted
      */
-    public Frame next(int timeoutMillis) throws PortException, InterruptedException {
+    public void run() throws PortException, InterruptedException {
+        while (true) {
+            step(READ_MILLIS);
+        }
+    }
+
+    /**
+     * Handles the next message, waiting for one at most {@code timeoutMillis}; as {@link #run}.
+     *
+     * @param timeoutMillis milliseconds, at least 0; while there are rules to watch it waits for a few at most
+     */
+    public void step(int timeoutMillis) throws PortException, InterruptedException {
         receive(timeoutMillis);
-        return take();
+        handleNext();
     }
 
     /** Waits for bytes unless a message is there, and takes all that have arrived by then. */
     void receive(int timeoutMillis) throws PortException {
+        board = Thread.currentThread();
         boolean waits = arrived.isEmpty();
         int count = 0;
+        long start = clock.nanos();
         try {
-            count = line.read(buffer, 0, buffer.length, waits ? timeoutMillis : 0);
+            count = line.read(buffer, 0, buffer.length, waits ? patience(timeoutMillis) : 0);
         } catch (PortGoneException e) {
             if (waits) { // else what arrived before comes first
                 throw e;
             }
         }
-        if (count > 0) {
-            read += count;
-            decoder.acceptUnbroken(buffer, 0, count, clock.nanos());
-        } else if (waits && timeoutMillis > 0) {
-            silences++;
+        listenedNanos += clock.nanos() - start;
+        for (int i = 0; i < count; i++) {
+            receiver.accept(buffer[i], silentNanos, listenedNanos);
+            listenedNanos = 0;
         }
-        decoder.idle(clock.nanos());
+        read += count;
+        if (count == 0 && waits) {
+            silentNanos += clock.nanos() - start;
+            silences += timeoutMillis > 0 ? 1 : 0;
+        }
+        receiver.idle(silentNanos);
         markHandled();
     }
 
-    /** Takes a message that has arrived; null if there is none, or only an action that had been handled before. */
-    Frame take() throws PortException, InterruptedException {
-        Frame frame = arrived.poll();
-        if (frame != null) {
-            version = frame.version();
-            if (frame.has(Frame.ACK_WANTED) && frame.equals(acted)) {
-                sendOutcome(frame);
-                return null;
-            }
-        }
-        return frame;
+    private int patience(int timeoutMillis) {
+        return session.hasRules() ? Math.min(timeoutMillis, LOOK_MILLIS) : timeoutMillis;
     }
 
-    /** The number of messages that have arrived and were not taken. */
+    /** Handles a message that has arrived, if there is one, and looks whether rules are met. */
+    void handleNext() throws PortException, InterruptedException {
+        BoardReceiver.Found found = arrived.poll();
+        if (found != null && found.version2() != null) {
+            handle(found.version2());
+        } else if (found != null) {
+            handle(found.version1());
+        }
+        markHandled();
+        look();
+    }
+
+    private void handle(WireFrame frame) throws PortException, InterruptedException {
+        version = 2;
+        requestBytes = frame.toBytes().length;
+        answerBytes = 0;
+        isAnswering = frame.kind() == FrameKind.ASK;
+        isHandlingCommands = frame.kind() == FrameKind.COMMANDS || frame.kind() == FrameKind.COMMANDS_WITH_RESUME;
+        try {
+            session.receive(frame);
+        } finally {
+            isHandlingCommands = false;
+        }
+    }
+
+    private void handle(Frame frame) throws PortException, InterruptedException {
+        version = 1;
+        if (!PerceptsRequest.isIn(frame.text())) {
+            program.carryOut(frame.text());
+            return;
+        }
+        String answer = program.percepts(frame.text());
+        if (answer != null) {
+            byte[] bytes = Frame.of(answer).toBytes();
+            put(bytes);
+            program.answered(frame.length(), bytes.length);
+            pauseFor(bytes);
+        }
+    }
+
+    private void look() throws PortException, InterruptedException {
+        if (isLooking || !session.hasRules() || clock.nanos() - lookedNanos < TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
+            return;
+        }
+        isLooking = true; // frames that it sends are no reason to look again
+        try {
+            String percepts = program.sensors();
+            session.look(percepts == null ? "" : percepts);
+            lookedNanos = clock.nanos();
+        } finally {
+            isLooking = false;
+        }
+    }
+
+    /** The number of messages that have arrived and were not handled. */
     int waiting() {
         return arrived.size();
     }
 
-    /** Removes the oldest message that was not taken, and returns it. */
-    Frame overwrite() {
-        return arrived.remove();
+    /** Removes the oldest message that was not handled, and returns it; empty: it is of version 2, so the computer repeats it. */
+    Optional<Frame> overwrite() {
+        return Optional.ofNullable(arrived.remove().version1());
     }
 
     /** Reads the bytes that have arrived, and ignores them. */
@@ -113,9 +200,9 @@ public final class BoardLoop {
         read += line.read(buffer, 0, buffer.length, 0);
     }
 
-    /** Notes that the message taken last has been handled, as far as others can see. */
+    /** Notes that the message that is being handled has been, as far as others can see. */
     void markHandled() {
-        if (arrived.isEmpty() && decoder.nanosUntilIdle(clock.nanos()) == Long.MAX_VALUE) {
+        if (arrived.isEmpty() && !isHandlingCommands && receiver.nanosUntilIdle(silentNanos) == Long.MAX_VALUE) {
             handled = read;
         }
     }
@@ -134,42 +221,68 @@ public final class BoardLoop {
         return line instanceof MemoryLine.End end ? end.isRead(handled) : silences - silencesBefore >= 2;
     }
 
-    /** The version of the protocol of the message that was taken last; 1 before the first. */
+    /** The version of the protocol of the message that was handled last; 1 before the first. */
     public int version() {
         return version;
     }
 
     /**
-     * The bytes of a message in {@link #version}; in version 2 it may have any length.
+     * Sends a message that nobody asked for, in {@link #version}; in version 2 it may have any length. On the board's thread it returns
+     * when the last byte has left.
      *
      * @throws IllegalArgumentException if the text does not fit into a message
      */
-    public synchronized byte[] bytesOf(String text) {
-        if (version == 1) {
-            return Frame.of(text).toBytes();
+    public void say(String text) throws PortException, InterruptedException {
+        if (version == 2) {
+            session.sendPercepts(Frame.requireBytes(text));
+        } else {
+            send(Frame.of(text).toBytes());
         }
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        List<Frame> fragments = Frame.fragments(Frame.requireBytes(text).getBytes(StandardCharsets.ISO_8859_1), sequence);
-        sequence = (sequence + fragments.size()) % Frame.SEQUENCES;
-        fragments.forEach(fragment -> bytes.writeBytes(fragment.toBytes()));
-        return bytes.toByteArray();
     }
 
-    /** Sends a message, and returns when its last byte has left; as {@link #bytesOf} and {@link #send}. */
-    public void say(String text) throws PortException, InterruptedException {
-        send(bytesOf(text));
+    /** The session's frames, on the thread that causes them. */
+    private void sendFrame(WireFrame frame) throws PortException, InterruptedException {
+        byte[] bytes = frame.toBytes();
+        put(bytes);
+        if (Thread.currentThread() != board) {
+            return;
+        }
+        if (isAnswering && isPercepts(frame.kind())) {
+            answerBytes += bytes.length;
+            if (frame.kind() != FrameKind.PERCEPTS_PART) {
+                program.answered(requestBytes, answerBytes);
+            }
+        }
+        pauseFor(bytes);
+        look();
+    }
+
+    private static boolean isPercepts(FrameKind kind) {
+        return kind == FrameKind.PERCEPTS || kind == FrameKind.PERCEPTS_PART || kind == FrameKind.PERCEPTS_LAST;
     }
 
     /**
-     * Writes bytes, and returns when the last has left: a board does not read while it sends. If the port has been closed they are lost, as
-     * on a device; {@link #next} throws as soon as all that was received has been taken.
+     * Writes bytes, and on the board's thread returns when the last has left: a board does not read while it sends. If the port has been
+     * closed they are lost, as on a device; {@link #step} throws as soon as all that was received has been handled.
      */
     public void send(byte... bytes) throws PortException, InterruptedException {
+        put(bytes);
+        if (Thread.currentThread() == board) {
+            pauseFor(bytes);
+        }
+    }
+
+    private void put(byte... bytes) throws PortException {
         try {
             write(bytes);
         } catch (PortGoneException e) {
-            return;
+            if (Thread.currentThread() != board) {
+                throw e;
+            }
         }
+    }
+
+    private void pauseFor(byte... bytes) throws InterruptedException {
         pause(bytes.length * line.line().byteNanos());
     }
 
@@ -181,28 +294,6 @@ public final class BoardLoop {
         } finally {
             writing.unlock();
         }
-    }
-
-    /** Reports that an action has been carried out; sends nothing if the message does not ask for that. */
-    public void acknowledge(Frame message) throws PortException, InterruptedException {
-        finish(message, Frame.ACK);
-    }
-
-    /** Reports that an action is unknown; sends nothing if the message does not ask for that. */
-    public void refuse(Frame message) throws PortException, InterruptedException {
-        finish(message, Frame.REFUSAL);
-    }
-
-    private void finish(Frame message, int outcome) throws PortException, InterruptedException {
-        if (message.has(Frame.ACK_WANTED)) {
-            acted = message;
-            actedWith = outcome;
-            sendOutcome(message);
-        }
-    }
-
-    private void sendOutcome(Frame action) throws PortException, InterruptedException {
-        send(Frame.version2(new byte[0], actedWith, action.sequence()).toBytes());
     }
 
     /** Does nothing for {@code nanos} of the line's clock. */

@@ -1,12 +1,13 @@
 package javino.sim;
 
 import java.util.List;
+import javino.PerceptsRequest;
 import javino.PortException;
 import javino.wire.BoardAction;
 
 /**
- * The program of a simulated board, as a sketch is that of a real one. All methods are called on the board's thread and may take their time;
- * the board does nothing else meanwhile.
+ * The program of a simulated board, as a sketch is that of a real one. All methods are called on the board's thread and may take their
+ * time; the board does nothing else meanwhile.
  */
 public interface BoardProgram {
     /** What became of a command. */
@@ -36,4 +37,12 @@ public interface BoardProgram {
      * @return null: no answer
      */
     String percepts(String request) throws PortException, InterruptedException;
+
+    /** What the sensors show now, as {@link #percepts} would answer; called every few milliseconds while the board watches rules. */
+    default String sensors() throws PortException, InterruptedException {
+        return percepts(PerceptsRequest.ALL);
+    }
+
+    /** The answer to a request has been given to the line, of both so many bytes. */
+    default void answered(int requestBytes, int answerBytes) {}
 }

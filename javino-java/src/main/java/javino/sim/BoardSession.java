@@ -8,14 +8,17 @@ import javino.wire.AnswerPart;
 import javino.wire.BoardAction;
 import javino.wire.BoardRule;
 import javino.wire.CommandItem;
+import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
 import javino.wire.PerceptWriter;
+import javino.wire.ReflexOutcome;
 import javino.wire.VocabularyPage;
 import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The board's side of version 2 of the protocol: frames come in, frames go out, and the board's program is called for commands and percepts.
+ * The board's side of version 2 of the protocol: frames come in, frames go out, and the board's program is called for commands and
+ * percepts.
  *
  * <p>It has no thread and no clock. One thread, the board's, calls {@link #receive} and {@link #look}; {@link #sendPercepts} and
  * {@link #report} are safe on any. Frames are given to the line on the thread that causes them.
@@ -48,7 +51,7 @@ public final class BoardSession {
 
     private static final int NUMBERS = 256;
     private static final int PART_WITH_RULES = 12; // bytes of an answer, so that what is urgent does not wait for a long frame
-    private static final int CRITICAL_OVERHEAD = 2; // bytes of payload in front of the percept
+    private static final int MAX_CRITICAL_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // behind rule and outcome
 
     private final BoardProgram program;
     private final Capacity capacity;
@@ -243,18 +246,16 @@ public final class BoardSession {
     /** Looks at the sensors: the reflex of each rule that begins to be met is carried out, and the computer informed. */
     public void look(String percepts) throws PortException, InterruptedException {
         for (BoardRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
-            char reflex = (char) carryOutReflex(beginning.rule().reflex());
-            String text = beginning.percept();
-            boolean fits = text.length() <= WireFrame.MAX_PAYLOAD - CRITICAL_OVERHEAD; // else the next answer has it
-            send(FrameKind.CRITICAL, "" + (char) beginning.number() + reflex + (fits ? text : ""));
+            ReflexOutcome outcome = carryOutReflex(beginning.rule().reflex());
+            boolean fits = beginning.percept().length() <= MAX_CRITICAL_PERCEPT; // else the next answer has it
+            send(FrameKind.CRITICAL, new CriticalReport(beginning.number(), outcome, fits ? beginning.percept() : "").payload());
         }
     }
 
-    /** What became of a reflex, as CRITICAL says it. */
-    private int carryOutReflex(String command) throws PortException, InterruptedException {
+    private ReflexOutcome carryOutReflex(String command) throws PortException, InterruptedException {
         if (command == null) {
-            return 0;
+            return ReflexOutcome.NONE;
         }
-        return program.carryOut(command) == Outcome.REFUSED ? 2 : 1;
+        return program.carryOut(command) == Outcome.REFUSED ? ReflexOutcome.REFUSED : ReflexOutcome.CARRIED_OUT;
     }
 }

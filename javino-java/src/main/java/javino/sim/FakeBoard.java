@@ -1,15 +1,16 @@
 package javino.sim;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
-import java.util.function.BiFunction;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javino.LineClock;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.Protocol;
+import javino.wire.BoardAction;
 
 /**
  * A board for tests. It is plugged in as {@code sim:name}, answers as it is told, and keeps what it received:
@@ -43,7 +44,7 @@ public final class FakeBoard implements AutoCloseable {
         this.name = name;
         FakeBoardMonitor monitor = new FakeBoardMonitor(clock);
         record = new FakeBoardRecord(port(), monitor);
-        sketch = new FakeBoardSketch(script, record, monitor, clock);
+        sketch = new FakeBoardSketch(port(), script, record, monitor, clock);
         whenAsked(PerceptsRequest.ALL).answer("");
     }
 
@@ -101,7 +102,7 @@ public final class FakeBoard implements AutoCloseable {
 
     /**
      * Says how many received messages the board holds while it is busy; one more overwrites the oldest, which is then {@link #overwritten}.
-     * Boards in the field hold one.
+     * Boards in the field hold one. Frames of version 2 are repeated by the computer, so none counts as overwritten.
      */
     public FakeBoard queueSize(int messages) {
         if (messages < 1) {
@@ -113,11 +114,40 @@ public final class FakeBoard implements AutoCloseable {
 
     /**
      * Lets the board speak version 2 of the protocol with those who speak it, and version 1 with others. In version 2 it acknowledges
-     * actions once it has handled them, and handles an action that is repeated once; answers may be longer than a frame. To be
-     * called before the port is opened.
+     * commands once it has handled them, and handles a command that is repeated once; answers may be longer than a frame, and the answer
+     * to a command is sent as percepts that nobody asked for. To be called before the port is opened.
      */
     public FakeBoard version2() {
         sketch.protocol = Protocol.AUTO;
+        return this;
+    }
+
+    /**
+     * Gives the board a vocabulary, which it tells computers of version 2. Without it they check no command.
+     *
+     * @param actions {@code ledOn}, {@code speed/1} with an argument; {@code say/*} with any number of them
+     */
+    public FakeBoard knows(String... actions) {
+        sketch.vocabulary = Arrays.stream(actions).map(FakeBoard::action).toList();
+        return this;
+    }
+
+    private static BoardAction action(String written) {
+        if (!written.matches("[^/]+(/([0-9]{1,2}|\\*))?")) {
+            throw new IllegalArgumentException("an action is written NAME, NAME/ARGUMENTS or NAME/*, not \"" + written + '"');
+        }
+        String[] parts = written.split("/");
+        String arguments = parts.length == 1 ? "0" : parts[1];
+        return new BoardAction(parts[0], arguments.equals("*") ? BoardAction.ANY : Integer.parseInt(arguments));
+    }
+
+    /**
+     * Lets the board of version 2 watch so many critical rules, 0 unless set. While it has some it compares what it would answer to
+     * {@code getPercepts} every 5 ms, or as often as its {@linkplain #loopTakes loop} allows. A reflex is handled and recorded as a
+     * command that came is. To be called before the port is opened.
+     */
+    public FakeBoard holdsRules(int rules) {
+        sketch.rules = rules;
         return this;
     }
 
@@ -177,7 +207,7 @@ public final class FakeBoard implements AutoCloseable {
 
     /** Waits until somebody has the port open; fails after {@code timeoutMillis}. */
     public void awaitOpen(int timeoutMillis) {
-        sketch.awaitOpen(port(), timeoutMillis);
+        sketch.awaitOpen(timeoutMillis);
     }
 
     /** All messages the board has handled so far, in their order. */
@@ -232,8 +262,9 @@ public final class FakeBoard implements AutoCloseable {
     public static final class Rule {
         volatile int delayMillis;
         volatile boolean refused;
-        /** The bytes that answer a message, or null; the loop makes them of a text. */
-        volatile BiFunction<String, BoardLoop, byte[]> reply = (message, loop) -> null;
+        volatile UnaryOperator<String> answer = message -> null;
+        volatile Supplier<String> sensors = () -> "";
+        volatile byte[] raw; // in place of an answer; null: none
 
         Rule() {}
 
@@ -243,28 +274,44 @@ public final class FakeBoard implements AutoCloseable {
             return this;
         }
 
-        /** Answers with these messages, one each time, and with the last of them from then on. */
+        /**
+         * Answers with these messages, one each time, and with the last of them from then on. The rules that the board
+         * {@linkplain FakeBoard#holdsRules holds} are compared with the one whose turn is next.
+         */
         public Rule answer(String first, String... next) {
-            return answer(FakeBoardScript.inTurn(first, next));
+            FakeBoardScript.InTurn answers = new FakeBoardScript.InTurn(first, next);
+            return answer(message -> answers.next(), answers::current);
         }
 
-        /** Answers with what {@code answer} makes of the message; null: no answer. It is called on the board's thread. */
+        /**
+         * Answers with what {@code answer} makes of the message; null: no answer. It is called on the board's thread, also every few
+         * milliseconds while the board watches rules.
+         */
         public Rule answer(UnaryOperator<String> answer) {
-            reply = (message, loop) -> Optional.ofNullable(answer.apply(message)).map(loop::bytesOf).orElse(null);
+            return answer(answer, () -> answer.apply(PerceptsRequest.ALL));
+        }
+
+        /**
+         * As {@link #answer(UnaryOperator)}.
+         *
+         * @param sensors what the rules that the board holds are compared with, every few milliseconds
+         */
+        public Rule answer(UnaryOperator<String> answer, Supplier<String> sensors) {
+            this.answer = answer;
+            this.sensors = sensors;
+            raw = null;
             return this;
         }
 
         /** Answers with bytes as they are: a damaged frame, half of one, two at once. Characters are bytes (ISO-8859-1). */
         public Rule answerRaw(String bytes) {
-            byte[] raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
-            reply = (message, loop) -> raw;
+            raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
             return this;
         }
 
         /** Gives no answer. */
         public Rule staySilent() {
-            reply = (message, loop) -> null;
-            return this;
+            return answer(message -> null, () -> "");
         }
 
         /** Refuses the message as one that the board does not know; in version 1 it stays silent. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
-import java.util.function.UnaryOperator;
 import javino.Frame;
 
 /** The rules of a {@link FakeBoard}. Safe on any thread. */
@@ -36,12 +35,25 @@ final class FakeBoardScript {
         return entries.stream().filter(entry -> entry.kind().test(message)).map(Entry::rule).findFirst();
     }
 
-    /** One of the texts each time, and the last of them from then on. */
-    static UnaryOperator<String> inTurn(String first, String... next) {
-        List<String> answers = new ArrayList<>(List.of(first));
-        answers.addAll(List.of(next));
-        answers.stream().filter(text -> text.length() <= Frame.MAX_PAYLOAD).forEach(Frame::of); // else the test would learn too late
-        AtomicInteger turn = new AtomicInteger();
-        return message -> answers.get(turn.getAndUpdate(i -> Math.min(i + 1, answers.size() - 1)));
+    /** Answers that are given in turn, and the last of them from then on. Safe on any thread. */
+    static final class InTurn {
+        private final List<String> answers;
+        private final AtomicInteger turn = new AtomicInteger();
+
+        InTurn(String first, String... next) {
+            List<String> all = new ArrayList<>(List.of(first));
+            all.addAll(List.of(next));
+            answers = List.copyOf(all);
+            answers.stream().filter(text -> text.length() <= Frame.MAX_PAYLOAD).forEach(Frame::of); // else the test would learn too late
+        }
+
+        /** The answer whose turn it is. */
+        String current() {
+            return answers.get(turn.get());
+        }
+
+        String next() {
+            return answers.get(turn.getAndUpdate(i -> Math.min(i + 1, answers.size() - 1)));
+        }
     }
 }

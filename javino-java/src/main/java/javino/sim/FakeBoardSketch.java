@@ -1,12 +1,15 @@
 package javino.sim;
 
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import javino.Frame;
 import javino.LineClock;
+import javino.PerceptsRequest;
 import javino.PortException;
+import javino.PortInterruptedException;
 import javino.Protocol;
 import javino.Transport;
+import javino.wire.BoardAction;
 
 /** The program that runs on a {@link FakeBoard}: reads a message, does what the script says, and begins again. */
 final class FakeBoardSketch implements SimulatedBoard {
@@ -17,15 +20,20 @@ final class FakeBoardSketch implements SimulatedBoard {
     volatile int loopMillis;
     volatile int bootMillis;
     volatile Protocol protocol = Protocol.V1;
+    volatile List<BoardAction> vocabulary = List.of();
+    volatile int rules;
 
     private final FakeBoardScript script;
     private final FakeBoardRecord record;
     private final FakeBoardMonitor monitor;
     private final LineClock clock;
+    private final String port;
     private BoardLoop open; // guarded by the monitor, as is stalled
     private boolean stalled;
 
-    FakeBoardSketch(FakeBoardScript script, FakeBoardRecord record, FakeBoardMonitor monitor, LineClock clock) {
+    /** @param port what exceptions name */
+    FakeBoardSketch(String port, FakeBoardScript script, FakeBoardRecord record, FakeBoardMonitor monitor, LineClock clock) {
+        this.port = port;
         this.script = script;
         this.record = record;
         this.monitor = monitor;
@@ -38,7 +46,7 @@ final class FakeBoardSketch implements SimulatedBoard {
 
     @Override
     public void run(Transport line) throws PortException, InterruptedException {
-        BoardLoop loop = new BoardLoop(line, protocol, clock);
+        BoardLoop loop = new Run(line).loop;
         monitor.locked(() -> open = loop);
         try {
             boot(loop);
@@ -49,12 +57,9 @@ final class FakeBoardSketch implements SimulatedBoard {
                     loop.receive(0);
                 }
                 while (loop.waiting() > queueSize) {
-                    record.overwritten(loop.overwrite().text());
+                    loop.overwrite().ifPresent(lost -> record.overwritten(lost.text()));
                 }
-                Frame message = loop.take();
-                if (message != null) {
-                    handle(message, loop);
-                }
+                loop.handleNext();
                 loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
@@ -69,31 +74,67 @@ final class FakeBoardSketch implements SimulatedBoard {
         }
     }
 
-    private void handle(Frame frame, BoardLoop loop) throws PortException, InterruptedException {
-        String message = frame.text();
-        FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
-        record.received(message, rule != null);
-        loop.markHandled(); // what follows does not change what has been received
-        if (rule == null) {
-            loop.acknowledge(frame);
-            return;
+    /** One use of the port. */
+    private final class Run implements BoardProgram {
+        private final BoardLoop loop;
+
+        Run(Transport line) {
+            loop = new BoardLoop(line, this, protocol, BoardSession.Capacity.FULL.withRules(rules), clock);
         }
-        loop.pause(TimeUnit.MILLISECONDS.toNanos(rule.delayMillis));
-        byte[] answer = rule.reply.apply(message, loop);
-        if (answer != null) {
-            loop.send(answer);
+
+        @Override
+        public List<BoardAction> vocabulary() {
+            return vocabulary;
         }
-        if (rule.refused) {
-            loop.refuse(frame);
-        } else {
-            loop.acknowledge(frame);
+
+        @Override
+        public Outcome carryOut(String command) throws PortException, InterruptedException {
+            FakeBoard.Rule rule = begin(command);
+            String answer = rule == null ? null : answer(rule, command);
+            if (answer != null) {
+                loop.say(answer);
+            }
+            return rule != null && rule.refused ? Outcome.REFUSED : Outcome.DONE;
+        }
+
+        @Override
+        public String percepts(String request) throws PortException, InterruptedException {
+            FakeBoard.Rule rule = begin(request);
+            return rule == null ? null : answer(rule, request);
+        }
+
+        @Override
+        public String sensors() {
+            return script.ruleFor(PerceptsRequest.ALL).map(rule -> rule.sensors.get()).orElse("");
+        }
+
+        /** Records a message and finds its rule; null: there is none. */
+        private FakeBoard.Rule begin(String message) {
+            FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
+            record.received(message, rule != null);
+            loop.markHandled(); // what follows does not change what has been received
+            return rule;
+        }
+
+        private String answer(FakeBoard.Rule rule, String message) throws PortException, InterruptedException {
+            loop.pause(TimeUnit.MILLISECONDS.toNanos(rule.delayMillis));
+            byte[] raw = rule.raw;
+            if (raw != null) {
+                loop.send(raw);
+                return null;
+            }
+            return rule.answer.apply(message);
         }
     }
 
     /** Sends a message to the port that is open. */
     void send(String message) throws PortException {
         BoardLoop loop = requireOpen();
-        loop.write(loop.bytesOf(message));
+        try {
+            loop.say(message);
+        } catch (InterruptedException e) {
+            throw PortInterruptedException.remarking(port);
+        }
     }
 
     /** Writes bytes to the port that is open. */
@@ -109,7 +150,7 @@ final class FakeBoardSketch implements SimulatedBoard {
         return loop;
     }
 
-    void awaitOpen(String port, int timeoutMillis) {
+    void awaitOpen(int timeoutMillis) {
         if (!monitor.await(() -> open != null, timeoutMillis, "waiting for somebody to open " + port)) {
             throw new AssertionError("nobody opened " + port + " within " + timeoutMillis + " ms");
         }

@@ -18,7 +18,8 @@ import javino.PerceptsRequest;
 /**
  * The messages of a line, in their order and with their times. Immutable.
  *
- * <p>As a file it is text in UTF-8: the line {@code javino-recording 1}, and a line for each message, {@code <ms>\t<in|out>\t<message>}.
+ * <p>As a file it is text in UTF-8: the line {@code javino-recording 1}, and a line for each message,
+ * {@code <ms>\t<in|out|critical|reflex>\t<message>}.
  * {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a backslash, a tab and line ends in a message, <code>&#92;u0007</code> for
  * another control character. Empty lines and lines that begin with {@code #} are ignored. {@link RecordingWriter} writes it.
  *
@@ -37,7 +38,13 @@ public record Recording(List<Entry> entries) {
         IN,
 
         /** To the board. */
-        OUT;
+        OUT,
+
+        /** From the board, of its own accord: the percept that met a critical rule on it. */
+        CRITICAL,
+
+        /** A command that nobody sent: the board carried it out as the reflex of a critical rule. */
+        REFLEX;
 
         final String word = name().toLowerCase(Locale.ROOT);
     }
@@ -70,7 +77,7 @@ public record Recording(List<Entry> entries) {
         }
     }
 
-    /** What came from the board. */
+    /** What came from the board as answers, or unasked as all its percepts. */
     public List<Entry> received() {
         return entries.stream().filter(entry -> entry.direction() == Direction.IN).toList();
     }
@@ -149,6 +156,7 @@ public record Recording(List<Entry> entries) {
 
     private static Direction direction(String written) {
         return Arrays.stream(Direction.values()).filter(direction -> direction.word.equals(written)).findFirst().orElseThrow(() ->
-                new IllegalArgumentException(Frame.quoted(written) + " is no direction; a message goes \"in\" or \"out\""));
+                new IllegalArgumentException(Frame.quoted(written)
+                        + " is no direction; a message goes \"in\" or \"out\", or is \"critical\" or a \"reflex\""));
     }
 }

@@ -9,7 +9,6 @@ import javino.Frame;
 import javino.LineClock;
 import javino.PerceptsRequest;
 import javino.PortException;
-import javino.Protocol;
 import javino.Transport;
 
 /**
@@ -102,22 +101,19 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /** One use of the port. */
-    private final class Run {
+    private final class Run implements BoardProgram {
         private final BoardLoop loop;
         private final long openedNanos = clock.nanos();
         private Long firstRequestNanos;
         private int next; // the number of what is said next
 
         Run(Transport line) {
-            loop = new BoardLoop(line, Protocol.AUTO, clock);
+            loop = new BoardLoop(line, this, clock);
         }
 
         void run() throws PortException, InterruptedException {
             while (true) {
-                Frame message = loop.next(millisToWait());
-                if (message != null) {
-                    handle(message);
-                }
+                loop.step(millisToWait());
                 if (!asked) {
                     speak();
                 }
@@ -149,14 +145,22 @@ public final class ReplayBoard implements SimulatedBoard {
             return said.get(number % said.size()).message();
         }
 
-        private void handle(Frame frame) throws PortException, InterruptedException {
-            String message = frame.text();
-            if (!PerceptsRequest.isIn(message)) {
-                commands.accept(message);
-            } else if (asked) {
-                say(answer());
+        @Override
+        public Outcome carryOut(String command) {
+            commands.accept(command);
+            return Outcome.DONE;
+        }
+
+        @Override
+        public String percepts(String request) throws PortException, InterruptedException {
+            if (!asked) {
+                return null;
             }
-            loop.acknowledge(frame);
+            List<String> messages = messages(answer());
+            for (String message : messages.subList(0, messages.size() - 1)) {
+                loop.say(message);
+            }
+            return messages.get(messages.size() - 1);
         }
 
         private String answer() {
@@ -173,9 +177,13 @@ public final class ReplayBoard implements SimulatedBoard {
         }
 
         private void say(String message) throws PortException, InterruptedException {
-            for (String part : loop.version() == 1 ? parts(message) : List.of(message)) {
+            for (String part : messages(message)) {
                 loop.say(part);
             }
+        }
+
+        private List<String> messages(String text) {
+            return loop.version() == 1 ? parts(text) : List.of(text);
         }
     }
 }

@@ -77,7 +77,7 @@ public final class WireDecoder {
 
     /** Nanoseconds from {@code now} until {@link #idle} has something to do; {@link Long#MAX_VALUE} outside of a frame. */
     public long nanosUntilIdle(long now) {
-        return isInFrame ? Math.max(0, lastByteNanos + timeoutNanos - now) : Long.MAX_VALUE;
+        return isInFrame ? Math.max(0, lastByteNanos + timeoutNanos + 1 - now) : Long.MAX_VALUE;
     }
 
     /** Whether a frame has begun and not ended. */

@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import javino.PerceptsRequest
+import javino.Protocol
 import javino.sim.BoardProgram.Outcome
 import javino.wire.BoardAction
 import javino.wire.BoardRule
@@ -12,6 +13,7 @@ import javino.wire.FrameKind
 import javino.wire.Vectors2
 import javino.wire.Welcome
 import javino.wire.WireFrame
+import javino.wire.bytesOf
 import javino.wire.frameOf
 import javino.wire.isNull
 import javino.wire.isTrue
@@ -28,7 +30,11 @@ import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 
 /** The program of the board that the vectors describe. */
-private class VectorProgram(private val actions: List<BoardAction>, private val refused: List<String>, private val later: List<String>) : BoardProgram {
+private class VectorProgram(
+    private val actions: List<BoardAction>,
+    private val refused: List<String>,
+    private val later: List<String>,
+) : BoardProgram {
     val carried = mutableListOf<String>()
     var percepts = emptyList<String>()
 
@@ -37,7 +43,8 @@ private class VectorProgram(private val actions: List<BoardAction>, private val 
     override fun carryOut(command: String): Outcome {
         val term = PerceptTerm.of(command)
         val action = actions.lastOrNull { it.name() == term.functor() }
-        if (command in refused || action == null || action.arguments() !in listOf(term.arguments().size, BoardAction.ANY)) return Outcome.REFUSED
+        val takes = action != null && action.arguments() in listOf(term.arguments().size, BoardAction.ANY)
+        if (command in refused || !takes) return Outcome.REFUSED
         carried += command
         return if (command in later) Outcome.LATER else Outcome.DONE
     }
@@ -100,4 +107,22 @@ class BoardVectorsSpec : FunSpec({
                 case["met"].items().map { it.jsonPrimitive.boolean }
         }
     }
+
+    for ((name, case) in Vectors2.cases("receive").filter { (_, case) -> case["direction"].text() == "to-board" }) test("receive: $name") {
+        val found = mutableListOf<BoardReceiver.Found>()
+        val receiver = BoardReceiver(Protocol.AUTO, 100 * MS, 255, { case["session"].isTrue() }, found::add)
+        var now = 0L
+        for (chunk in case["chunks"].items().map { it.jsonObject }) {
+            val gap = chunk["gapMs"].number() * MS
+            now += gap
+            receiver.idle(now)
+            bytesOf(chunk["hex"].octets()).forEachIndexed { i, octet -> receiver.accept(octet, now, if (i == 0) gap else 0) }
+        }
+        receiver.idle(now + 200 * MS)
+        found.mapNotNull { it.version2() }.map(::vectorOf) shouldBe case["frames"].texts()
+        found.mapNotNull { it.version1()?.text() } shouldBe case["version1"].texts()
+        receiver.nanosUntilIdle(now + 200 * MS) shouldBe Long.MAX_VALUE
+    }
 })
+
+private const val MS = 1_000_000L

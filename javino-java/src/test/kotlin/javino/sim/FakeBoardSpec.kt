@@ -42,15 +42,6 @@ class FakeBoardSpec : FunSpec({
         Link.ownerOf("bench").isPresent shouldBe false
     }
 
-    test("a text that does not fit into bytes is refused in version 2, too") {
-        val line = MemoryLine.unlimited("bench", LineSettings.defaults())
-        val loop = BoardLoop(line.board(), Protocol.AUTO, LineClock.system())
-        Frame.version2(ByteArray(0), 0, 0).toBytes().let { line.computer().write(it, 0, it.size, 0) }
-        loop.next(LONG_MILLIS)
-        loop.version() shouldBe 2
-        shouldThrow<IllegalArgumentException> { loop.bytesOf("say(€);") }.message shouldContain "U+20AC"
-    }
-
     test("answers come in turn, the last again and again") {
         withBoard { board, link ->
             board.whenAsked("getPercepts").answer("a;", "b;")

@@ -109,7 +109,8 @@ class PayloadsPropertySpec : FunSpec({
     }
 
     for ((what, text) in mapOf(
-        "of number 0" to "\u0001\u0000d\u0000", "without a functor" to "\u0001\u0007\u0000", "without a value" to "\u0001\u0007d\u00001<\u0000",
+        "of number 0" to "\u0001\u0000d\u0000", "without a functor" to "\u0001\u0007\u0000",
+        "without a value" to "\u0001\u0007d\u00001<\u0000",
         "with an empty reflex" to "\u0001\u0007d\u0000\u0002", "that orders words" to "\u0001\u0007d\u00001<f\u0000",
         "at place 0" to "\u0001\u0007d\u00000<40\u0000", "of an unknown operator" to "\u0001\u0007d\u00001?40\u0000",
     )) {

@@ -15,7 +15,8 @@ import io.kotest.property.checkAll
 /** Percepts that share shapes, with digits of any number and place; some long, some of any bytes. */
 private val percepts: Arb<List<String>> = Arb.list(
     Arb.choice(
-        Arb.list(Arb.element("dist(", "f", ",", "12", "007", "0", "-", ".", ")", "9999999999", "\"1\""), 0..6).map { it.joinToString("") + ";" },
+        Arb.list(Arb.element("dist(", "f", ",", "12", "007", "0", "-", ".", ")", "9999999999", "\"1\""), 0..6)
+            .map { it.joinToString("") + ";" },
         Arb.int(0..300).map { "s${it % 7}($it);" },
         texts(0..20).map { it.replace(';', ',') + ";" },
         Arb.int(250..600).map { "long(" + "x1".repeat(it / 2) + ");" },

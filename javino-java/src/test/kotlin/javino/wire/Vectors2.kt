@@ -18,7 +18,8 @@ internal object Vectors2 {
     private val file = Json.parseToJsonElement(Path.of("../javino-arduino/vectors/javino2-vectors.json").readText()).jsonObject
 
     /** The cases of a group, by their names. */
-    fun cases(group: String): Map<String, JsonObject> = file.getValue(group).jsonArray.map { it.jsonObject }.associateBy { it["name"].text() }
+    fun cases(group: String): Map<String, JsonObject> =
+        file.getValue(group).jsonArray.map { it.jsonObject }.associateBy { it["name"].text() }
 }
 
 internal fun JsonElement?.number(): Int = checkNotNull(this).jsonPrimitive.int

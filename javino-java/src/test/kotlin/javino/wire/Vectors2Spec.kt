@@ -9,7 +9,9 @@ import kotlinx.serialization.json.jsonPrimitive
 
 class Vectors2Spec : FunSpec({
     test("there are vectors of all groups") {
-        for (group in listOf("frames", "receive", "commands", "percepts", "void", "parts", "vocabulary")) Vectors2.cases(group).size shouldBeGreaterThan 5
+        for (group in listOf("frames", "receive", "commands", "percepts", "void", "parts", "vocabulary")) {
+            Vectors2.cases(group).size shouldBeGreaterThan 5
+        }
     }
 
     for ((name, case) in Vectors2.cases("frames")) test("frame: $name") {
@@ -59,7 +61,8 @@ class Vectors2Spec : FunSpec({
     for ((name, case) in Vectors2.cases("parts")) test("parts: $name") {
         val request = case["request"].number()
         val answer = case["answerHex"].octets()
-        val parts = if (case["size"].isNull()) AnswerPart.split(request, answer) else AnswerPart.split(request, answer, case["size"].number())
+        val parts = if (case["size"].isNull()) AnswerPart.split(request, answer)
+        else AnswerPart.split(request, answer, case["size"].number())
         parts.map { vectorOf(WireFrame.of(it.kind(), 0, it.payload())).removeRange(2, 4) } shouldBe case["payloads"].texts()
     }
 

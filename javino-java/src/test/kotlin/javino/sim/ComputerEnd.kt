@@ -1,0 +1,82 @@
+package javino.sim
+
+import javino.Frame
+import javino.FrameDecoder
+import javino.Transport
+import javino.wire.CommandItem
+import javino.wire.FrameKind
+import javino.wire.PerceptReader
+import javino.wire.WireDecoder
+import javino.wire.WireFrame
+
+/** A computer of version 2 that a test writes frame by frame, at the near end of a board's line. */
+internal class ComputerEnd(private val line: Transport) {
+    private val arrived = ArrayDeque<WireFrame>()
+    private val decoder = WireDecoder(true, Long.MAX_VALUE / 2) { arrived += it }
+    private val reader = PerceptReader()
+    private var number = 0
+
+    fun write(bytes: ByteArray) = line.write(bytes, 0, bytes.size, LIMIT_MILLIS)
+
+    /** The next frame from the board. */
+    fun next(): WireFrame {
+        val buffer = ByteArray(1024)
+        while (arrived.isEmpty()) {
+            val count = line.read(buffer, 0, buffer.size, LIMIT_MILLIS)
+            check(count > 0) { "the board sent nothing within $LIMIT_MILLIS ms" }
+            decoder.accept(buffer, 0, count, 0)
+        }
+        return arrived.removeFirst()
+    }
+
+    /** Sends a frame and returns the next one from the board. */
+    fun exchange(kind: FrameKind, number: Int, payload: String): WireFrame {
+        write(WireFrame.of(kind, number, payload).toBytes())
+        return next()
+    }
+
+    fun hello(): ComputerEnd = apply {
+        number = 0
+        check(exchange(FrameKind.HELLO, 7, "").kind() == FrameKind.WELCOME)
+    }
+
+    /** Sends a command and returns the frame that acknowledges it. */
+    fun command(text: String) = exchange(FrameKind.COMMANDS_WITH_RESUME, number++, CommandItem.Text(text).payload())
+
+    fun ask(functors: String = "", known: Int = reader.known()): String {
+        write(WireFrame.of(FrameKind.ASK, 1, known.toChar() + functors).toBytes())
+        return percepts()
+    }
+
+    /** The next answer, or percepts that were sent unasked. */
+    fun percepts(): String {
+        val first = next()
+        if (first.kind() == FrameKind.PERCEPTS) return reader.read(first.payload().drop(1)).get()
+        val parts = mutableListOf(first)
+        while (parts.last().kind() == FrameKind.PERCEPTS_PART) parts += next()
+        check(parts.last().kind() == FrameKind.PERCEPTS_LAST) { "an answer ended with ${parts.last()}" }
+        return reader.read(parts.joinToString("") { it.payload().drop(2) }).get()
+    }
+
+    /** The answer to a request of version 1, which is repeated until there is one: a busy machine may leave too short a pause before it. */
+    fun askInVersion1(): String {
+        val answers = mutableListOf<String>()
+        val decoder = FrameDecoder(Long.MAX_VALUE / 2) { answers += it.text() }
+        val buffer = ByteArray(1024)
+        repeat(LIMIT_MILLIS / PAUSE_MILLIS) {
+            line.read(buffer, 0, buffer.size, PAUSE_MILLIS).let { check(it == 0) { "the board sent something unasked" } }
+            write(Frame.of("getPercepts").toBytes())
+            do {
+                val count = line.read(buffer, 0, buffer.size, PAUSE_MILLIS)
+                decoder.accept(buffer, 0, count, 0)
+            } while (count > 0 && answers.isEmpty())
+            if (answers.isNotEmpty()) return answers.single()
+        }
+        error("the board answered nothing within $LIMIT_MILLIS ms")
+    }
+
+    private companion object {
+        const val LIMIT_MILLIS = 20_000
+        const val PAUSE_MILLIS = 100
+    }
+}
