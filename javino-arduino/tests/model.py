@@ -7,9 +7,10 @@
 The machines are those of the reference, with few numbers before they wrap and a small window. The lines keep the order of frames and lose
 any of them; damage is loss. Breadth first, so a failure is shown by the shortest way to it.
 
-The properties: what is reported done was carried out once, what is reported refused was refused; all in order, nothing twice; nothing behind
-a refused command is handled before the computer has seen the refusal; a command whose time is over is not sent; an answer that is believed was
-given to that request of that session; and from every state, if nothing more is lost, everything ends and a question is answered.
+The properties: what is reported done was carried out once, what is reported refused was refused; all in order, nothing twice; nothing
+behind a refused command is handled before the computer has seen the refusal; a command whose time is over is not sent; an answer that is
+believed was given to that request of that session; and from every state, if nothing more is lost, everything ends and a question is
+answered.
 """
 import sys
 import time

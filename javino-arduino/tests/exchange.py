@@ -1,0 +1,246 @@
+#!/usr/bin/env python3
+"""Lets both ends of the reference talk over a line that changes, loses and doubles bytes, with restarts, refusals and late outcomes.
+
+    exchange.py [COMMANDS] [SEED]   6000 commands and seed 1 if not said otherwise
+    exchange.py --defects           with each of some defects in the reference; expects that each is found
+
+Checks that everything is carried out once and in order, that outcomes are true, and that what is believed was said. Time is simulated.
+"""
+import pathlib
+import random
+import sys
+from unittest.mock import patch
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "vectors"))
+import mutations  # noqa: E402
+from javino2.board import DONE, LATER, REFUSES, Board  # noqa: E402
+from javino2.computer import NOT_SENT, Computer, nonces  # noqa: E402
+from javino2.frames import ASK, Frame, encode  # noqa: E402
+from javino2.line import Line  # noqa: E402
+from javino2 import parts, window  # noqa: E402
+
+
+class Failure(Exception):
+    pass
+
+
+class Wire:
+    """One direction: bytes arrive after a while, at the rate of the line; each is harmed with a probability."""
+
+    def __init__(self, rng, rate, harm):
+        self.rng, self.rate, self.harm = rng, rate, harm
+        self.bytes = []
+
+    def send(self, data, now):
+        at = max([now] + [self.bytes[-1][0]] if self.bytes else [now])
+        for byte in data:
+            at += 1 / self.rate
+            kind = self.rng.random() / self.harm if self.harm else 1
+            if kind < 0.8:
+                byte ^= 1 << self.rng.randrange(8)
+            if not 0.8 <= kind < 0.9:
+                self.bytes.append((at, byte))
+            if 0.9 <= kind < 1:
+                self.bytes.append((at, byte))
+
+    def arrived(self, now):
+        n = 0
+        while n < len(self.bytes) and self.bytes[n][0] <= now:
+            n += 1
+        arrived, self.bytes = bytes(b for _, b in self.bytes[:n]), self.bytes[n:]
+        return arrived
+
+
+class Program:
+    """Action number n is `c(n)`; whether it is carried out is decided when it comes."""
+
+    actions = [(b"c", 1)]
+
+    def __init__(self, rng, refusals, late):
+        self.rng, self.refusals, self.late = rng, refusals, late
+        self.carried_out, self.refused, self.said = [], set(), {}
+        self.open = None  # (text, when its outcome is known)
+        self.now = 0
+
+    def carry_out(self, text):
+        if self.rng.random() < self.refusals:
+            self.refused.add(text)
+            return REFUSES
+        self.carried_out.append(text)
+        if self.rng.random() < self.late:
+            self.open = (text, self.now + self.rng.randrange(400))
+            return LATER
+        return DONE
+
+    def percepts(self, functors):
+        draw = self.rng.randrange
+        self.texts = [b"p%d(%d,-%d.%02d);" % (i, draw(1000), i, draw(100)) for i in range(draw(8))]
+        return self.texts
+
+
+class Exchange:
+    def __init__(self, rng, rate, harm, refusals, late, restarts):
+        self.rng, self.restarts = rng, restarts
+        self.now = 0
+        self.program = Program(rng, refusals, late)
+        self.to_board, self.to_computer = Wire(rng, rate, harm), Wire(rng, rate, harm)
+        self.byte_time = 1 / rate
+        self.computer = self._computer()
+        self.outcomes, self.believed = {}, 0
+        self.news_at = 0
+        self._boot()
+
+    def _computer(self):
+        return Computer(nonces(self.rng.randint), self.byte_time, self.now)
+
+    def _boot(self):
+        self.board, self.line = Board(self.program, part_size=40), Line()
+        self.line.last = self.line.version2.last = self.now
+        self.program.open = None
+
+    def run(self, commands):
+        submitted, texts = 0, []
+        while len(self.outcomes) < commands:
+            self.now += 1
+            self.program.now = self.now
+            while submitted < commands and submitted - len(self.outcomes) < 12 and self.rng.random() < 0.3:
+                text = b"c(%d)" % submitted
+                self.computer.submit(text, self.now + 1500 if self.rng.random() < 0.2 else None)
+                submitted += 1
+                texts.append(text)
+            if self.rng.random() < 0.02:
+                self.computer.ask()
+            self._restart(texts)
+            self._step()
+            if self.now - self.news_at > 20_000:
+                raise Failure("no outcome for 20 s")
+        self._check_order()
+
+    def _restart(self, texts):
+        if self.rng.random() < self.restarts:
+            self._boot()
+        if self.rng.random() < self.restarts:
+            self._take()
+            window_out = {entry.command for entry in self.computer.session.window.out}
+            for text in texts:
+                if text not in self.outcomes:
+                    self.outcomes[text] = window.UNCONFIRMED if text in window_out else NOT_SENT
+            last = self.computer.session.nonce
+            while self.computer.session.nonce == last:
+                self.computer = self._computer()
+
+    def _step(self):
+        self.to_board.send(self.computer.poll(self.now), self.now)
+        for byte in self.to_board.arrived(self.now):
+            self.line.receive(bytes([byte]), self.now)
+            self._board_receives()
+        if self.program.open and self.now >= self.program.open[1]:
+            self._report()
+        self.computer.receive(self.to_computer.arrived(self.now), self.now)
+        self._take()
+
+    def _board_receives(self):
+        received, self.line.received = self.line.received, []
+        for frame in received:
+            if not isinstance(frame, Frame):
+                raise Failure(f"a frame of version 1 was never sent: {frame}")
+            begun = self.program.open
+            replies = self.board.receive(frame)
+            self.line.session = bool(self.board.session)
+            if not self.board.busy and self.program.open is begun:
+                self.program.open = None
+            if frame.kind == ASK and self.board.session:
+                self.program.said[self.board.session, frame.number] = self.program.texts
+            self._reply(replies)
+
+    def _report(self):
+        text, self.program.open = self.program.open[0], None
+        if self.rng.random() < 0.3:
+            self.program.refused.add(text)
+            self._reply(self.board.report(REFUSES))
+        else:
+            self._reply(self.board.report(DONE))
+
+    def _reply(self, frames):
+        self.to_computer.send(b"".join(map(encode, frames)), self.now)
+
+    def _take(self):
+        session = self.computer.session
+        for text, outcome in session.outcomes:
+            if text in self.outcomes:
+                raise Failure(f"{text}: two outcomes, {self.outcomes[text]} and {outcome}")
+            self.outcomes[text], self.news_at = outcome, self.now
+            self._check(text, outcome)
+        for request, texts in session.answers:
+            if texts is None:
+                continue
+            self.believed += 1
+            if texts != self.program.said.get((session.nonce, request)):
+                raise Failure(f"answer {request} is believed to be {texts}")
+        session.outcomes, session.answers, session.pages = [], [], []
+
+    def _check(self, text, outcome):
+        carried, refused = text in self.program.carried_out, text in self.program.refused
+        if outcome == window.DONE and (refused or not carried):
+            raise Failure(f"{text} is reported done, and was {'refused' if refused else 'not carried out'}")
+        if outcome == window.REFUSED and not refused:
+            raise Failure(f"{text} is reported refused, and was not")
+        if outcome == NOT_SENT and carried:
+            raise Failure(f"{text} was not sent, and is carried out")
+
+    def _check_order(self):
+        numbers = [int(text[2:-1]) for text in self.program.carried_out]
+        for first, second in zip(numbers, numbers[1:]):
+            if first >= second:
+                raise Failure(f"c({second}) is carried out after c({first})")
+
+
+DEFECTS = [
+    ("the checksum is not looked at", patch("javino2.frames.crc16", lambda data: 0)),
+    ("the board goes on behind a refusal", patch.object(Board, "_is_next", lambda self, n: n == self.due and not self.busy)),
+    ("the board carries out what is repeated", patch.object(Board, "_is_next", lambda self, n: not self.refused and not self.busy)),
+    ("FE is done when it is acknowledged", patch.object(window.Out, "as_nothing", False)),
+    ("a part that is missing is not noticed", mutations.replaced(parts.Assembly, "take", mutations.any_part)),
+]
+# Bytes a ms; probability that a byte is harmed, that a command is refused, that its outcome is late, that an end restarts in a ms.
+SETTINGS = [(11.5, 0, 0, 0, 0), (11.5, 1e-3, 0.02, 0, 0), (11.5, 1e-2, 0.3, 0, 0), (0.96, 1e-3, 0.1, 0.02, 0), (11.5, 3e-3, 0.1, 0.05, 1e-3)]
+
+
+def run(commands, seed):
+    exchanges = []
+    for setting in SETTINGS:
+        exchange = Exchange(random.Random(seed), *setting)
+        exchange.run(commands // len(SETTINGS))
+        exchanges.append(exchange)
+    return exchanges
+
+
+def check_defects():
+    """Whether each defect is found."""
+    missed = 0
+    for name, defect in DEFECTS:
+        with defect:
+            try:
+                run(10_000, 1)
+                print(f"not found: {name}")
+                missed += 1
+            except Failure as failure:
+                print(f"{name}: {failure}")
+    print(f"  random exchanges: {len(DEFECTS) - missed} of {len(DEFECTS)} defects found")
+    return 1 if missed else 0
+
+
+def main():
+    if sys.argv[1:] == ["--defects"]:
+        return check_defects()
+    commands = int(sys.argv[1]) if len(sys.argv) > 1 else 6000
+    exchanges = run(commands, int(sys.argv[2]) if len(sys.argv) > 2 else 1)
+    for setting, exchange in zip(SETTINGS, exchanges):
+        counts = {o: list(exchange.outcomes.values()).count(o) for o in (window.DONE, window.REFUSED, window.UNCONFIRMED, NOT_SENT)}
+        print(f"harm {setting[1]:g}: {counts}, {exchange.believed} answers, {exchange.now / 1000:.1f} s of line time")
+    print(f"  random exchanges: {commands} commands, {sum(e.believed for e in exchanges)} answers: once, in order, outcomes right")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
