@@ -6,6 +6,12 @@ import javino.Frame
 import javino.LineSettings
 import javino.PortGoneException
 import javino.sim.MemoryLine
+import javino.wire.AnswerPart
+import javino.wire.CommandItem
+import javino.wire.FrameKind
+import javino.wire.PerceptWriter
+import javino.wire.Welcome
+import javino.wire.WireFrame
 import java.util.concurrent.CopyOnWriteArrayList
 import kotlin.concurrent.thread
 
@@ -30,8 +36,8 @@ private class FastBench(private val percepts: String) : AutoCloseable {
         }
     }
 
-    /** Sends [frames] and returns the next bytes of the answer, as many as [expected] has. */
-    fun answer(expected: String, vararg frames: Frame): String {
+    /** Sends [frames], the bytes of each as text, and returns the next bytes of the answer, as many as [expected] has. */
+    fun answer(expected: String, vararg frames: String): String {
         val bytes = frames.joinToString("").toByteArray(Charsets.ISO_8859_1)
         line.computer().write(bytes, 0, bytes.size, 1000)
         val buffer = ByteArray(expected.length)
@@ -49,52 +55,64 @@ private class FastBench(private val percepts: String) : AutoCloseable {
     }
 }
 
-private fun version2(text: String, flags: Int = 0, sequence: Int = 0) = Frame.version2(text.toByteArray(), flags, sequence)
+private fun version1(text: String) = Frame.of(text).toString()
+
+private fun version2(kind: FrameKind, number: Int, payload: String = "") =
+    String(WireFrame.of(kind, number, payload).toBytes(), Charsets.ISO_8859_1)
+
+private val hello = version2(FrameKind.HELLO, 7)
+private val welcome = version2(FrameKind.WELCOME, 0, Welcome(7, 255, 255, 0).payload())
+
+private fun ask(functors: String = "") = version2(FrameKind.ASK, 1, "\u0000$functors")
+
+private fun command(number: Int, text: String) = version2(FrameKind.COMMANDS, number, CommandItem.Text(text).payload())
+
+/** The answer to the request number 1 that nothing is known for. */
+private fun answer(vararg percepts: String): String = AnswerPart.split(1, PerceptWriter(126).items(percepts.toList(), 0))
+    .joinToString("") { version2(it.kind(), 0, it.payload()) }
 
 class LibraryBoardSpec : FunSpec({
     test("it answers in the version it is asked in") {
         FastBench("dist(f,9);").use { bench ->
-            val first = "${Frame.of("dist(f,9);")}"
-            bench.answer(first, Frame.of("getPercepts")) shouldBe first
-            val second = "${version2("dist(f,9);")}"
-            bench.answer(second, version2("getPercepts")) shouldBe second
+            val first = version1("dist(f,9);")
+            bench.answer(first, version1("getPercepts")) shouldBe first
+            val second = welcome + answer("dist(f,9);")
+            bench.answer(second, hello, ask()) shouldBe second
         }
     }
 
     test("it answers with what it is asked for") {
         FastBench("dist(f,9);light(f,3);temp(b,1);distance(f,8);").use { bench ->
-            val expected = "${version2("dist(f,9);temp(b,1);")}"
-            bench.answer(expected, version2("getPercepts(dist,temp)")) shouldBe expected
+            val expected = welcome + answer("dist(f,9);", "temp(b,1);")
+            bench.answer(expected, hello, ask("(dist,temp)")) shouldBe expected
         }
     }
 
-    test("it acts once when an action is repeated, and acknowledges each time") {
+    test("it acts once when a command is repeated, and acknowledges each time") {
         FastBench("").use { bench ->
-            val acknowledged = "${version2("", Frame.ACK, 7)}"
-            repeat(2) { bench.answer(acknowledged, version2("stop", Frame.ACK_WANTED, 7)) shouldBe acknowledged }
-            val next = "${version2("", Frame.ACK, 8)}"
-            bench.answer(next, version2("stop", Frame.ACK_WANTED, 8)) shouldBe next
+            bench.answer(welcome, hello) shouldBe welcome
+            val acknowledged = version2(FrameKind.ACK, 1)
+            repeat(2) { bench.answer(acknowledged, command(0, "stop")) shouldBe acknowledged }
+            val next = version2(FrameKind.ACK, 2)
+            bench.answer(next, command(1, "stop")) shouldBe next
             bench.deeds shouldBe listOf("stop", "stop")
         }
     }
 
-    test("a long answer goes in fragments in version 2, and in whole percepts in version 1") {
+    test("a long answer goes in parts in version 2, and in whole percepts in version 1") {
         val percept = "x(${"1".repeat(96)});"
         FastBench(percept.repeat(3)).use { bench ->
-            val whole = percept.repeat(3)
-            val fragments = "${version2(whole.take(255), Frame.MORE, 0)}${version2(whole.drop(255), 0, 1)}"
-            bench.answer(fragments, version2("getPercepts")) shouldBe fragments
-            val messages = "${Frame.of(percept.repeat(2))}${Frame.of(percept)}"
-            bench.answer(messages, Frame.of("getPercepts")) shouldBe messages
+            val messages = version1(percept.repeat(2)) + version1(percept)
+            bench.answer(messages, version1("getPercepts")) shouldBe messages
+            val parts = welcome + answer(percept, percept, percept)
+            bench.answer(parts, hello, ask()) shouldBe parts
         }
     }
 
     test("messages that arrive while it answers are handled afterwards, in their order") {
         FastBench("dist(f,9);").use { bench ->
-            val expected = "${version2("dist(f,9);")}${version2("", Frame.ACK, 1)}${version2("", Frame.ACK, 2)}"
-            bench.answer(
-                expected, version2("getPercepts"), version2("one", Frame.ACK_WANTED, 1), version2("two", Frame.ACK_WANTED, 2),
-            ) shouldBe expected
+            val expected = welcome + answer("dist(f,9);") + version2(FrameKind.ACK, 1) + version2(FrameKind.ACK, 2)
+            bench.answer(expected, hello, ask(), command(0, "one"), command(1, "two")) shouldBe expected
             bench.deeds shouldBe listOf("one", "two")
         }
     }
