@@ -8,6 +8,7 @@ static const uint8_t MESSAGES_PER_RUN = 8;
 JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size)
     : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), waiting_(false), busy_(false), mute_(false) {
   javino_board_init(&board_, memory, size, write, this);
+  board_.link.vocabulary = describe;
 }
 
 uint16_t JavinoBoard::receive() {
@@ -24,6 +25,10 @@ void JavinoBoard::write(void *board, uint8_t byte) {
     self->mute_ = self->stream_.write(byte) == 0;
   /* The port's receive buffer is short, and a write may have waited. */
   self->receive();
+}
+
+const char *JavinoBoard::describe(void *board, uint8_t number, uint8_t *arguments) {
+  return static_cast<JavinoBoard *>(board)->act.describe(number, arguments);
 }
 
 void JavinoBoard::supervise(JavinoBoard &board) {
@@ -82,12 +87,11 @@ void JavinoBoard::handle() {
  * are open. Where it can be one, what follows decides.
  */
 bool JavinoBoard::carryOutAction() {
-  const javino_frame &frame = board_.link.frame;
+  const javino_link &link = board_.link;
   javino_follows follows = JAVINO_FOLLOWS_HEADER;
-  if (frame.version == 1)
+  if (link.version == 1)
     follows = javino_decoder_follows(&board_.link.decoder, receive());
-  JavinoActions::Outcome outcome =
-      act.carryOut(reinterpret_cast<const char *>(frame.payload), frame.length, follows == JAVINO_FOLLOWS_HEADER);
+  JavinoActions::Outcome outcome = act.carryOut(link.text, link.length, follows == JAVINO_FOLLOWS_HEADER);
   waiting_ = outcome == JavinoActions::UNCERTAIN && follows == JAVINO_FOLLOWS_UNKNOWN;
   if (waiting_)
     return false;
@@ -101,16 +105,16 @@ String JavinoBoard::getMsg() const {
   if (board_.link.event == JAVINO_REQUEST)
     return String(F("getPercepts"));
   if (board_.link.event == JAVINO_ACTION) {
-    text.reserve(board_.link.frame.length);
-    for (uint8_t i = 0; i < board_.link.frame.length; i++)
-      text += static_cast<char>(board_.link.frame.payload[i]);
+    text.reserve(board_.link.length);
+    for (uint8_t i = 0; i < board_.link.length; i++)
+      text += board_.link.text[i];
   }
   return text;
 }
 
 bool JavinoBoard::requestAction(const char *text) const {
-  return board_.link.event == JAVINO_ACTION && strlen(text) == board_.link.frame.length &&
-         memcmp(text, board_.link.frame.payload, board_.link.frame.length) == 0;
+  return board_.link.event == JAVINO_ACTION && strlen(text) == board_.link.length &&
+         memcmp(text, board_.link.text, board_.link.length) == 0;
 }
 
 bool JavinoBoard::addPercept(const char *text) {

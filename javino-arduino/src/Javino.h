@@ -26,7 +26,6 @@
 #include "JavinoActions.h"
 #include "JavinoArguments.h"
 #include "javino_board.h"
-#include "javino_core.h"
 
 #ifndef JAVINO_BYTES
 #if defined(RAMEND) && RAMEND < 0x0900
@@ -89,23 +88,24 @@ public:
   /**
    * Has the function called for an action, with its arguments.
    *
-   * @param name      the functor, which is not copied
-   * @param function  `void`; or `bool`, where false refuses the action because of its arguments; or without
-   *                  parameters, and then an action with arguments is refused
+   * @param name       the functor, which is not copied
+   * @param function   `void`; or `bool`, where false refuses the action because of its arguments; or without
+   *                   parameters, and then an action with arguments is refused
+   * @param arguments  how many it takes: with another number the action is refused and the function not called
    * @return false if there is no memory left for it
    */
-  bool onAction(const char *name, void (*function)(const JavinoArguments &)) {
-    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments);
+  bool onAction(const char *name, void (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
+    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments, arguments);
   }
-  bool onAction(const char *name, bool (*function)(const JavinoArguments &)) {
-    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::askWithArguments);
+  bool onAction(const char *name, bool (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
+    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::askWithArguments, arguments);
   }
   bool onAction(const char *name, Callback function) { return act.add(name, function); }
 
   /**
    * Within an action's function: its outcome is reported later, with done(). The function returns at once, what it
    * returns is of no account, and the board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the
-   * outcome, for 2 to 5 s, and sends no other action meanwhile, not an urgent one either; what must be stopped on the
+   * outcome. Until then no other action of version 2 is carried out, not an urgent one either; what must be stopped on the
    * way had better be reported as carried out when it begins, and its end with a percept.
    *
    * @return what to hand to done(). In version 1, which has no outcomes, a value with which that does nothing
@@ -116,7 +116,7 @@ public:
    * Reports the outcome of an action of which later() was called.
    *
    * @param carried_out  false if it could not be carried out
-   * @return whether it was reported; not if another action has come since, since then nobody waits for this one
+   * @return whether it was reported; not if the computer has begun anew since: then nobody waits for this one
    */
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
@@ -229,6 +229,7 @@ private:
   JavinoBoard &operator=(const JavinoBoard &);
 
   static void write(void *board, uint8_t byte);
+  static const char *describe(void *board, uint8_t number, uint8_t *arguments);
   static void supervise(JavinoBoard &board);
 
   /** Takes what has arrived. @return when, by the core's clock */

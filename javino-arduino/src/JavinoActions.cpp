@@ -2,7 +2,7 @@
 
 #include "javino_literal.h"
 
-bool JavinoActions::add(const char *name, Function function, Caller caller) {
+bool JavinoActions::add(const char *name, Function function, Caller caller, uint8_t arguments) {
   if (!function)
     return false;
   Action *action = static_cast<Action *>(javino_board_take(memory_, sizeof(Action)));
@@ -13,6 +13,7 @@ bool JavinoActions::add(const char *name, Function function, Caller caller) {
   action->name = name;
   action->function = function;
   action->caller = caller;
+  action->arguments = arguments;
   /* The newest comes first, so it takes the place of an older one of the same name. */
   first_ = action;
   count_++;
@@ -45,7 +46,7 @@ JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length,
   if (!found)
     return REFUSED;
   if (found->caller)
-    return found->caller(found->function, text, length) ? DONE : REFUSED;
+    return found->caller(*found, JavinoArguments(text, length)) ? DONE : REFUSED;
   found->function();
   return DONE;
 }
@@ -60,11 +61,26 @@ const JavinoActions::Action *JavinoActions::findByFunctor(const JavinoActions &a
   return NULL;
 }
 
-bool JavinoActions::callWithArguments(Function function, const char *text, uint8_t length) {
-  reinterpret_cast<void (*)(const JavinoArguments &)>(function)(JavinoArguments(text, length));
-  return true;
+/** Whether a function may be called with these arguments. */
+static bool takes(uint8_t wanted, const JavinoArguments &arguments) {
+  return wanted == JavinoActions::ANY || wanted == arguments.count();
 }
 
-bool JavinoActions::askWithArguments(Function function, const char *text, uint8_t length) {
-  return reinterpret_cast<bool (*)(const JavinoArguments &)>(function)(JavinoArguments(text, length));
+bool JavinoActions::callWithArguments(const Action &action, const JavinoArguments &arguments) {
+  bool called = takes(action.arguments, arguments);
+  if (called)
+    reinterpret_cast<void (*)(const JavinoArguments &)>(action.function)(arguments);
+  return called;
+}
+
+bool JavinoActions::askWithArguments(const Action &action, const JavinoArguments &arguments) {
+  return takes(action.arguments, arguments) && reinterpret_cast<bool (*)(const JavinoArguments &)>(action.function)(arguments);
+}
+
+const char *JavinoActions::describe(uint8_t number, uint8_t *arguments) const {
+  if (number >= count_)
+    return NULL;
+  const Action &action = first_[count_ - 1 - number];
+  *arguments = action.arguments;
+  return action.name;
 }

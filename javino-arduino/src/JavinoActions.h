@@ -8,13 +8,16 @@
 #include "javino_board.h"
 
 /**
- * The actions that a board knows, by name. They lie in the board's memory, six bytes each on AVR; nothing is
+ * The actions that a board knows, by name. They lie in the board's memory, seven bytes each on AVR; nothing is
  * allocated for them but where a name is a String. A name that is not a String is not copied, so it must last.
  */
 class JavinoActions {
 public:
   /** An action without arguments. */
   typedef void (*Function)();
+
+  /** Any number of arguments. */
+  static const uint8_t ANY = JAVINO_ANY;
 
   /** `act["ledOn"]`: the place of one action. */
   class Place {
@@ -61,13 +64,16 @@ public:
 private:
   friend class JavinoBoard;
 
+  struct Action;
+
   /** Calls a function that takes arguments. False: it refuses the text. */
-  typedef bool (*Caller)(Function function, const char *text, uint8_t length);
+  typedef bool (*Caller)(const Action &action, const JavinoArguments &arguments);
 
   struct Action {
     const char *name;
     Function function;
     Caller caller; /* null where the function takes no arguments */
+    uint8_t arguments;
   };
 
   enum Outcome : uint8_t {
@@ -79,17 +85,20 @@ private:
   JavinoActions(const JavinoActions &);
   JavinoActions &operator=(const JavinoActions &);
 
-  JAVINO_OUTLINE bool add(const char *name, Function function, Caller caller = NULL);
-  bool addWithArguments(const char *name, Function function, Caller caller) {
+  JAVINO_OUTLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
+  bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
     reader_ = findByFunctor;
-    return add(name, function, caller);
+    return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
 
   static const Action *findByFunctor(const JavinoActions &actions, const char *text, uint8_t length);
 
-  static bool callWithArguments(Function function, const char *text, uint8_t length);
-  static bool askWithArguments(Function function, const char *text, uint8_t length);
+  static bool callWithArguments(const Action &action, const JavinoArguments &arguments);
+  static bool askWithArguments(const Action &action, const JavinoArguments &arguments);
+
+  /** The name of an action, numbered in the order in which they were added; null: there are fewer. */
+  const char *describe(uint8_t number, uint8_t *arguments) const;
 
   javino_board *memory_;
   Action *first_;

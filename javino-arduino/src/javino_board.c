@@ -2,7 +2,13 @@
 
 #include <string.h>
 
+#include "javino_items.h"
 #include "javino_literal.h"
+
+#ifndef JAVINO_VERSION_1_ONLY
+/* Bytes of a part of an answer: what a frame holds besides the numbers of the request and the part. */
+#define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
+#endif
 
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context)
 {
@@ -25,14 +31,13 @@ void *javino_board_take(javino_board *board, uint16_t size)
 
 JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *functor, size_t length)
 {
-    const javino_frame *request = &board->link.frame;
-    const char *p = (const char *)request->payload;
-    const char *end = p + request->length;
+    const char *p = board->link.text;
+    const char *end = p + board->link.length;
     bool all = true;
     if (board->link.event != JAVINO_REQUEST)
         return true;
     /* Each name stands between a bracket or comma and another. */
-    for (p += JAVINO_REQUEST_LENGTH; p < end; p++) {
+    for (; p < end; p++) {
         const char *after = p + 1 + length;
         if (*p != '(' && *p != ',')
             continue;
@@ -47,6 +52,10 @@ JAVINO_OUTLINE void javino_board_clear(javino_board *board)
 {
     board->room = board->length = board->whole = 0;
     board->overlong = false;
+#ifndef JAVINO_VERSION_1_ONLY
+    board->row = 0;
+    board->split = false;
+#endif
     board->link.decoder.size = board->memory - JAVINO_TEXT_MIN;
 }
 
@@ -64,7 +73,8 @@ static JAVINO_OUTLINE void place_text(javino_board *b)
         base = d->end;
     room = b->memory - base;
     /* In version 1 a message is one frame; while an answer is written, bytes arrive. */
-    if (room > JAVINO_MAX_PAYLOAD && (JAVINO_TEXT_MAX == 255 || b->link.event == JAVINO_REQUEST || b->link.frame.version != 2))
+    if (room > JAVINO_MAX_PAYLOAD && (JAVINO_TEXT_MAX == 255 || b->link.event == JAVINO_REQUEST ||
+                                      !javino_link_is_version2(&b->link)))
         room = JAVINO_MAX_PAYLOAD;
     if (room <= b->room)
         return;
@@ -77,23 +87,95 @@ static JAVINO_OUTLINE void place_text(javino_board *b)
     b->text = place;
 }
 
+#ifndef JAVINO_VERSION_1_ONLY
+
+/**
+ * Sends a part of an answer, the last one or one ahead of others.
+ *
+ * @param head  begins an item of which the text is the body; 0: the text is items
+ */
+static JAVINO_OUTLINE void send_part(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
+{
+    javino_link *l = &b->link;
+    javino_encoder *e = &l->encoder;
+    bool asked = l->event == JAVINO_REQUEST && !l->answered;
+    uint8_t kind = !last ? JAVINO_PERCEPTS_PART : b->part ? JAVINO_PERCEPTS_LAST : JAVINO_PERCEPTS;
+    bool numbered = kind != JAVINO_PERCEPTS;
+    javino_link_begin(l, kind, (uint8_t)(1 + numbered + (head ? JAVINO_ITEM_HEADER : 0) + length));
+    javino_encoder_put(e, asked ? l->request : 0);
+    if (numbered)
+        javino_encoder_put(e, b->part);
+    if (head) {
+        javino_encoder_put(e, head);
+        javino_encoder_put(e, length);
+    }
+    while (length--)
+        javino_encoder_put(e, (uint8_t)*text++);
+    javino_encoder_end(e);
+    b->part++;
+    if (last) {
+        b->part = 0;
+        l->answered = true;
+    }
+}
+
+/* Sends text as it is, as the end of an answer or ahead of the rest of it. */
+static JAVINO_OUTLINE void send_text(javino_board *b, bool last, const char *text, size_t length)
+{
+    const uint8_t most = PART_MAX - JAVINO_ITEM_HEADER;
+    for (; length > most; length -= most, text += most)
+        send_part(b, false, JAVINO_ITEM_CONTINUED, text, most);
+    send_part(b, last, length ? JAVINO_ITEM_TEXT : 0, text, (uint8_t)length);
+}
+
+static void begin_item(javino_board *b)
+{
+    b->text[b->length] = JAVINO_ITEM_CONTINUED;
+    b->length += JAVINO_ITEM_HEADER;
+}
+
+#endif
+
 /* Sends as much as one frame holds ahead of the rest: in version 1 whole percepts. */
 static JAVINO_OUTLINE bool send_ahead(javino_board *b)
 {
-    javino_room n = b->whole;
-    b->open = b->link.frame.version == 2;
-    if (b->open)
-        n = b->length;
-#if JAVINO_TEXT_MAX > 255
-    if (n > JAVINO_MAX_PAYLOAD)
-        n = JAVINO_MAX_PAYLOAD;
+    javino_room n;
+    bool alone = false;
+#ifndef JAVINO_VERSION_1_ONLY
+    if (b->items && !b->whole) {
+        /* A percept that is longer than the memory. */
+        alone = b->split = true;
+        b->text[1] = (char)(b->length - JAVINO_ITEM_HEADER);
+        b->whole = b->length;
+    }
 #endif
+    n = b->whole;
     if (n == 0)
         return false;
-    javino_link_send(&b->link, b->open ? JAVINO_MORE : 0, b->text, (uint8_t)n);
+#ifndef JAVINO_VERSION_1_ONLY
+    if (b->items) {
+        if (n > PART_MAX)
+            n = PART_MAX;
+        send_part(b, false, 0, b->text, (uint8_t)n);
+        b->row = 0;
+    } else
+#endif
+    {
+#if JAVINO_TEXT_MAX > 255
+        if (n > JAVINO_MAX_PAYLOAD)
+            n = JAVINO_MAX_PAYLOAD;
+#endif
+        javino_link_send(&b->link, b->text, (uint8_t)n);
+    }
     b->length -= n;
-    b->whole = 0;
+    b->whole -= n;
     memmove(b->text, b->text + n, b->length);
+#ifndef JAVINO_VERSION_1_ONLY
+    if (alone)
+        begin_item(b);
+#else
+    (void)alone;
+#endif
     return true;
 }
 
@@ -106,14 +188,26 @@ bool javino_percept_begin(javino_board *board, const char *functor)
     return true;
 }
 
+/* Whether there is room for so many bytes more. */
+static JAVINO_OUTLINE bool has_room(javino_board *b, uint8_t bytes)
+{
+    if (b->room - b->length < bytes)
+        place_text(b);
+    if (b->room - b->length < bytes && (b->link.event != JAVINO_REQUEST || !send_ahead(b)))
+        b->overlong = true;
+    return !b->overlong;
+}
+
 JAVINO_OUTLINE void javino_percept_put(javino_board *board, char c)
 {
     javino_board *b = board;
-    if (b->length == b->room)
-        place_text(b);
-    if (b->length == b->room && (b->link.event != JAVINO_REQUEST || !send_ahead(b)))
-        b->overlong = true;
-    if (!b->overlong)
+#ifndef JAVINO_VERSION_1_ONLY
+    if (b->length == 0)
+        b->items = javino_link_is_version2(&b->link);
+    if (b->items && b->length == b->whole && has_room(b, JAVINO_ITEM_HEADER))
+        begin_item(b);
+#endif
+    if (has_room(b, 1))
         b->text[b->length++] = c;
 }
 
@@ -163,10 +257,52 @@ void javino_percept_term(javino_board *board, const char *text)
     javino_percept_put(board, '"');
 }
 
+#ifndef JAVINO_VERSION_1_ONLY
+
+/* Ends the item that is being written. What nobody has asked for is coded when it is sent: a session may begin until then. */
+static void end_item(javino_board *b)
+{
+    javino_room length = b->length - b->whole - JAVINO_ITEM_HEADER;
+    if (!b->items || b->overlong)
+        return;
+#if JAVINO_TEXT_MAX > 255
+    b->overlong = length > JAVINO_MAX_PAYLOAD;
+#endif
+    if (b->link.event == JAVINO_REQUEST) {
+        javino_item_end(b);
+    } else {
+        b->text[b->whole] = JAVINO_ITEM_TEXT;
+        b->text[b->whole + 1] = (char)length;
+    }
+    b->split = false;
+}
+
+/* Codes the percepts that have waited. */
+static void code_waiting(javino_board *b)
+{
+    const char *from = b->text;
+    const char *end = from + b->whole;
+    b->whole = 0;
+    while (from < end) {
+        javino_room n = (javino_room)((uint8_t)from[1] + JAVINO_ITEM_HEADER);
+        memmove(b->text + b->whole, from, n);
+        from += n;
+        b->length = b->whole + n;
+        javino_item_end(b);
+        b->whole = b->length;
+    }
+    b->length = b->whole;
+}
+
+#endif
+
 bool javino_percept_end(javino_board *board)
 {
     bool fits;
     javino_percept_put(board, ';');
+#ifndef JAVINO_VERSION_1_ONLY
+    end_item(board);
+#endif
     fits = !board->overlong;
     if (!fits)
         board->length = board->whole;
@@ -175,30 +311,78 @@ bool javino_percept_end(javino_board *board)
     return fits;
 }
 
+#ifndef JAVINO_VERSION_1_ONLY
+static void answer2(javino_board *b)
+{
+    if (!b->items) {
+        send_text(b, true, b->text, b->length);
+        return;
+    }
+    b->length = b->whole;
+    if (b->link.event != JAVINO_REQUEST)
+        code_waiting(b);
+    while (b->length > PART_MAX)
+        send_ahead(b);
+    send_part(b, true, 0, b->text, (uint8_t)b->length);
+}
+#endif
+
 void javino_board_answer(javino_board *board)
 {
     javino_board *b = board;
+#ifndef JAVINO_VERSION_1_ONLY
+    if (javino_link_is_version2(&b->link)) {
+        if (b->length == 0)
+            b->items = false;
+        if (b->length || b->part || !b->link.answered)
+            answer2(b);
+        javino_board_clear(b);
+        return;
+    }
+#endif
 #if JAVINO_TEXT_MAX > 255
     while (b->length > JAVINO_MAX_PAYLOAD)
         send_ahead(b);
 #endif
-    if (b->length || b->open || !b->link.answered)
-        javino_link_send(&b->link, 0, b->text, (uint8_t)b->length);
-    b->open = false;
+    if (b->length || !b->link.answered)
+        javino_link_send(&b->link, b->text, (uint8_t)b->length);
     javino_board_clear(b);
 }
+
+#ifndef JAVINO_VERSION_1_ONLY
+/* Makes what has waited the beginning of the answer to the request in hand. */
+static void turn_waiting(javino_board *b)
+{
+    if (b->link.version == 1 && !b->items)
+        return;
+    if (b->link.version == 2) {
+        if (b->items) {
+            code_waiting(b);
+            return;
+        }
+        send_text(b, false, b->text, b->whole);
+    }
+    javino_board_clear(b);
+}
+#endif
 
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 {
     javino_board *b = board;
-    if (b->open)
+#ifndef JAVINO_VERSION_1_ONLY
+    if (b->part)
         javino_board_answer(b);
+#endif
     if (b->link.event == JAVINO_REQUEST)
         javino_board_clear(b);
     javino_link_poll(&b->link, now_ms);
+#ifndef JAVINO_VERSION_1_ONLY
+    if (b->whole && b->link.event == JAVINO_REQUEST)
+        turn_waiting(b);
+#endif
 #if JAVINO_TEXT_MAX > 255
     /* What has waited for version 2 may be too long for version 1. */
-    if (b->link.frame.version != 2 && b->room > JAVINO_MAX_PAYLOAD)
+    if (!javino_link_is_version2(&b->link) && b->room > JAVINO_MAX_PAYLOAD)
         javino_board_clear(b);
 #endif
     return b->link.event;
@@ -218,7 +402,7 @@ static bool send_in_parts(javino_link *link, const char *text, size_t length)
             continue;
         if (end - sent > JAVINO_MAX_PAYLOAD) {
             if (whole > sent)
-                javino_link_send(link, 0, text + sent, (uint8_t)(whole - sent));
+                javino_link_send(link, text + sent, (uint8_t)(whole - sent));
             sent = whole;
             if (end - sent > JAVINO_MAX_PAYLOAD) {
                 complete = false;
@@ -228,17 +412,21 @@ static bool send_in_parts(javino_link *link, const char *text, size_t length)
         whole = end;
     }
     if (length > sent)
-        javino_link_send(link, 0, text + sent, (uint8_t)(length - sent));
+        javino_link_send(link, text + sent, (uint8_t)(length - sent));
     return complete;
 }
 
 bool javino_board_send(javino_board *board, const char *text, size_t length)
 {
     javino_link *link = &board->link;
-    if (link->frame.version != 2 && length > JAVINO_MAX_PAYLOAD)
+#ifndef JAVINO_VERSION_1_ONLY
+    if (javino_link_is_version2(link)) {
+        send_text(board, true, text, length);
+        return true;
+    }
+#endif
+    if (length > JAVINO_MAX_PAYLOAD)
         return send_in_parts(link, text, length);
-    for (; length > JAVINO_MAX_PAYLOAD; length -= JAVINO_MAX_PAYLOAD, text += JAVINO_MAX_PAYLOAD)
-        javino_link_send(link, JAVINO_MORE, text, JAVINO_MAX_PAYLOAD);
-    javino_link_send(link, 0, text, (uint8_t)length);
+    javino_link_send(link, text, (uint8_t)length);
     return true;
 }

@@ -2,15 +2,16 @@
  * @file
  * A board: a link, and the percepts that it answers with when it is asked for them.
  *
- * An answer is one message: percepts with a `;` after each. It is built in the memory that the link receives
- * into, behind what has been received. What does not fit goes out ahead, in version 2 as fragments of the
- * message, in version 1 as messages of whole percepts. Percepts that nobody has asked for wait in all memory but
+ * An answer is text: percepts with a `;` after each. It is built in the memory that the link receives
+ * into, behind what has been received. For a request of version 2 each percept is coded as soon as it is whole: one whose
+ * text the computer knows but for the digits takes half a byte for each digit. What does not fit goes out ahead, in version 2
+ * as a part of the answer, in version 1 as messages of whole percepts. Percepts that nobody has asked for wait in all memory but
  * JAVINO_WINDOW bytes, so that the longest frame still arrives; in version 1 they are one message of 255 bytes at most.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
 
-#include "javino_core.h"
+#include "javino_link.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -40,6 +41,18 @@ typedef uint16_t javino_room;
 typedef uint8_t javino_room;
 #endif
 
+/**
+ * Shapes, that is percepts' texts without their digits, that a board tells apart, at most 126; four bytes each. Percepts of
+ * further shapes are sent as text.
+ */
+#ifndef JAVINO_SHAPES
+#ifdef __AVR__
+#define JAVINO_SHAPES 16
+#else
+#define JAVINO_SHAPES 64
+#endif
+#endif
+
 /** A board. The members are private but for link, on which javino_link_receive and so on are called. */
 typedef struct {
     char *text;
@@ -48,8 +61,17 @@ typedef struct {
     javino_room length; /* bytes of text */
     javino_room whole;  /* bytes of whole percepts in it */
     bool overlong;   /* the percept that is being written does not fit */
-    bool open;       /* fragments have gone out, but not the last */
+#ifndef JAVINO_VERSION_1_ONLY
+    bool items;         /* the text is an answer of version 2, coded as items */
+    bool split;         /* of the percept that is being written a piece has been ended */
+    bool half;          /* the last byte of the row has room for a digit */
+    javino_room row;    /* where the row of digits at its end counts its percepts; 0: there is none */
+    uint8_t part;       /* parts that have gone out; 0: no answer has been begun */
+#endif
     javino_link link;
+#ifndef JAVINO_VERSION_1_ONLY
+    uint32_t shapes[JAVINO_SHAPES]; /* checksums; as many as the link says */
+#endif
 } javino_board;
 
 /**
@@ -72,8 +94,8 @@ bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_
 void *javino_board_take(javino_board *board, uint16_t size);
 
 /**
- * As javino_link_poll. A message that was begun and not sent is ended if a part of it has gone out; otherwise it waits
- * for the next answer as percepts do that nobody has asked for, or is forgotten where it does not fit there.
+ * As javino_link_poll. An answer that was begun and not sent is ended if a part of it has gone out, and otherwise
+ * forgotten. Percepts that nobody has asked for wait for the next answer, or are forgotten where they do not fit there.
  */
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
@@ -107,14 +129,14 @@ void javino_percept_term(javino_board *board, const char *text);
  */
 bool javino_percept_end(javino_board *board);
 
-/** Sends the percepts written so far, be there none, as the answer. */
+/** Sends the percepts written so far, be there none, as the answer; without a request unasked. */
 void javino_board_answer(javino_board *board);
 
 /** Forgets the percepts written so far. */
 void javino_board_clear(javino_board *board);
 
 /**
- * Sends a message of any length: in version 2 in as many fragments as it takes; in version 1, where it is
+ * Sends a message of any length: in version 2 in as many parts as it takes; in version 1, where it is
  * longer than one frame, as messages of whole percepts. Counts as an answer to the request in hand.
  *
  * @return whether all of it has been sent; a percept longer than a frame of version 1 cannot be

@@ -4,8 +4,7 @@
 //   actions   open, close
 //   percepts  gripper(open), gripper(closing) or gripper(closed)
 //
-// What takes longer than two seconds, or must be stopped on the way, had better be reported as carried out when it begins:
-// other actions wait for the outcome.
+// What must be stopped on the way had better be reported as carried out when it begins: other actions wait for the outcome.
 
 #include <Javino.h>
 

@@ -107,6 +107,16 @@ static void answer(void)
     javino_board_answer(&board);
 }
 
+static const char *name_action(void *context, uint8_t number, uint8_t *arguments)
+{
+    static const char *const names[] = {"lampOn", "lampOff", "dim"};
+    (void)context;
+    if (number >= sizeof names / sizeof *names)
+        return NULL;
+    *arguments = number == 2;
+    return names[number];
+}
+
 static bool is(const char *text, uint8_t length, const char *name)
 {
     return strlen(name) == length && memcmp(text, name, length) == 0;
@@ -143,6 +153,7 @@ int main(int count, char **words)
     setvbuf(stdout, NULL, _IOLBF, 0);
     port = open_port(words[1], baud);
     javino_board_init(&board, memory, sizeof memory, put_byte, NULL);
+    board.link.vocabulary = name_action;
     javino_link_timeout(&board.link, JAVINO_TIMEOUT_MS(baud));
     javino_link_supervise(&board.link, now_ms());
     for (;;) {
@@ -155,7 +166,7 @@ int main(int count, char **words)
             answer();
             break;
         case JAVINO_ACTION: {
-            bool done = act((const char *)board.link.frame.payload, board.link.frame.length);
+            bool done = act(board.link.text, board.link.length);
             javino_link_finish(&board.link, done);
             break;
         }

@@ -10,7 +10,10 @@ import tty
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "vectors"))
-import reference  # noqa: E402
+import version1  # noqa: E402
+from javino2 import commands, frames, parts, percepts  # noqa: E402
+
+frame1 = version1.frame
 
 # Long enough for the slowest machine: it only ends what would hang.
 PATIENCE = 20.0
@@ -20,14 +23,28 @@ HALT_MS = 5000
 
 
 class Line:
-    """A serial device, read with the plain reference decoder."""
+    """A serial device, read with the plain reference decoders of both versions."""
 
     def __init__(self, port):
         self.fd = os.open(port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         tty.setraw(self.fd)
-        self.decoder = reference.Decoder(timeout=HALT_MS)
-        self.taken = 0
+        self._begin()
+
+    def _begin(self):
         self.damage = lambda data: data
+        self.listen(HALT_MS)
+
+    def listen(self, timeout):
+        """Forgets what has been read, and gives up what is silent for so many ms from now on."""
+        self.decoder1 = version1.Decoder(timeout=timeout)
+        self.decoder2 = frames.Receiver(frames.FROM_BOARD, timeout, self._outside)
+        self.taken = 0
+
+    def _outside(self, byte, now):
+        if byte == frames.START and not self.decoder1.in_payload():
+            return False
+        self.decoder1.receive(bytes([byte]), now)
+        return True
 
     def close(self):
         os.close(self.fd)
@@ -47,23 +64,36 @@ class Line:
             data += os.read(self.fd, 4096)
         return data
 
+    def _read(self, end):
+        """Reads what arrives until then, at once if anything does."""
+        ready = select.select([self.fd], [], [], max(0.0, end - time.monotonic()))[0]
+        now = time.monotonic() * 1000
+        if ready:
+            self.decoder2.receive(self.damage(os.read(self.fd, 4096)), now)
+        else:
+            self.decoder1.idle(now)
+
     def messages(self, seconds=0.0):
-        """The messages that arrive within this time, at once if there are any."""
+        """The texts of version 1 that arrive within this time, at once if there are any."""
         end = time.monotonic() + seconds
         while True:
-            ready = select.select([self.fd], [], [], max(0.0, end - time.monotonic()))[0]
-            now = time.monotonic()
-            if ready:
-                self.decoder.receive(self.damage(os.read(self.fd, 4096)), now * 1000)
-            else:
-                self.decoder.idle(now * 1000)
-            found = self.decoder.messages[self.taken:]
+            self._read(end)
+            found = self.decoder1.messages[self.taken:]
             self.taken += len(found)
-            if found or now >= end:
-                return [Message(m) for m in found]
+            if found or time.monotonic() >= end:
+                return [m.decode("latin1") for m in found]
+
+    def frames(self, seconds=0.0):
+        """The frames of version 2 that arrive within this time, at once if there are any."""
+        end = time.monotonic() + seconds
+        while True:
+            self._read(end)
+            if self.decoder2.frames or time.monotonic() >= end:
+                found, self.decoder2.frames = self.decoder2.frames, []
+                return found
 
     def message(self, seconds=PATIENCE):
-        """The next message; fails if none arrives. Others that arrive with it are given back."""
+        """The next text of version 1; fails if none arrives. Others that arrive with it are given back."""
         found = self.messages(seconds)
         if not found:
             raise AssertionError(f"nothing arrived within {seconds} s")
@@ -72,14 +102,14 @@ class Line:
 
     def ask(self, text="getPercepts"):
         """A request of version 1 and its answer's text."""
-        self.write(reference.frame1(text.encode()))
-        return self.message().text
+        self.write(frame1(text.encode()))
+        return self.message()
 
     def ready(self):
         """Waits until the board answers."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
-            self.write(reference.frame1(b"getPercepts"))
+            self.write(frame1(b"getPercepts"))
             if self.messages(0.25):
                 while self.messages(0.3):
                     pass
@@ -87,15 +117,85 @@ class Line:
         raise AssertionError("the board does not answer")
 
 
-class Message:
-    def __init__(self, message):
-        self.version = message["version"]
-        self.flags = message.get("flags", 0)
-        self.sequence = message.get("sequence", 0)
-        self.text = bytes.fromhex(message["hex"]).decode("latin1")
+class Session:
+    """A session of version 2: a computer that has one command row or one request out at a time, and repeats it until it is answered."""
 
-    def __repr__(self):
-        return f"version {self.version} flags {self.flags} sequence {self.sequence} {self.text!r}"
+    def __init__(self, line, nonce=7, patience=0.25):
+        self.line, self.nonce, self.patience = line, nonce, patience
+        self.due, self.refused, self.busy, self.request = 0, False, False, 0
+        self.repeated = 0
+        self.texts = percepts.Reader()
+        self.assembly = parts.Assembly()
+        self.welcome = self.exchange(frames.Frame(frames.HELLO, nonce), self._welcomed).payload
+
+    def exchange(self, frame, is_answer):
+        """Sends a frame until a frame for which is_answer holds."""
+        end = time.monotonic() + PATIENCE
+        repeated = -1
+        while time.monotonic() < end:
+            self.line.write(frames.encode(frame))
+            repeated += 1
+            again = time.monotonic() + self.patience
+            while time.monotonic() < again:
+                for found in self.line.frames(again - time.monotonic()):
+                    if is_answer(found):
+                        self.repeated += repeated
+                        return found
+        raise AssertionError(f"no answer to {frame}")
+
+    def _welcomed(self, frame):
+        return kind_of(frame) == frames.WELCOME and frame.payload[0] == self.nonce
+
+    def send(self, *row):
+        """Commands, each a text or a number. Returns how many were carried out; refused tells whether the last of them was not."""
+        first = self.due
+        kind = frames.COMMANDS_RESUME if self.refused else frames.COMMANDS
+        row = [c.encode("latin1") if isinstance(c, str) else c for c in row]
+        self.exchange(frames.Frame(kind, first, commands.write_row(row)), lambda f: self._is_settled(f, first, len(row)))
+        return (self.due - first) % 256
+
+    def _is_settled(self, frame, first, count):
+        news = (frame.number - first) % 256
+        if kind_of(frame) == frames.WELCOME or news > count:
+            return False
+        self.due, self.refused, self.busy = frame.number, bool(frame.kind & frames.REFUSED), bool(frame.kind & frames.BUSY)
+        return not self.busy and (news == count or news > 0 and self.refused)
+
+    def ask(self, functors=""):
+        """The text of the percepts."""
+        self.request = self.request % 255 + 1
+        known = 0 if self.request == 1 else self.texts.known()
+        answer = []
+        self.exchange(frames.Frame(frames.ASK, self.request, bytes([known]) + functors.encode()), lambda f: self._is_answered(f, answer))
+        return answer[0]
+
+    def _is_answered(self, frame, answer):
+        if not frames_of_percepts(frame):
+            return False
+        found = self.assembly.take(kind_of(frame), frame.payload)
+        if not found or found[0] != self.request:
+            return False
+        texts = self.texts.read(found[1])
+        if texts is not None:
+            answer.append(b"".join(texts).decode("latin1"))
+        return texts is not None
+
+    def vocabulary(self):
+        """The board's actions as (name, arguments)."""
+        found = self.exchange(frames.Frame(frames.DESCRIBE, 1, bytes([0])), lambda f: kind_of(f) == frames.VOCABULARY)
+        page, actions = found.payload[3:], []
+        while page:
+            actions.append((page[2:2 + page[1]].decode(), page[0]))
+            page = page[2 + page[1]:]
+        return actions
+
+
+def kind_of(frame):
+    return frame.kind & ~frames.FLAGS
+
+
+def frames_of_percepts(frame):
+    return kind_of(frame) in (frames.PERCEPTS, frames.PART, frames.LAST_PART)
 
 
 class Board:

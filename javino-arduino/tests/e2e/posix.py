@@ -6,9 +6,7 @@ import subprocess
 import sys
 import tty
 
-from board import HALT_MS, Line, reference
-
-frame1, frame2 = reference.frame1, reference.frame2
+from board import Line, Session, frame1
 
 
 class FarEnd(Line):
@@ -16,9 +14,7 @@ class FarEnd(Line):
 
     def __init__(self, fd):
         self.fd = fd
-        self.decoder = reference.Decoder(timeout=HALT_MS)
-        self.taken = 0
-        self.damage = lambda data: data
+        self._begin()
 
 
 def equal(found, expected):
@@ -31,15 +27,18 @@ def talk(line, program):
     line.write(frame1(b"dim(30)"))
     equal(program.stdout.readline(), b"lamp 30\n")
     equal(line.ask().split(";")[0], "lamp(30)")
-    line.write(frame2(b"lampOn", 2, 5))
-    answer = line.message()
-    equal((answer.flags, answer.sequence), (4, 5))
+    session = Session(line)
+    equal(session.send("lampOn"), 1)
     equal(program.stdout.readline(), b"lamp 100\n")
-    for refused in (b"dim(101)", b"dim(x)", b"dim", b"dim()", b"fly", b""):
-        line.write(frame2(refused, 2, 6))
-        equal(line.message().flags, 8)
-    line.write(frame2(b"getPercepts(lamp)", 0, 7))
-    equal(line.message().text, "lamp(100);")
+    equal(session.vocabulary(), [("lampOn", 0), ("lampOff", 0), ("dim", 1)])
+    equal(session.send(1, "dim(7)", 0), 3)
+    for lamp in (b"lamp 0\n", b"lamp 7\n", b"lamp 100\n"):
+        equal(program.stdout.readline(), lamp)
+    for refused in ("dim(101)", "dim(x)", "dim", "dim()", "fly"):
+        session.send(refused)
+        equal(session.refused, True)
+    equal(session.ask("(lamp)"), "lamp(100);")
+    equal(session.ask("(lamp)"), "lamp(100);")
     equal(program.stdout.readline(), b"lamp 0: nobody is there\n")
 
 

@@ -6,9 +6,7 @@ import select
 import sys
 import time
 
-from board import Board, reference
-
-frame1, frame2 = reference.frame1, reference.frame2
+from board import Board, Session, commands, frame1, frames, version1
 
 
 def check(condition, what):
@@ -30,14 +28,20 @@ def an_led_follows_actions_in_both_versions():
         board.line.write(frame1(b"ledOn"))
         board.await_pin(13, "high")
         equal(board.line.ask(), "ledStatus(on);")
-        board.line.write(frame2(b"ledOff", 2, 7))
+        session = Session(board.line)
+        equal(session.vocabulary(), [("ledOn", 0), ("ledOff", 0)])
+        equal((session.send("ledOff"), session.refused), (1, False))
         board.await_pin(13, "low")
-        answer = board.line.message()
-        equal((answer.flags, answer.sequence, answer.text), (4, 7, ""))
-        board.line.write(frame2(b"fly", 2, 8))
-        answer = board.line.message()
-        equal((answer.flags, answer.sequence), (8, 8))
+        equal((session.send("fly"), session.refused), (1, True))
+        equal((session.send(0, 1, 0), session.refused), (3, False))
+        board.await_pin(13, "high")
+        equal(session.ask(), "ledStatus(on);")
+        session.send("ledOff")
+        for _ in range(3):
+            equal(session.ask(), "ledStatus(off);")
+        time.sleep(0.1)
         board.line.write(frame1(b"fly"))
+        time.sleep(0.1)
         equal(board.line.ask(), "ledStatus(off);")
 
 
@@ -46,17 +50,17 @@ def a_command_and_a_request_in_one_burst_are_both_handled():
         board.line.ready()
         for action, status in ((b"ledOn", "on"), (b"ledOff", "off")) * 5:
             board.line.write(frame1(action) + frame1(b"getPercepts"))
-            equal(board.line.message().text, f"ledStatus({status});")
+            equal(board.line.message(), f"ledStatus({status});")
 
 
-def a_repeated_action_is_carried_out_once():
+def a_repeated_command_is_carried_out_once():
     with Board("Echo") as board:
         board.line.ready()
+        session = Session(board.line)
         for _ in range(4):
-            board.line.write(frame2(b"speed(100)", 2, 3))
-            answer = board.line.message()
-            equal((answer.flags, answer.sequence), (4, 3))
-        equal(board.line.ask(), "count(1);")
+            board.line.write(frames.encode(frames.Frame(frames.COMMANDS, 0, commands.write_row([b"speed(100)", b"stop"]))))
+            equal([(f.kind, f.number) for f in board.line.frames(5.0)], [(frames.ACK, 2)])
+        equal(session.ask(), "count(2);")
 
 
 def analogue_inputs_become_percepts():
@@ -73,10 +77,10 @@ def analogue_inputs_become_percepts():
             expected += f"temp({side},{steps[2] * 500 // 1023});"
         board.line.ready()
         equal(board.line.ask(), expected)
-        board.line.write(frame2(b"getPercepts(dist)", 0, 1))
-        answer = board.line.message()
-        equal(answer.version, 2)
-        equal([p.split("(")[0] for p in answer.text.split(";")[:-1]], ["dist"] * 4)
+        session = Session(board.line)
+        for _ in range(3):
+            equal(session.ask(), expected)
+        equal([p.split("(")[0] for p in session.ask("(dist)").split(";")[:-1]], ["dist"] * 4)
 
 
 def motors_stop_when_the_far_end_falls_silent():
@@ -126,9 +130,10 @@ def messages_of_255_bytes_go_both_ways():
         board.line.ready()
         text = "say(" + "x" * 250 + ")"
         board.line.write(frame1(text.encode()))
-        equal(board.line.message().text, text)
-        board.line.write(frame2(text.encode(), 0, 3))
-        equal(board.line.message().text, text)
+        equal(board.line.message(), text)
+        session = Session(board.line)
+        equal(session.welcome[2], 255)
+        equal(session.send(text[:252] + ")"), 1)
 
 
 def sketches_for_earlier_libraries_run():
@@ -143,8 +148,7 @@ def sketches_for_earlier_libraries_run():
         board.line.write(frame1(b"lampOn"))
         equal(board.line.ask(), "device(testBoard);firmware(\"test board\");lamp(on);")
         equal(board.line.ask("hello"), "heard(hello);")
-        board.line.write(frame2(b"getPercepts(lamp)", 0, 3))
-        equal(board.line.message().text, "lamp(on);")
+        equal(Session(board.line).ask("(lamp)"), "lamp(on);")
     with Board("Oldest") as board:
         board.command("set A0 2500")
         board.line.ready()
@@ -156,60 +160,71 @@ def sketches_for_earlier_libraries_run():
 
 def no_frame_is_lost_while_the_loop_stalls():
     rng = random.Random(5)
-    for stall, frames in ((150, 60), (300, 40), (1000, 12)):
+    for stall, sent in ((150, 60), (300, 40), (1000, 12)):
         for version in (1, 2):
             with Board("Stall") as board:
                 board.line.ready()
-                board.line.write(frame1(f"stall({stall})".encode()))
+                if version == 2:
+                    Session(board.line)
+                    command = lambda i: frames.encode(frames.Frame(frames.COMMANDS, i % 256, commands.write_row([b"count"])))
+                    board.line.write(frames.encode(frames.Frame(frames.COMMANDS, 0, commands.write_row([f"stall({stall})".encode()]))))
+                else:
+                    command = lambda i: frame1(b"count")
+                    board.line.write(frame1(f"stall({stall})".encode()))
                 due = float(board.command("time")) + 1000
-                for i in range(frames):
-                    # By the board's clock; five frames at most find room in its receive buffer.
+                for i in range(1, sent + 1):
+                    # By the board's clock; what comes in the meantime finds room in its receive buffer.
                     while float(board.command("time")) < due:
                         time.sleep(0.005)
-                    board.line.write(frame1(b"count") if version == 1 else frame2(b"count", 0, i % 16))
+                    board.line.write(command(i))
                     due = float(board.command("time")) + stall * rng.uniform(0.25, 1)
                 while float(board.command("time")) < due + 3 * stall:
                     time.sleep(0.005)
                 board.line.messages()
-                equal(board.line.ask().split(";")[0], f"count({frames})")
+                equal(board.line.ask().split(";")[0], f"count({sent})")
     print("  no command lost by a loop() of 150, 300 and 1,000 ms, in either version")
 
 
-def a_slow_action_is_carried_out_once():
+def a_slow_command_is_carried_out_once():
     with Board("Stall") as board:
         board.line.ready()
+        session = Session(board.line)
         begin = float(board.command("time"))
         for at in (0, 160, 470, 1100, 2400):
             while float(board.command("time")) < begin + at:
                 time.sleep(0.005)
-            board.line.write(frame2(b"slow(3300)", 2, 3))
-        answer = board.line.message()
-        equal((answer.flags, answer.sequence), (4, 3))
-        while board.line.messages(0.3):
-            pass
-        equal(board.line.ask().split(";")[0], "count(1)")
+            board.line.write(frames.encode(frames.Frame(frames.COMMANDS, 0, commands.write_row([b"slow(3300)"]))))
+        while float(board.command("time")) < begin + 4000:
+            time.sleep(0.01)
+        equal({(f.kind, f.number) for f in board.line.frames(2.0)}, {(frames.ACK, 1)})
+        equal(session.ask().split(";")[0], "count(1)")
 
 
 def an_outcome_is_reported_later_and_the_board_goes_on():
     with Board("Gripper") as board:
         board.line.ready()
-        for fingers, flags in (("high", 4), ("low", 8)):
+        session = Session(board.line)
+        for fingers, refused in (("high", False), ("low", True)):
             board.command(f"set 7 {fingers}")
             begin = float(board.command("time"))
-            board.line.write(frame2(b"close", 2, flags))
-            equal(board.line.ask(), "gripper(closing);")
-            board.line.write(frame2(b"close", 2, flags))
-            answer = board.line.message()
+            frame = frames.encode(frames.Frame(frames.COMMANDS, session.due, commands.write_row([b"close"])))
+            board.line.write(frame)
+            equal([(f.kind, f.number) for f in board.line.frames(5.0)], [(frames.ACK | frames.BUSY, session.due)])
+            equal(session.ask(), "gripper(closing);")
+            board.line.write(frame)
+            equal([(f.kind, f.number) for f in board.line.frames(5.0)], [(frames.ACK | frames.BUSY, session.due)])
+            found = board.line.frames(5.0)[0]
             took = float(board.command("time")) - begin
-            equal((answer.flags, answer.sequence), (flags, flags))
+            equal((found.kind, found.number), (frames.ACK | (frames.REFUSED if refused else 0), session.due + 1))
             check(took >= 800, f"reported after {took} ms")
-            equal(board.line.ask(), "gripper(closed);")
+            equal(session.ask(), "gripper(closed);")
+            session.due += 1
 
 
 def reading_again_takes_a_bounded_time():
     with Board("Stall") as board:
         board.line.ready()
-        for nasty in (b"fffeFF" * 45, b"fffd8012" * 38):
+        for nasty in (b"fffeFF" * 45, b"fffe8012" * 38, b"\xa5\xff\x30\xa4\x04" * 60):
             board.line.write(nasty)
             time.sleep(0.5)
             board.line.ready()
@@ -264,6 +279,19 @@ def requests_that_the_line_has_time_for_are_answered():
         check(share >= 95, "fewer than 95 % answered")
 
 
+def version_2_asks_more_often_than_version_1_could():
+    with Board("Throughput") as board:
+        board.line.ready()
+        session = Session(board.line, patience=2.0)
+        session.ask()
+        asked, begin = 0, float(board.command("time"))
+        while (passed := float(board.command("time")) - begin) < 3000:
+            session.ask()
+            asked += 1
+        print(f"  version 2, one request after the other's answer: {asked * 1000 / passed:.0f} a second")
+        equal(session.repeated, 0)
+
+
 ACTIONS = {"led": "pwm 1", "ledOn": "pwm 2", "stop": "pwm 3"}
 
 
@@ -307,8 +335,7 @@ def on_a_damaged_line(version, run):
         board.watch(13)
         board.changes()
         # Here a swallowed frame is to be given up as soon as the protocol says.
-        board.line.decoder = reference.Decoder()
-        board.line.taken = 0
+        board.line.listen(100)
         board.line.damage = damage_one_in_200(rng, damaged)
         result = run(board, texts(rng), time.monotonic() + 12)
         board.line.damage = lambda data: data
@@ -316,44 +343,49 @@ def on_a_damaged_line(version, run):
     print(f"  version {version}, {damaged[0]} bytes damaged in both directions: {result}")
 
 
-def version_2_carries_out_no_wrong_action_on_a_damaged_line():
+def version_2_carries_out_every_command_once_on_a_damaged_line():
     def run(board, actions, end):
-        sent = done = silent = repeats = wrong = twice = 0
-        sequence = 0
+        session = Session(board.line, patience=0.06)
+        sent, expected, duties = 0, [], []
         while time.monotonic() < end:
-            text = next(actions)
-            acknowledged = False
-            for attempt in range(4):
-                repeats += attempt > 0
-                board.line.write(frame2(text.encode(), 2, sequence))
-                deadline = time.monotonic() + 0.06
-                while not acknowledged and time.monotonic() < deadline:
-                    acknowledged = any(m.version == 2 and m.flags == 4 and m.sequence == sequence
-                                       for m in board.line.messages(0.02))
-                if acknowledged:
-                    break
-            sequence = (sequence + 1) % 16
-            time.sleep(0.002)
-            acts = carried_out(board)
-            sent += 1
-            done += acknowledged
-            silent += not acknowledged
-            wrong += sum(act != duty_of(text) for act in acts)
-            twice += len(acts) > 1
-            check(not acknowledged or acts, f"{text} acknowledged but not carried out")
-        check(sent > 100, f"only {sent} actions in the time")
-        equal((wrong, twice), (0, 0))
-        return (f"{sent} actions sent, {repeats} times again, {done} acknowledged and carried out once each,"
-                f" {silent} never acknowledged, {wrong} wrong ones carried out")
+            row = [next(actions) for _ in range(1 + sent % 4)]
+            equal((session.send(*row), session.refused), (len(row), False))
+            expected += [duty_of(text) for text in row]
+            sent += len(row)
+            if sent % 5 == 0:
+                # The board counts too.
+                equal(session.ask(), f"count({sent});")
+        time.sleep(0.1)
+        duties = carried_out(board)
+        check(sent > 100, f"only {sent} commands in the time")
+        equal(duties, expected)
+        return f"{sent} commands, frames sent again {session.repeated} times, each carried out once, in order, no other one"
     on_a_damaged_line(2, run)
+
+
+def commands_and_requests_pass_at_every_pace_of_the_loop():
+    with Board("Stall") as board:
+        board.line.ready()
+        session, counted = Session(board.line, patience=2.5), 0
+        for pace in (0, 2, 5, 20, 150, 300):
+            session.send(f"stall({pace})")
+            begin = float(board.command("time"))
+            rounds = 20 if pace < 100 else 5
+            for _ in range(rounds):
+                equal((session.send(0, "count", 0, 0), session.refused), (4, False))
+                counted += 4
+                equal(session.ask("(count)"), f"count({counted});")
+            took = (float(board.command("time")) - begin) / rounds
+            print(f"  loop() of {pace} ms: four commands and a request, one after the other's answer, {took:.0f} ms")
+        equal(session.repeated, 0)
 
 
 def reads_as_an_intact_stream(data):
     """Whether a damaged size swallows what follows to the byte; no receiver could know."""
-    decoder = reference.Decoder()
+    decoder = version1.Decoder()
     decoder.receive(data, 0)
     decoder.idle(101)
-    return all(m["hex"] != b"getPercepts".hex() for m in decoder.messages)
+    return b"getPercepts" not in decoder.messages or b"\xa5" in data[:6]
 
 
 def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
@@ -379,9 +411,9 @@ def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
                 lost += 1
                 print(f"  not answered: {arrives + request}")
             comes = damage(answer)
-            board.line.decoder.receive(comes, time.monotonic() * 1000)
+            board.line.decoder1.receive(comes, time.monotonic() * 1000)
             if answer and comes == answer:
-                intact.append(answer[6:].hex())
+                intact.append(answer[6:])
             for act in carried_out(board):
                 carried += 1
                 lengths = {len(t) for t in ("led", "ledOn", "stop", "speed(%s)" % act[4:]) if duty_of(t) == act}
@@ -389,8 +421,8 @@ def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
                 other += act != duty_of(text)
         check(sent > 100, f"only {sent} actions in the time")
         # An answer that follows a damaged one at once may be read only when the line has been silent.
-        board.line.decoder.idle(time.monotonic() * 1000 + 101)
-        read = {m["hex"] for m in board.line.decoder.messages}
+        board.line.decoder1.idle(time.monotonic() * 1000 + 101)
+        read = set(board.line.decoder1.messages)
         unread = sum(answer not in read for answer in intact)
         equal((wrong_length, lost, unread), (0, 0, 0))
         return (f"{sent} actions sent, {damaged} damaged, {carried} carried out, {other} other than sent,"
@@ -402,7 +434,7 @@ def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
 CASES = [
     an_led_follows_actions_in_both_versions,
     a_command_and_a_request_in_one_burst_are_both_handled,
-    a_repeated_action_is_carried_out_once,
+    a_repeated_command_is_carried_out_once,
     analogue_inputs_become_percepts,
     motors_stop_when_the_far_end_falls_silent,
     motors_stop_when_the_far_end_closes_the_line,
@@ -410,12 +442,14 @@ CASES = [
     messages_of_255_bytes_go_both_ways,
     sketches_for_earlier_libraries_run,
     no_frame_is_lost_while_the_loop_stalls,
-    a_slow_action_is_carried_out_once,
+    a_slow_command_is_carried_out_once,
     an_outcome_is_reported_later_and_the_board_goes_on,
     reading_again_takes_a_bounded_time,
     a_burst_arrives_whole,
     requests_that_the_line_has_time_for_are_answered,
-    version_2_carries_out_no_wrong_action_on_a_damaged_line,
+    version_2_asks_more_often_than_version_1_could,
+    commands_and_requests_pass_at_every_pace_of_the_loop,
+    version_2_carries_out_every_command_once_on_a_damaged_line,
     version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line,
 ]
 

@@ -11,39 +11,78 @@ static void discard(void *context, uint8_t byte)
     (void)byte;
 }
 
-static void read_action(const javino_frame *frame)
+static const char *name_action(void *context, uint8_t number, uint8_t *arguments)
 {
-    const char *text = (const char *)frame->payload;
+    static const char *const names[] = {"front", "speed", ""};
+    (void)context;
+    *arguments = number;
+    return number < 3 ? names[number] : NULL;
+}
+
+static void read_action(const javino_link *link)
+{
+    const char *text = link->text;
     const char *argument;
     uint8_t i = 0;
     uint8_t n;
-    if (!javino_functor(text, frame->length))
+    if (!javino_functor(text, link->length))
         return;
-    while ((n = javino_argument(text, frame->length, i++, &argument)) != 0) {
+    while ((n = javino_argument(text, link->length, i++, &argument)) != 0) {
         int32_t number;
-        if (argument < text || argument + n > text + frame->length)
+        if (argument < text || argument + n > text + link->length)
             abort();
         javino_number(argument, n, &number);
     }
 }
 
-static void answer(javino_board *board, const javino_frame *frame)
+static void answer(javino_board *board, uint8_t seed)
 {
     int i;
-    for (i = 0; i < frame->length; i++)
-        if (javino_percept_begin(board, "dist")) {
-            javino_percept_text(board, "(front,");
-            javino_percept_number(board, frame->payload[i], i & 1);
+    for (i = 0; i < seed; i++)
+        if (javino_percept_begin(board, i & 4 ? "dist" : "light")) {
+            javino_percept_text(board, i & 8 ? "(front," : "(back,");
+            javino_percept_number(board, (uint32_t)seed << (i & 15), i & 1);
             javino_percept_put(board, ')');
             javino_percept_end(board);
         }
     javino_board_answer(board);
 }
 
-/* The first byte chooses the memory. After that 0xFF is an escape: the next byte is a silence, in units of 2 ms. */
+typedef struct {
+    javino_board *board;
+    uint16_t now;
+} line;
+
+static void arrive(void *context, uint8_t byte)
+{
+    line *l = context;
+    if (javino_link_ready(&l->board->link))
+        javino_link_receive(&l->board->link, byte, l->now);
+}
+
+/* An intact frame of version 2, which chance alone would not find. Returns the bytes that it is made of. */
+static size_t arrive_frame(javino_board *board, uint16_t now, const uint8_t *data, size_t size)
+{
+    static const uint8_t kinds[] = {JAVINO_HELLO, JAVINO_ASK, JAVINO_DESCRIBE, JAVINO_COMMANDS, JAVINO_RESUME};
+    line l = {board, now};
+    javino_encoder encoder = {arrive, &l, 0, false};
+    size_t i;
+    if (size < 3)
+        return size;
+    size = size - 3 < data[2] % 80u ? size - 3 : data[2] % 80u;
+    javino_encoder_begin2(&encoder, kinds[data[0] % 5], data[1], (uint8_t)size);
+    for (i = 0; i < size; i++)
+        javino_encoder_put(&encoder, data[3 + i]);
+    javino_encoder_end(&encoder);
+    return 3 + size;
+}
+
+/* The first byte chooses the memory. After that 0xFF is an escape: the next byte is a silence, in units of 2 ms. Behind 0xFE
+ * stands an intact frame of version 2: kind, number, length, payload. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     javino_board board;
+    javino_later later = 0;
     uint16_t now = 65000;
     size_t i;
     uint16_t bytes;
@@ -53,21 +92,37 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     bytes = (uint16_t)(JAVINO_MEMORY_MIN + 3 * data[0]);
     memory = malloc(bytes);
     javino_board_init(&board, memory, bytes, discard, NULL);
+    board.link.vocabulary = name_action;
     for (i = 1; i < size; i++) {
         javino_event event;
         if (data[i] == 0xFF && i + 1 < size) {
             now += 2 * data[++i];
+        } else if (data[i] == 0xFE) {
+            i += arrive_frame(&board, now, data + i + 1, size - i - 1);
         } else if (javino_link_ready(&board.link)) {
             javino_link_receive(&board.link, data[i], now);
         }
         if (data[i] & 1 && i % 3)
             continue; /* Bytes also come while the program is busy. */
         while ((event = javino_board_poll(&board, now)) != JAVINO_NOTHING) {
-            if (event == JAVINO_REQUEST)
-                answer(&board, &board.link.frame);
-            else
-                read_action(&board.link.frame);
+            if (event == JAVINO_REQUEST) {
+                answer(&board, data[i]);
+            } else {
+                read_action(&board.link);
+                if (data[i] & 2)
+                    javino_link_finish(&board.link, false);
+                else if (data[i] & 4)
+                    later = javino_link_later(&board.link);
+            }
         }
+        if (data[i] == 'd')
+            javino_link_done(&board.link, later, i & 1);
+        if (data[i] == 'p') {
+            javino_percept_text(&board, "bumped(7)");
+            javino_percept_end(&board);
+        }
+        if (data[i] == 'u')
+            javino_board_answer(&board);
     }
     free(memory);
     return 0;

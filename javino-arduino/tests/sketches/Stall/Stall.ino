@@ -32,8 +32,8 @@ void look() {
 
 void setup() {
   javino.act["count"] = count;
-  javino.onAction("slow", slow);
-  javino.onAction("stall", stall);
+  javino.onAction("slow", slow, 1);
+  javino.onAction("stall", stall, 1);
   javino.perceive(look);
   javino.start(9600);
 }

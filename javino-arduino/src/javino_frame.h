@@ -1,0 +1,206 @@
+/**
+ * @file
+ * Frames of the Javino protocol, versions 1 and 2: finds them in the bytes that arrive, and writes them.
+ *
+ * Plain C99 without a heap, without floating point and without any board's header. All memory is the
+ * caller's. Nothing waits: bytes are handed in one at a time, and the time, in milliseconds of a clock that
+ * may wrap around, is handed in wherever it matters, often only its lower 16 bits. No function may be called from an interrupt; a receive
+ * interrupt fills a buffer of its own, from which the program takes the bytes.
+ *
+ * The layers, each usable without the next:
+ *  - javino_frame.h: frames;
+ *  - javino_link.h: the conversation, that is versions, sessions, commands and their outcomes, a lost link;
+ *  - javino_board.h: answers made of percepts; javino_literal.h: the texts of actions.
+ *
+ * JAVINO_VERSION_1_ONLY, defined for all files, leaves version 2 out.
+ */
+#ifndef JAVINO_FRAME_H
+#define JAVINO_FRAME_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__AVR__) && defined(__GNUC__)
+/* Here a copy of a function that knows its arguments takes more flash than the calls it spares. */
+#define JAVINO_OUTLINE __attribute__((noinline, noclone))
+#else
+#define JAVINO_OUTLINE
+#endif
+
+/** Payload bytes that a frame holds at most. */
+#define JAVINO_MAX_PAYLOAD 255
+/** Bytes around a payload, in either version, before escaping. */
+#define JAVINO_OVERHEAD 6
+/** Bytes that a decoder needs for every possible frame: the longest one and the next one's header. */
+#define JAVINO_WINDOW (JAVINO_OVERHEAD + JAVINO_MAX_PAYLOAD + 6)
+
+/** The inter-byte timeout for a rate of so many baud: 100 ms or 20 byte times, whichever is longer. */
+#define JAVINO_TIMEOUT_MS(baud) ((uint16_t)((baud) >= 2000 ? 100 : 200000UL / ((baud) < 50 ? 50 : (baud))))
+
+/** Kinds of version 2 frames, as in their byte CC. */
+enum {
+    JAVINO_HELLO = 0x10,
+    JAVINO_ASK = 0x20,
+    JAVINO_DESCRIBE = 0x28,
+    JAVINO_COMMANDS = 0x30,
+    JAVINO_RESUME = 0x31, /**< Commands too. */
+    JAVINO_WELCOME = 0x80,
+    JAVINO_ACK = 0x81,
+    JAVINO_PERCEPTS = 0x82,
+    JAVINO_PERCEPTS_PART = 0x83,
+    JAVINO_PERCEPTS_LAST = 0x84,
+    JAVINO_CRITICAL = 0x85,
+    JAVINO_VOCABULARY = 0x86,
+    JAVINO_REFUSED = 0x40, /**< A flag in the kinds from the board. */
+    JAVINO_BUSY = 0x20     /**< Another one. */
+};
+
+/* ---- CRC ---- */
+
+/** The CRC before the first byte. */
+#define JAVINO_CRC_START 0xFFFFu
+
+/** @return CRC-16/CCITT-FALSE of the bytes so far (crc) and one more. */
+uint16_t javino_crc16(uint16_t crc, uint8_t byte);
+
+/* ---- Decoder ---- */
+
+/** A frame that was received. */
+typedef struct {
+    const uint8_t *payload; /**< Not terminated. Stays in place until the next call of javino_decoder_next. */
+    uint8_t length;         /**< Bytes of payload. */
+    uint8_t version;        /**< 1 or 2. */
+    uint8_t kind;           /**< Version 2: JAVINO_HELLO and so on. */
+    uint8_t number;         /**< Version 2: the byte SS. */
+} javino_frame;
+
+/** What stands after a frame of version 1. */
+enum {
+    JAVINO_FOLLOWS_UNKNOWN, /**< Too few bytes yet to know. */
+    JAVINO_FOLLOWS_HEADER,  /**< A preamble and two hex digits, or the start of a version 2 frame: the frame was read rightly. */
+    JAVINO_FOLLOWS_OTHER    /**< Anything else: the frame may have been misread. */
+};
+typedef uint8_t javino_follows;
+
+/** Finds frames in a stream of bytes. The members are private. */
+typedef struct {
+    uint8_t *bytes;
+    uint16_t size;
+    uint16_t end;      /* bytes there are */
+    uint16_t gap;      /* where a silence lies between them; 0: nowhere */
+    uint16_t held;     /* bytes of the frame at the front that has been handed out; 0: none has */
+    uint16_t position; /* bytes read of the frame that begins behind that; in version 2 they are without escapes */
+    uint16_t work;     /* bytes that may still be read */
+    uint16_t timeout_ms;
+    uint16_t last_ms;
+    uint8_t length; /* of that frame's payload */
+    bool quiet;     /* a frame of version 1 may begin here */
+    bool session;   /* version 2 is spoken: such a frame begins behind a silence only */
+} javino_decoder;
+
+/**
+ * Prepares a decoder.
+ *
+ * @param bytes       memory that belongs to the decoder from now on
+ * @param size        its bytes: JAVINO_WINDOW, or fewer where longer frames may be lost, but 12
+ * @param timeout_ms  silence between two bytes after which a frame that has begun is given up; at most
+ *                    10,000. javino_decoder_next must be called more often than every 20 s.
+ * @return false if the size is less than 12: such a decoder finds nothing
+ */
+bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms);
+
+/** @return whether javino_decoder_put has room. If not, there is at the latest when javino_decoder_next is called again. */
+bool javino_decoder_ready(const javino_decoder *decoder);
+
+/**
+ * Takes one received byte. Only after javino_decoder_ready has returned true. When the byte came does not matter: one
+ * that has waited in a receive buffer is not late.
+ *
+ * @param now_ms  when it was taken out of the receive buffer
+ */
+void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms);
+
+/**
+ * Tells the decoder that the receive buffer is empty, unless javino_decoder_ready returns false. javino_decoder_next does
+ * so too; while that is not called, as during a long action, silences are known from this alone.
+ *
+ * @param now_ms  when the receive buffer was last looked into
+ */
+void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms);
+
+/**
+ * Begins a session of version 2: from now on a frame of version 1 counts only if it begins behind a silence of a quarter of
+ * the timeout, and is not read twice.
+ */
+void javino_decoder_session(javino_decoder *decoder);
+
+/** Bytes of version 1 that one call of javino_decoder_next or javino_link_poll reads at most, those read again included. */
+#define JAVINO_WORK 1024
+
+/**
+ * Looks for the next frame. Ends the use of the frame before.
+ *
+ * A frame is found with its last byte. The bytes of one of version 1 are kept until what follows them is known: a header or
+ * silence confirms the frame; anything else means that it may have been misread, and the bytes after its
+ * first are read again. When silence falls inside such a frame, its bytes after the first are read again too.
+ *
+ * A frame of version 2 that is damaged, too long for the memory or no computer's is dropped and never read again.
+ *
+ * @param now_ms  when the receive buffer was last looked into. Unless javino_decoder_ready returns false, nothing
+ *                has come since the last byte handed in.
+ * @param frame   filled in when there is one
+ * @return whether there is one; if so, ask again before the next byte. If not, there is none yet, or reading again
+ *         has taken JAVINO_WORK bytes and goes on with the next call.
+ */
+bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame *frame);
+
+/**
+ * Whether the version 1 frame in hand can still turn out to be the beginning of a longer one whose size was damaged.
+ * There is no checksum; what arrives next tells, or that nothing does for a sixteenth of the timeout.
+ *
+ * @param now_ms  as for javino_decoder_next
+ * @return JAVINO_FOLLOWS_HEADER: it is whole; JAVINO_FOLLOWS_OTHER: it is not, or may not be;
+ *         JAVINO_FOLLOWS_UNKNOWN: ask again later; also if no frame is in hand
+ */
+javino_follows javino_decoder_follows(javino_decoder *decoder, uint16_t now_ms);
+
+/* ---- Encoder ---- */
+
+/** Puts one byte on the line; may wait until there is room for it. */
+typedef void (*javino_write)(void *context, uint8_t byte);
+
+/** Writes one frame at a time. The members are private but for write and context, which the caller sets. */
+typedef struct {
+    javino_write write;
+    void *context; /**< Handed to write. */
+    uint16_t crc;
+    bool version2;
+} javino_encoder;
+
+/** Begins a frame of version 1. Exactly length calls of javino_encoder_put and one of javino_encoder_end must follow. */
+void javino_encoder_begin(javino_encoder *encoder, uint8_t length);
+
+/**
+ * Begins a frame of version 2, as javino_encoder_begin.
+ *
+ * @param kind    the byte CC
+ * @param number  the byte SS
+ */
+void javino_encoder_begin2(javino_encoder *encoder, uint8_t kind, uint8_t number, uint8_t length);
+
+/** Writes one byte of payload, in version 2 with an escape where it needs one. */
+void javino_encoder_put(javino_encoder *encoder, uint8_t byte);
+
+/** Ends a frame. */
+void javino_encoder_end(javino_encoder *encoder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,31 @@
+/**
+ * @file
+ * Codes the percepts of an answer of version 2 in place, for javino_board.c.
+ */
+#ifndef JAVINO_ITEMS_H
+#define JAVINO_ITEMS_H
+
+#include "javino_board.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What begins an item that is no text with an id. */
+enum {
+    JAVINO_ITEM_CONTINUED = 0x7E, /**< The beginning of a text. */
+    JAVINO_ITEM_TEXT = 0x7F,      /**< A text without an id. */
+    JAVINO_ITEM_DIGITS = 0x80     /**< An id is added: of it and those that follow only the digits. */
+};
+
+/** Bytes in front of an item's text. */
+#define JAVINO_ITEM_HEADER 2
+
+/** Codes the percept behind the whole ones, of which the text begins behind room for a header. */
+void javino_item_end(javino_board *board);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,328 @@
+#include "javino_link.h"
+
+#include <string.h>
+
+#define REQUEST_LENGTH 11 /* of getPercepts */
+
+/* Frames that one poll deals with by itself, so that a flood of them cannot keep the program. */
+#define FRAMES_PER_POLL 8
+
+/* What begins an item of a row of commands. */
+#define LONG_TEXT 0x00
+#define BY_NUMBER 0x80
+#define NO_COMMAND 0xFE
+#define NO_ITEM 0xFF
+
+#ifdef JAVINO_VERSION_1_ONLY
+#define IS_VERSION_2(link) false
+#else
+#define IS_VERSION_2(link) ((link)->version == 2)
+#endif
+
+void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
+{
+    memset(link, 0, sizeof *link);
+    javino_decoder_init(&link->decoder, (uint8_t *)bytes, size, 100);
+    link->encoder.write = write;
+    link->encoder.context = context;
+}
+
+void javino_link_timeout(javino_link *link, uint16_t timeout_ms)
+{
+    link->decoder.timeout_ms = timeout_ms;
+}
+
+bool javino_link_ready(const javino_link *link)
+{
+    return javino_decoder_ready(&link->decoder);
+}
+
+void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms)
+{
+    javino_decoder_put(&link->decoder, byte, now_ms);
+}
+
+JAVINO_OUTLINE void javino_link_send(javino_link *link, const char *text, uint8_t length)
+{
+    link->answered = true;
+    javino_encoder_begin(&link->encoder, length);
+    while (length--)
+        javino_encoder_put(&link->encoder, (uint8_t)*text++);
+}
+
+/* ---- Version 2 ---- */
+
+#ifndef JAVINO_VERSION_1_ONLY
+
+JAVINO_OUTLINE void javino_link_begin(javino_link *link, uint8_t kind, uint8_t length)
+{
+    javino_encoder_begin2(&link->encoder, kind | link->flags, link->due, length);
+}
+
+static JAVINO_OUTLINE void put(javino_link *l, uint8_t byte)
+{
+    javino_encoder_put(&l->encoder, byte);
+}
+
+static void acknowledge(javino_link *l)
+{
+    javino_link_begin(l, JAVINO_ACK, 0);
+    javino_encoder_end(&l->encoder);
+}
+
+/* Ends the command that is due. */
+static JAVINO_OUTLINE void settle(javino_link *l, bool done)
+{
+    l->due++;
+    l->flags = done ? 0 : JAVINO_REFUSED;
+}
+
+static uint8_t longest_payload(const javino_link *l)
+{
+    uint16_t room = l->decoder.size - JAVINO_OVERHEAD - 1;
+    return room < JAVINO_MAX_PAYLOAD ? (uint8_t)room : JAVINO_MAX_PAYLOAD;
+}
+
+static void welcome(javino_link *l)
+{
+    javino_link_begin(l, JAVINO_WELCOME, 4);
+    put(l, l->session);
+    put(l, JAVINO_CREDIT);
+    put(l, longest_payload(l));
+    put(l, 0);
+    javino_encoder_end(&l->encoder);
+}
+
+static void begin_session(javino_link *l, uint8_t nonce)
+{
+    l->session = nonce;
+    l->due = l->flags = l->known = l->shapes = 0;
+    javino_decoder_session(&l->decoder);
+}
+
+/* The name of an action; NULL if there is none of that number. */
+static const char *name_of(javino_link *l, uint8_t number, uint8_t *arguments)
+{
+    return l->vocabulary ? l->vocabulary(l->encoder.context, number, arguments) : NULL;
+}
+
+/* Sends the actions from this one on, as many as a frame holds. */
+static void describe(javino_link *l, uint8_t request, uint8_t first)
+{
+    uint8_t length = 3;
+    uint8_t end = first;
+    uint8_t count = 0;
+    uint8_t arguments;
+    const char *name;
+    while ((name = name_of(l, count, &arguments)) != NULL) {
+        size_t bytes = strlen(name) + 2;
+        if (count++ == end && bytes <= (uint8_t)(JAVINO_MAX_PAYLOAD - length)) {
+            length += (uint8_t)bytes;
+            end++;
+        }
+    }
+    javino_link_begin(l, JAVINO_VOCABULARY, length);
+    put(l, request);
+    put(l, first);
+    put(l, count);
+    for (; first < end; first++) {
+        name = name_of(l, first, &arguments);
+        put(l, arguments);
+        put(l, (uint8_t)strlen(name));
+        while (*name)
+            put(l, (uint8_t)*name++);
+    }
+    javino_encoder_end(&l->encoder);
+}
+
+/* Hands out the next command of the row that is to be carried out; at its end acknowledges it. */
+static javino_event next_command(javino_link *l)
+{
+    while (l->row_length) {
+        const uint8_t *p = l->row;
+        uint8_t head = *p++;
+        uint8_t length = 0;
+        uint8_t arguments;
+        l->row_length--;
+        if (head == NO_ITEM)
+            break;
+        if (head < BY_NUMBER) {
+            length = head;
+            if (head == LONG_TEXT && l->row_length) {
+                length = *p++;
+                l->row_length--;
+            }
+            if (length == 0 || length > l->row_length)
+                break;
+            l->row_length -= length;
+        }
+        l->row = p + length;
+        if (l->command++ != l->due || l->flags)
+            continue;
+        l->text = (const char *)p;
+        l->length = length;
+        if (head >= BY_NUMBER) {
+            l->text = head == NO_COMMAND ? NULL : name_of(l, head - BY_NUMBER, &arguments);
+            if (!l->text) {
+                settle(l, head == NO_COMMAND);
+                continue;
+            }
+            l->length = (uint8_t)strlen(l->text);
+        }
+        return JAVINO_ACTION;
+    }
+    l->row = NULL;
+    acknowledge(l);
+    return JAVINO_NOTHING;
+}
+
+/* What a frame of version 2 means to the program. */
+static javino_event meaning2(javino_link *l, const javino_frame *f)
+{
+    uint8_t first = f->length ? *f->payload : 0;
+    if (f->kind == JAVINO_HELLO) {
+        begin_session(l, f->number);
+        welcome(l);
+    } else if (!l->session) {
+        welcome(l);
+    } else if (f->kind == JAVINO_DESCRIBE) {
+        describe(l, f->number, first);
+    } else if (f->kind == JAVINO_ASK) {
+        l->request = f->number;
+        l->known = first < l->shapes ? first : l->shapes;
+        l->text = (const char *)f->payload + 1;
+        l->length = f->length ? f->length - 1 : 0;
+        return JAVINO_REQUEST;
+    } else {
+        if (f->kind == JAVINO_RESUME && f->number == l->due)
+            l->flags &= (uint8_t)~JAVINO_REFUSED;
+        l->row = f->payload;
+        l->row_length = f->length;
+        l->command = f->number;
+    }
+    return JAVINO_NOTHING;
+}
+
+#endif
+
+/* ---- Both versions ---- */
+
+/* What the frame that has just arrived means to the program. */
+static javino_event meaning(javino_link *l, const javino_frame *f)
+{
+    const uint8_t n = REQUEST_LENGTH;
+    l->version = f->version;
+    l->answered = false;
+    l->heard = true;
+#ifndef JAVINO_VERSION_1_ONLY
+    if (IS_VERSION_2(f))
+        return meaning2(l, f);
+#endif
+    l->text = (const char *)f->payload;
+    l->length = f->length;
+    if (f->length < n || memcmp(f->payload, "getPercepts", n) != 0 || (f->length > n && f->payload[n] != '('))
+        return JAVINO_ACTION;
+    l->text += n;
+    l->length -= n;
+    return JAVINO_REQUEST;
+}
+
+bool javino_link_is_version2(const javino_link *link)
+{
+#ifdef JAVINO_VERSION_1_ONLY
+    (void)link;
+    return false;
+#else
+    return link->event == JAVINO_NOTHING ? link->session != 0 : link->version == 2;
+#endif
+}
+
+JAVINO_OUTLINE void javino_link_finish(javino_link *link, bool done)
+{
+    bool action = link->event == JAVINO_ACTION;
+    link->event = JAVINO_NOTHING;
+#ifdef JAVINO_VERSION_1_ONLY
+    (void)action;
+    (void)done;
+#else
+    if (action && IS_VERSION_2(link))
+        settle(link, done);
+#endif
+}
+
+javino_later javino_link_later(javino_link *link)
+{
+#ifdef JAVINO_VERSION_1_ONLY
+    (void)link;
+    return 0;
+#else
+    if (link->event != JAVINO_ACTION || !IS_VERSION_2(link))
+        return 0;
+    link->event = JAVINO_NOTHING;
+    link->flags = JAVINO_BUSY;
+    if (++link->later == 0)
+        link->later++;
+    return link->later;
+#endif
+}
+
+bool javino_link_done(javino_link *link, javino_later later, bool done)
+{
+#ifdef JAVINO_VERSION_1_ONLY
+    (void)link;
+    (void)later;
+    (void)done;
+    return false;
+#else
+    if (!(link->flags & JAVINO_BUSY) || later != link->later)
+        return false;
+    settle(link, done);
+    acknowledge(link);
+    return true;
+#endif
+}
+
+javino_event javino_link_poll(javino_link *link, uint16_t now_ms)
+{
+    javino_link *l = link;
+    bool all_handed_in = javino_decoder_ready(&l->decoder);
+    uint8_t frames = FRAMES_PER_POLL;
+    javino_frame frame;
+    javino_link_finish(l, true);
+    l->drained = false;
+    for (;;) {
+#ifndef JAVINO_VERSION_1_ONLY
+        if (l->row)
+            l->event = next_command(l);
+#endif
+        if (l->event != JAVINO_NOTHING || !frames--)
+            break;
+        if (!javino_decoder_next(&l->decoder, now_ms, &frame)) {
+            l->drained = all_handed_in && l->decoder.work;
+            break;
+        }
+        l->event = meaning(l, &frame);
+    }
+    return l->event;
+}
+
+void javino_link_supervise(javino_link *link, uint32_t now_ms)
+{
+    link->heard = link->lost = false;
+    link->since_ms = link->drained_ms = now_ms;
+}
+
+bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
+{
+    if (link->heard) {
+        /* It may have waited since the receive buffer was empty. */
+        link->heard = link->lost = false;
+        link->since_ms = link->drained_ms;
+    }
+    if (link->drained)
+        link->drained_ms = now_ms;
+    if (link->lost || now_ms - link->since_ms <= silence_ms)
+        return false;
+    link->lost = true;
+    return true;
+}

@@ -1,0 +1,165 @@
+/**
+ * @file
+ * The board's end of a line: sessions, commands that are carried out once and in order, requests, a lost link. See
+ * javino_frame.h for what holds of all files.
+ */
+#ifndef JAVINO_LINK_H
+#define JAVINO_LINK_H
+
+#include "javino_frame.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Bytes of version 2 that the receive buffer holds while the program is busy; at most 255. */
+#ifndef JAVINO_CREDIT
+#define JAVINO_CREDIT 63
+#endif
+
+/** What javino_link_poll has found. */
+enum {
+    JAVINO_NOTHING, /**< No message. */
+    JAVINO_REQUEST, /**< Percepts are asked for. The text is empty or the functors that are wanted, as in (dist,light). */
+    JAVINO_ACTION   /**< A command. The text is a literal. */
+};
+typedef uint8_t javino_event;
+
+/**
+ * Names the actions of a program, so that the computer can ask for them and send their numbers in place of their texts.
+ *
+ * @param context    that of javino_link_init
+ * @param number     counted from 0
+ * @param arguments  set to how many arguments the action takes; JAVINO_ANY: any number
+ * @return the action's functor, which lasts; NULL if there are not that many actions
+ */
+typedef const char *(*javino_vocabulary)(void *context, uint8_t number, uint8_t *arguments);
+
+/** Any number of arguments. */
+#define JAVINO_ANY 0xFF
+
+/** A command whose outcome is reported later. 0: nobody waits for it. */
+typedef uint8_t javino_later;
+
+/**
+ * The board's end of a line. The members are private but for event, text, length and version, which may be read, and
+ * vocabulary, which may be set.
+ */
+typedef struct {
+    javino_event event; /**< The message in hand: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
+    uint8_t length;     /**< Bytes of its text. */
+    uint8_t version;    /**< 1 or 2. */
+    const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
+    javino_vocabulary vocabulary; /**< NULL, as at first: the actions have no numbers. */
+    javino_decoder decoder;
+    javino_encoder encoder;
+#ifndef JAVINO_VERSION_1_ONLY
+    const uint8_t *row; /* commands that follow in the frame in hand; NULL: it holds none */
+    uint8_t row_length; /* their bytes */
+    uint8_t command;    /* number of the next of them */
+    uint8_t session;    /* its nonce; 0: there is none */
+    uint8_t due;        /* number of the command that is carried out next */
+    uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
+    uint8_t request;    /* number of the request that is to be answered; 0: none */
+    uint8_t known;      /* shapes whose text the computer knows */
+    uint8_t shapes;     /* shapes that have been sent in this session */
+    javino_later later; /* the newest */
+#endif
+    bool answered;
+    bool drained; /* the last poll has read all that there was */
+    bool heard;   /* something valid, since javino_link_lost was asked */
+    bool lost;
+    uint32_t since_ms;
+    uint32_t drained_ms;
+} javino_link;
+
+/**
+ * Prepares a link. It speaks version 1 until a computer begins a session of version 2.
+ *
+ * @param bytes    memory that belongs to the link from now on
+ * @param size     its bytes: JAVINO_WINDOW, or fewer where longer frames may be lost
+ * @param write    puts bytes on the line; may call javino_link_receive, but nothing else of this link
+ * @param context  handed to write and vocabulary
+ */
+void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context);
+
+/**
+ * Sets the inter-byte timeout, which is 100 ms at first.
+ *
+ * @param timeout_ms  see JAVINO_TIMEOUT_MS
+ */
+void javino_link_timeout(javino_link *link, uint16_t timeout_ms);
+
+/** @return whether javino_link_receive has room. If not, leave the byte where it is and poll. */
+bool javino_link_ready(const javino_link *link);
+
+/** Takes one received byte. Only after javino_link_ready has returned true. As javino_decoder_put. */
+void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
+
+/**
+ * Ends the message in hand, a command as carried out, and looks for the next. Whatever asks nothing of the
+ * program is dealt with here; so are commands that are repeated because an acknowledgement was lost: they are
+ * acknowledged again and not handed out. Call it more often than every 20 s, with a javino_board on top through
+ * javino_board_poll.
+ *
+ * Before each call hand in all bytes that wait, until javino_link_ready returns false.
+ *
+ * @param now_ms  when the receive buffer was last looked into; a time read before that does no harm, a later one
+ *                takes what came in between for late. No command is carried out twice whatever the time
+ */
+javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
+
+/**
+ * Ends the message in hand, if there is one. Version 2 tells the computer.
+ *
+ * @param done  whether the command has been carried out; false if it is unknown or malformed
+ */
+void javino_link_finish(javino_link *link, bool done);
+
+/**
+ * Ends the command in hand without an outcome, which follows with javino_link_done. Until then no other command of
+ * version 2 is carried out; requests are answered.
+ *
+ * @return what to hand to javino_link_done; 0 in version 1 and if no command is in hand
+ */
+javino_later javino_link_later(javino_link *link);
+
+/**
+ * Reports the outcome of a command that javino_link_later has ended. Not while a frame is being written.
+ *
+ * @param done  whether it has been carried out; false if it could not be
+ * @return whether it was reported; not if a new session has begun since, or for 0
+ */
+bool javino_link_done(javino_link *link, javino_later later, bool done);
+
+/** Begins to supervise the link: silence counts from now. */
+void javino_link_supervise(javino_link *link, uint32_t now_ms);
+
+/**
+ * Whether the far end has fallen silent, so that motors had better stop. Ask after every javino_link_poll. What is
+ * found after a while in which the program was busy counts as having come at its beginning.
+ *
+ * @param silence_ms  how long nothing valid has to have arrived
+ * @return true once, and again only after something has arrived
+ */
+bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms);
+
+/** Whether the message in hand is of version 2 or, if there is none, the line is in a session of version 2. */
+bool javino_link_is_version2(const javino_link *link);
+
+/** Sends one frame of version 1. Counts as an answer to the request in hand. */
+void javino_link_send(javino_link *link, const char *text, uint8_t length);
+
+/**
+ * Begins a frame of version 2, with what is due next. Exactly length calls of javino_encoder_put and one of
+ * javino_encoder_end must follow, on link->encoder.
+ *
+ * @param kind  JAVINO_ACK and so on, without flags
+ */
+void javino_link_begin(javino_link *link, uint8_t kind, uint8_t length);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
