@@ -226,6 +226,7 @@ def command_rows():
         read("FF ends the row", b"\x80\xff\x81"),
         read("FF in a text is a byte", b"\x02\xff\xfe\x81"),
         read("FE alone", b"\xfe"),
+        read("an empty text ends the row", b"\x80\x00\x00\x81"),
         read("a short text in the long form", b"\x00\x02hi\x80"),
     ]
 
@@ -537,6 +538,8 @@ CONVERSATIONS = [
      to(f(0x20, 1, b"\x02(light)")), to(f(0x20, 2, b"\x00(none)"))),
     ("answers carry what is due and REFUSED", {}, HELLO, {"percepts": ["dist(f,1);"], "to": [row(0, FRONT, BUMP), f(0x20, 1, b"\x00")]},
      to(f(0x20, 2, b"\x01"), row(2, LEFT, resume=True), f(0x20, 3, b"\x01"))),
+    ("a computer that says it knows more than was sent", {}, HELLO, {"percepts": ["a(1);"], "to": [f(0x20, 1, b"\x09")]},
+     {"percepts": ["a(2);", "b(3);"], "to": [f(0x20, 2, b"\x09")]}),
     ("HELLO forgets texts", {}, HELLO, {"percepts": ["a(1);", "b(2);"], "to": [f(0x20, 1, b"\x00")]},
      {"percepts": ["b(3);"], "to": [f(0x10, 8), f(0x20, 1, b"\x00")]}),
     ("percepts unasked", {}, {"percepts": ["a(1);"], "unasked": True}, HELLO, {"unasked": True}, to(f(0x20, 1, b"\x00")), {"unasked": True},

@@ -39,9 +39,10 @@ class Board:
         if not self.session:
             return [self._welcome()]
         if frame.kind == ASK:
-            return self._ask(frame.number, frame.payload[0], frame.payload[1:])
+            return self._ask(frame.number, frame.payload[:1], frame.payload[1:])
         if frame.kind == DESCRIBE:
-            return [self._say(VOCABULARY, vocabulary.write_page(frame.number, self.program.actions, frame.payload[0]))]
+            first = int.from_bytes(frame.payload[:1], "big")
+            return [self._say(VOCABULARY, vocabulary.write_page(frame.number, self.program.actions, first))]
         self._commands(frame)
         return [self._say(ACK)]
 
@@ -98,7 +99,7 @@ class Board:
     # ---- percepts ----
 
     def _ask(self, request, known, functors):
-        self.known = known
+        self.known = min(int.from_bytes(known, "big"), len(self.writer.ids))
         return self._percepts(request, self.program.percepts(functors))
 
     def percepts_unasked(self):
@@ -112,6 +113,8 @@ class Board:
     # ---- rules ----
 
     def _set_rule(self, command):
+        if not self.max_rules:
+            return REFUSES
         try:
             rule = rules.read(command)
         except rules.Malformed:

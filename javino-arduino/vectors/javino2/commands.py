@@ -22,7 +22,7 @@ def write_row(commands):
 
 
 def read_row(row):
-    """The commands of a payload; an item that is cut, or one of FF, ends it."""
+    """The commands of a payload; an item that is cut, an empty text, or FF ends it."""
     commands = []
     while row:
         first, row = row[0], row[1:]
@@ -38,7 +38,7 @@ def read_row(row):
             if not row:
                 break
             first, row = row[0], row[1:]
-        if len(row) < first:
+        if not 0 < first <= len(row):
             break
         commands.append(row[:first])
         row = row[first:]
