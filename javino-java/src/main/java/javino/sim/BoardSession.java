@@ -200,13 +200,10 @@ public final class BoardSession {
     // ---- percepts and vocabulary ----
 
     private void answer(WireFrame ask) throws PortException, InterruptedException {
-        if (ask.payload().isEmpty()) {
-            return; // it does not say what is known
-        }
         synchronized (this) {
-            known = ask.payload().charAt(0);
+            known = firstByte(ask);
         }
-        String answer = program.percepts(PerceptsRequest.ALL + ask.payload().substring(1));
+        String answer = program.percepts(PerceptsRequest.ALL + ask.payload().substring(Math.min(1, ask.payload().length())));
         if (answer != null) {
             sendPercepts(ask.number(), answer);
         }
@@ -230,10 +227,12 @@ public final class BoardSession {
     }
 
     private void describe(WireFrame describe) throws PortException, InterruptedException {
-        if (!describe.payload().isEmpty()) {
-            int first = describe.payload().charAt(0);
-            send(FrameKind.VOCABULARY, VocabularyPage.of(describe.number(), first, program.vocabulary(), WireFrame.MAX_PAYLOAD).payload());
-        }
+        List<BoardAction> actions = program.vocabulary();
+        send(FrameKind.VOCABULARY, VocabularyPage.of(describe.number(), firstByte(describe), actions, WireFrame.MAX_PAYLOAD).payload());
+    }
+
+    private static int firstByte(WireFrame frame) {
+        return frame.payload().isEmpty() ? 0 : frame.payload().charAt(0);
     }
 
     // ---- rules ----

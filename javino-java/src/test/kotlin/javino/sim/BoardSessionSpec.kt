@@ -53,10 +53,12 @@ class BoardSessionSpec : FunSpec({
         bench.sent shouldBe emptyList()
     }
 
-    test("a request that does not hold how many texts are known is dropped, and so is one for no action") {
+    test("a request without its first byte is read as if that were 0") {
         val bench = Bench().apply { hello(); sent.clear() }
-        for (kind in listOf(FrameKind.ASK, FrameKind.DESCRIBE)) bench.session.receive(WireFrame.of(kind, 1, ""))
-        bench.sent shouldBe emptyList()
+        for (kind in listOf(FrameKind.ASK, FrameKind.DESCRIBE)) for (payload in listOf("", "\u0000")) {
+            bench.session.receive(WireFrame.of(kind, 1, payload))
+        }
+        bench.sent.map { it.payload() } shouldContainExactly List(2) { "\u0001" } + List(2) { "\u0001\u0000\u0000" }
     }
 
     test("numbers of commands wrap, and a repetition from before the wrap is passed over") {
