@@ -201,7 +201,7 @@ public final class BoardSession {
 
     private void answer(WireFrame ask) throws PortException, InterruptedException {
         synchronized (this) {
-            known = firstByte(ask);
+            known = Math.min(firstByte(ask), writer.numbered());
         }
         String answer = program.percepts(PerceptsRequest.ALL + ask.payload().substring(Math.min(1, ask.payload().length())));
         if (answer != null) {

@@ -19,18 +19,18 @@ public sealed interface CommandItem {
         }
     }
 
-    /** A command by its text, of at most {@value CommandItem#MAX_TEXT} bytes. */
+    /** A command by its text, of 1 to {@value CommandItem#MAX_TEXT} bytes. */
     record Text(String text) implements CommandItem {
         public Text {
-            if (text.length() > MAX_TEXT) {
-                throw new IllegalArgumentException("a command has at most " + MAX_TEXT + " bytes, not " + text.length());
+            if (text.isEmpty() || text.length() > MAX_TEXT) {
+                throw new IllegalArgumentException("a command has 1 to " + MAX_TEXT + " bytes, not " + text.length());
             }
         }
 
         @Override
         public String payload() {
             String length = "" + (char) text.length();
-            return (text.isEmpty() || text.length() >= BY_NUMBER ? LONG_TEXT + length : length) + text;
+            return (text.length() < BY_NUMBER ? length : LONG_TEXT + length) + text;
         }
     }
 
@@ -51,7 +51,7 @@ public sealed interface CommandItem {
     /** Its bytes. */
     String payload();
 
-    /** The commands of a payload. A cut or unknown item ends them. */
+    /** The commands of a payload. An item that is cut, empty or unknown ends them. */
     static List<CommandItem> read(String payload) {
         List<CommandItem> items = new ArrayList<>();
         int at = 0;
@@ -67,7 +67,7 @@ public sealed interface CommandItem {
                 int lengthAt = head == LONG_TEXT ? at + 1 : at;
                 int from = lengthAt + 1;
                 int to = lengthAt < payload.length() ? from + payload.charAt(lengthAt) : Integer.MAX_VALUE;
-                if (to > payload.length()) {
+                if (to > payload.length() || to == from) {
                     return items;
                 }
                 items.add(new Text(payload.substring(from, to)));

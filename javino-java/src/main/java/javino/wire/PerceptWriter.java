@@ -15,6 +15,11 @@ public final class PerceptWriter {
         this.capacity = Math.min(capacity, PerceptItems.MAX_IDS);
     }
 
+    /** How many shapes it has numbered in the session. */
+    public int numbered() {
+        return ids.size();
+    }
+
     /** Forgets all shapes: a session begins. */
     public void forget() {
         ids.clear();

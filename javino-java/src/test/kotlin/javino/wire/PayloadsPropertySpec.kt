@@ -53,9 +53,10 @@ class PayloadsPropertySpec : FunSpec({
         }
     }
 
-    test("the long form of a text is read for any length, and FF ends a row") {
-        CommandItem.read("\u0000\u0002hi\u0080\u0000\u0000\u00FF\u0081") shouldContainExactly
-            listOf(CommandItem.Text("hi"), CommandItem.Action(0), CommandItem.Text(""))
+    test("the long form of a text is read for any length but 0, which ends a row as FF does") {
+        for (end in listOf("\u0000\u0000", "\u00FF")) {
+            CommandItem.read("\u0000\u0002hi\u0080$end\u0081") shouldContainExactly listOf(CommandItem.Text("hi"), CommandItem.Action(0))
+        }
     }
 
     test("a welcome comes back, longer ones too, and one that is cut is none") {
