@@ -1,104 +1,171 @@
 #!/usr/bin/env python3
-"""Feeds random streams to the C decoder and to the plain reference and stops at the first difference.
+"""Gives a board on the C core and the reference the same random streams, and stops at the first difference.
 
-    differential.py LIBRARY [STREAMS]
+    differential.py BOARD [STREAMS] [SEED]
 
-LIBRARY is the core as a shared library.
+BOARD is differential_board.c, compiled. A record to it is a letter, a flag, the time in ms (2 bytes), a length (2 bytes) and so many bytes:
+`n` a new board, `b` bytes that arrive, `p` the percepts' texts, `u` they are sent unasked, `d` the outcome of the action begun last. Each is
+answered with what the board has sent and what it has carried out, each with a length of 4 bytes in front.
 """
-import ctypes
 import pathlib
 import random
+import struct
+import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "vectors"))
-import reference  # noqa: E402
+import version1  # noqa: E402
+from javino2 import commands, frames  # noqa: E402
+from javino2.board import DONE, LATER, REFUSES  # noqa: E402
+from javino2.device import Device  # noqa: E402
+from javino2.program import Program  # noqa: E402
 
 
-class Frame(ctypes.Structure):
-    _fields_ = [("payload", ctypes.POINTER(ctypes.c_uint8)), ("crc", ctypes.c_uint16), ("length", ctypes.c_uint8),
-                ("version", ctypes.c_uint8), ("control", ctypes.c_uint8), ("clean", ctypes.c_bool)]
+class Knows(Program):
+    """The program of differential_board.c."""
+
+    def __init__(self):
+        super().__init__([(b"front", 0), (b"left", 0), (b"speed", 1), (b"bump", 0), (b"grip", 0), (b"say", 255)])
+
+    def carry_out(self, text):
+        if text not in (b"front", b"left", b"grip", b"say") and not (text.startswith(b"speed(") and len(text) > 6):
+            return REFUSES
+        self.carried_out.append(text)
+        return LATER if text == b"grip" else DONE
 
 
-class CDecoder:
-    """The C core's decoder behind the reference's interface."""
+class Core:
+    """The board on the C core."""
 
-    WINDOW = 273
+    def __init__(self, program):
+        self.process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
-    def __init__(self, library):
-        self.library = library
-        self.state = ctypes.create_string_buffer(256)
-        self.bytes = (ctypes.c_uint8 * self.WINDOW)()
-        self.messages = []
-        library.javino_decoder_init(self.state, self.bytes, self.WINDOW, 100)
+    def tell(self, what, now, data=b"", flag=0):
+        """(bytes sent, texts carried out)."""
+        self.process.stdin.write(struct.pack("=cBHH", what, flag, now & 0xFFFF, len(data)) + data)
+        self.process.stdin.flush()
+        sent, carried, texts = self._field(), self._field(), []
+        while carried:
+            texts.append(carried[1:1 + carried[0]])
+            carried = carried[1 + carried[0]:]
+        return sent, texts
 
-    def idle(self, now):
-        frame = Frame()
-        while self.library.javino_decoder_next(self.state, now & 0xFFFF, ctypes.byref(frame)):
-            message = {"version": frame.version}
-            if frame.version == 2:
-                message.update(flags=frame.control >> 4, sequence=frame.control & 15)
-            message["hex"] = bytes(frame.payload[:frame.length]).hex()
-            self.messages.append(message)
-
-    def receive(self, data, now):
-        self.idle(now)
-        for byte in data:
-            if not self.library.javino_decoder_ready(self.state):
-                raise AssertionError("no room")
-            self.library.javino_decoder_put(self.state, byte, now & 0xFFFF)
-            self.idle(now)
+    def _field(self):
+        length = self.process.stdout.read(4)
+        if len(length) < 4:
+            raise SystemExit(f"the board ended with status {self.process.wait()}")
+        length = struct.unpack("=I", length)[0]
+        return self.process.stdout.read(length) if length else b""
 
 
-def stream(rng):
-    """Chunks of (gap in ms, bytes): frames, pieces of frames, damage and noise."""
-    chunks = []
-    for _ in range(rng.randrange(1, 9)):
-        payload = bytes(rng.choice(b"fffffeeedd0012345aAF;x") for _ in range(rng.randrange(rng.choice((4, 12, 60)))))
-        if rng.random() < 0.3:
-            payload = payload + reference.frame1(payload[:20]) + payload[:3]
-        data = reference.frame1(payload) if rng.random() < 0.5 else reference.frame2(payload, rng.randrange(16), rng.randrange(16))
-        kind = rng.randrange(6)
+class Stream:
+    """One random conversation. What is sent follows what the reference says is due, mostly."""
+
+    TEXTS = [b"front", b"left", b"speed(5)", b"speed(fffe05front)", b"bump", b"grip", b"fly", b"say", b"speed(\"\xa4\xa5\xff\")"]
+
+    def __init__(self, rng, core):
+        self.rng, self.core = rng, core
+        self.now = rng.randrange(70000)
+        self.device = Device(Knows(), self.now, credit=63, max_rules=0, shapes=64)
+        self.request = 0
+        self.history = []
+
+    def run(self):
+        self._compare("new", self.core.tell(b"n", self.now), b"")
+        self._compare("begin", self.core.tell(b"b", self.now), self.device.receive(b"", self.now))
+        for _ in range(self.rng.randrange(2, 14)):
+            kind = self.rng.random()
+            if kind < 0.1:
+                self._percepts()
+            elif kind < 0.2:
+                self._outcome()
+            elif kind < 0.25 and self.device.board.session and self.device.program.texts:
+                self._compare("unasked", self.core.tell(b"u", self.now), self.device.percepts_unasked())
+            else:
+                self._bytes()
+        self.now += 201
+        self._compare("end", self.core.tell(b"b", self.now), self.device.receive(b"", self.now))
+
+    def _percepts(self):
+        rng = self.rng
+        texts = [b"p%d(%s%d,%03d)" % (rng.randrange(4), rng.choice([b"", b"-", b"a,"]), rng.randrange(10 ** rng.randrange(1, 6)), i)
+                 for i in range(rng.randrange(7))] + [b"say(\"a;b\xa5\")"] * rng.randrange(2)
+        self.device.program.texts = [text + b";" for text in texts]
+        self._compare(f"percepts {texts}", self.core.tell(b"p", self.now, b"".join(text + b"\0" for text in texts)), b"")
+
+    def _outcome(self):
+        done = self.rng.random() < 0.5
+        core = self.core.tell(b"d", self.now, flag=done)
+        self._compare(f"outcome {done}", core, self.device.report(DONE if done else REFUSES))
+
+    def _bytes(self):
+        data = b"".join(self._harm(self._message()) for _ in range(self.rng.choice((1, 1, 1, 2, 3))))
+        cut = self.rng.randrange(len(data) + 1) if self.rng.random() < 0.3 else len(data)
+        for piece in (data[:cut], data[cut:]):
+            if piece:
+                self.now += self.rng.choice((0, 0, 0, 3, 10, 40, 40, 90, 150, 300))
+                core = self.core.tell(b"b", self.now, piece)
+                self._compare(f"at {self.now} {piece.hex()}", core, self.device.receive(piece, self.now))
+
+    def _message(self):
+        rng = self.rng
+        kind = rng.random()
+        if kind < 0.12:
+            return frames.encode(frames.Frame(frames.HELLO, rng.randrange(1, 256)))
+        if kind < 0.25:
+            self.request = self.request % 255 + 1
+            known = rng.choice((0, 0, rng.randrange(4), len(self.device.board.writer.ids), 255))
+            functors = rng.choice((b"", b"", b"(p0,p2)", b"(say)"))
+            return frames.encode(frames.Frame(frames.ASK, self.request, rng.choice((bytes([known]) + functors, b""))))
+        if kind < 0.3:
+            return frames.encode(frames.Frame(frames.DESCRIBE, rng.randrange(1, 256), bytes([rng.randrange(8)])))
+        if kind < 0.4:
+            return version1.frame(rng.choice((b"getPercepts", b"getPercepts(p1)", b"front", b"speed(\xa5\xa4)", b"fly", b"")))
+        if kind < 0.45:
+            return rng.randbytes(rng.randrange(12))
+        if kind < 0.5:
+            return frames.encode(frames.Frame(rng.randrange(256), rng.randrange(256), rng.randbytes(rng.randrange(6))))
+        row = self._row()
+        due = self.device.board.due + rng.choice((0, 0, 0, 0, -1, 1, -2, 100, 128, 130))
+        return frames.encode(frames.Frame(rng.choice((frames.COMMANDS, frames.COMMANDS_RESUME)), due & 255, row))
+
+    def _row(self):
+        rng = self.rng
+        row = b""
+        for _ in range(rng.randrange(6)):
+            row += commands.item(rng.choice((commands.NOTHING, rng.randrange(8), 0, 1, rng.choice(self.TEXTS))))
+        if rng.random() < 0.1:
+            row += rng.choice((b"\xff\x80", b"\x00", b"\x05abc", b"\x00\x90abc", b"\x00\x00\x80", b"\x00\x05front", b"\x81", b"\xfd"))
+        return row
+
+    def _harm(self, data):
+        rng = self.rng
+        kind = rng.randrange(20)
+        if not data or kind > 5:
+            return data
         at = rng.randrange(len(data))
-        if kind == 0:
-            data = data[:at]
-        elif kind == 1:
-            data = data[:at] + bytes([rng.randrange(256)]) + data[at + 1:]
-        elif kind == 2:
-            data = data[:at] + data[at + 1:]
-        elif kind == 3:
-            data = bytes(rng.choice(b"fed05") for _ in range(rng.randrange(8))) + data
-        cut = rng.randrange(len(data) + 1)
-        chunks += [(rng.choice((0, 0, 0, 40, 150)), data[:cut]), (rng.choice((0, 0, 0, 40, 150)), data[cut:])]
-    return chunks
+        return [data[:at], data[at:], data[:at] + data[at + 1:], data[:at] + bytes([data[at]]) + data[at:],
+                data[:at] + bytes([data[at] ^ 1 << rng.randrange(8)]) + data[at + 1:],
+                rng.choice((b"\xa5", b"\xa4", b"f", b"fffe", b"\xa5\x01\x30")) + data][kind]
+
+    def _compare(self, what, core, reference):
+        carried, self.device.program.carried_out = self.device.program.carried_out, []
+        self.history.append(what)
+        if core != (reference, carried):
+            lines = self.history + [f"core      {core[0].hex()} {core[1]}", f"reference {reference.hex()} {carried}"]
+            raise SystemExit("a difference:\n" + "\n".join(lines))
 
 
 def main():
-    library = ctypes.CDLL(sys.argv[1])
-    library.javino_decoder_next.restype = ctypes.c_bool
-    library.javino_decoder_ready.restype = ctypes.c_bool
-    streams = int(sys.argv[2]) if len(sys.argv) > 2 else 3000
-    rng = random.Random(7)
-    delivered = 0
-    for _ in range(streams):
-        chunks, now = stream(rng), rng.randrange(70000)
-        plain, core = reference.Decoder(), CDecoder(library)
-        plain.last = now
-        for gap, data in chunks:
-            now += gap
-            plain.receive(data, now)
-            core.receive(data, now)
-            if not data:
-                continue
-            if plain.messages != core.messages:
-                print("difference after", chunks, "\nreference", plain.messages, "\ncore     ", core.messages)
-                return 1
-        plain.idle(now + 101)
-        core.idle(now + 101)
-        if plain.messages != core.messages:
-            print("difference in the end of", chunks, "\nreference", plain.messages, "\ncore     ", core.messages)
-            return 1
-        delivered += len(plain.messages)
-    print(f"{streams} random streams, {delivered} messages: the core and the reference agree")
+    core = Core(sys.argv[1])
+    streams = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+    sent = 0
+    for i in range(streams):
+        stream = Stream(random.Random(seed * 1_000_000 + i), core)
+        stream.run()
+        sent += len(stream.history)
+    print(f"  core against reference: {streams} random streams, {sent} steps, no difference")
     return 0
 
 

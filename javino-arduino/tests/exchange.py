@@ -94,8 +94,7 @@ class Exchange:
         return Computer(nonces(self.rng.randint), self.byte_time, self.now)
 
     def _boot(self):
-        self.board, self.line = Board(self.program, part_size=40), Line()
-        self.line.last = self.line.version2.last = self.now
+        self.board, self.line = Board(self.program, part_size=40), Line(self._board_receives, now=self.now)
         self.program.open = None
 
     def run(self, commands):
@@ -131,27 +130,23 @@ class Exchange:
 
     def _step(self):
         self.to_board.send(self.computer.poll(self.now), self.now)
-        for byte in self.to_board.arrived(self.now):
-            self.line.receive(bytes([byte]), self.now)
-            self._board_receives()
+        self.line.receive(self.to_board.arrived(self.now), self.now)
         if self.program.open and self.now >= self.program.open[1]:
             self._report()
         self.computer.receive(self.to_computer.arrived(self.now), self.now)
         self._take()
 
-    def _board_receives(self):
-        received, self.line.received = self.line.received, []
-        for frame in received:
-            if not isinstance(frame, Frame):
-                raise Failure(f"a frame of version 1 was never sent: {frame}")
-            begun = self.program.open
-            replies = self.board.receive(frame)
-            self.line.session = bool(self.board.session)
-            if not self.board.busy and self.program.open is begun:
-                self.program.open = None
-            if frame.kind == ASK and self.board.session:
-                self.program.said[self.board.session, frame.number] = self.program.texts
-            self._reply(replies)
+    def _board_receives(self, frame):
+        if not isinstance(frame, Frame):
+            raise Failure(f"a frame of version 1 was never sent: {frame}")
+        begun = self.program.open
+        replies = self.board.receive(frame)
+        self.line.session = bool(self.board.session)
+        if not self.board.busy and self.program.open is begun:
+            self.program.open = None
+        if frame.kind == ASK and self.board.session:
+            self.program.said[self.board.session, frame.number] = self.program.texts
+        self._reply(replies)
 
     def _report(self):
         text, self.program.open = self.program.open[0], None
@@ -203,7 +198,13 @@ DEFECTS = [
     ("a part that is missing is not noticed", mutations.replaced(parts.Assembly, "take", mutations.any_part)),
 ]
 # Bytes a ms; probability that a byte is harmed, that a command is refused, that its outcome is late, that an end restarts in a ms.
-SETTINGS = [(11.5, 0, 0, 0, 0), (11.5, 1e-3, 0.02, 0, 0), (11.5, 1e-2, 0.3, 0, 0), (0.96, 1e-3, 0.1, 0.02, 0), (11.5, 3e-3, 0.1, 0.05, 1e-3)]
+SETTINGS = [
+    (11.5, 0, 0, 0, 0),
+    (11.5, 1e-3, 0.02, 0, 0),
+    (11.5, 1e-2, 0.3, 0, 0),
+    (0.96, 1e-3, 0.1, 0.02, 0),
+    (11.5, 3e-3, 0.1, 0.05, 1e-3),
+]
 
 
 def run(commands, seed):

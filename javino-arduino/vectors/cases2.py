@@ -99,9 +99,9 @@ def receive():
 
     def case(name, direction, *chunks, session=False):
         chunks = [c if isinstance(c, tuple) else (0, c) for c in chunks]
-        now, line, receiver = 1000, Line(), Receiver(direction)
+        now, received, receiver = 1000, [], Receiver(direction)
+        line = Line(received.append, now=now)
         line.session = session
-        line.last = line.version2.last = line.version1.last = receiver.last = now
         for gap, data in chunks:
             now += gap
             line.receive(data, now)
@@ -111,10 +111,10 @@ def receive():
         if direction == TO_BOARD:
             out["session"] = session
         out["chunks"] = [{"gapMs": gap, "hex": data.hex()} for gap, data in chunks]
-        got = [m for m in line.received if isinstance(m, Frame)] if direction == TO_BOARD else receiver.frames
+        got = [m for m in received if isinstance(m, Frame)] if direction == TO_BOARD else receiver.frames
         out["frames"] = [show(f) for f in got]
         if direction == TO_BOARD:
-            out["version1"] = [text(m) for m in line.received if not isinstance(m, Frame)]
+            out["version1"] = [text(m) for m in received if not isinstance(m, Frame)]
         return out
 
     def changed(data, at, value):

@@ -10,10 +10,16 @@ def frame(payload):
 
 
 class Decoder:
-    """A receiver by the protocol's rules."""
+    """A receiver by the protocol's rules.
 
-    def __init__(self, timeout=100):
+    Where version 2 shares the line, `other` is the byte with which its frames begin. `anywhere` says whether a frame may begin at any byte,
+    or only at one in front of which `quiet` was set.
+    """
+
+    def __init__(self, timeout=100, other=None):
         self.timeout = timeout
+        self.other = other
+        self.anywhere = self.quiet = True
         self.window = b""
         self.delivered = 0  # bytes at the window's start that are a frame which has been delivered
         self.last = 0
@@ -23,8 +29,7 @@ class Decoder:
         """Takes bytes that arrive together."""
         self.idle(now)
         for byte in data:
-            self.window += bytes([byte])
-            self._parse()
+            self.put(byte)
         self.last = now
 
     def idle(self, now):
@@ -32,45 +37,63 @@ class Decoder:
         if now - self.last <= self.timeout:
             return
         while self.window:
-            if self.delivered == len(self.window):
-                self._drop(self.delivered)
-            elif self.delivered and self._header(self.window[self.delivered:]) == "yes":
-                self._drop(self.delivered)
-            else:
-                self._drop(1)
-            self._parse()
+            self.give_up()
 
-    def in_payload(self):
-        """Whether the next byte belongs to a frame whose header is complete."""
-        return not self.delivered and self._header(self.window) == "yes"
+    def put(self, byte):
+        """Takes a byte. Returns the bytes from `other` on, if that is found where no frame of version 1 is."""
+        self.window += bytes([byte])
+        return self._parse()
 
-    def forget(self):
-        """Drops what has been read."""
-        self._drop(len(self.window))
+    def give_up(self):
+        """Nothing follows: drops the frame that was delivered, or reads what is incomplete again from its second byte. Returns as put."""
+        following = self.window[self.delivered:]
+        if self.delivered and (not following or self._header(following) == "yes"):
+            self._drop(self.delivered)
+        else:
+            self._misread()
+        return self._parse()
+
+    def waits(self):
+        """Whether a frame is being read."""
+        return len(self.window) > self.delivered
 
     def _drop(self, count):
         self.window = self.window[count:]
         self.delivered = 0
 
+    def _misread(self):
+        self._drop(1)
+        self.quiet = self.anywhere
+
     def _parse(self):
         while self.window:
+            if self.window[0] == self.other:
+                rest = self.window
+                self._drop(len(rest))
+                return rest
             if self.delivered:
-                follows = self._header(self.window[self.delivered:])
+                following = self.window[self.delivered:]
+                follows = "yes" if following and following[0] == self.other else self._header(following)
                 if follows == "maybe":
-                    return
-                self._drop(self.delivered if follows == "yes" else 1)
+                    break
+                if follows == "yes":
+                    self._drop(self.delivered)
+                else:
+                    self._misread()
                 continue
-            header = self._header(self.window)
+            header = self._header(self.window) if self.quiet else "no"
             if header == "maybe":
-                return
+                break
             if header == "no":
-                self._drop(1)
+                self._misread()
                 continue
             end = 6 + int(self.window[4:6], 16)
             if len(self.window) < end:
-                return
+                break
             self.messages.append(self.window[6:end])
             self.delivered = end
+            self.quiet = self.anywhere
+        return b""
 
     @staticmethod
     def _header(data):

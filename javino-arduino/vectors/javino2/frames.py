@@ -45,12 +45,11 @@ def is_kind(direction, kind):
 
 
 class Receiver:
-    """Finds the frames of one direction. Bytes outside of frames go to `outside`, a function of one byte and the time."""
+    """Finds the frames of one direction, and drops all else."""
 
-    def __init__(self, direction, timeout=100, outside=None, longest=255):
+    def __init__(self, direction, timeout=100, longest=255):
         self.direction = direction
         self.timeout = timeout
-        self.outside = outside or (lambda byte, now: False)
         self.longest = longest
         self.body = None  # bytes of the frame that is being read, without the escapes; None outside of frames
         self.escaped = False
@@ -62,15 +61,14 @@ class Receiver:
         if now - self.last > self.timeout:
             self.body = None
         for byte in data:
-            self._put(byte, now)
+            self._put(byte)
             self.last = now
 
-    def _put(self, byte, now):
-        if self.body is None:
-            if not self.outside(byte, now) and byte == START:
-                self._begin()
-        elif byte == START:
+    def _put(self, byte):
+        if byte == START:
             self._begin()
+        elif self.body is None:
+            pass
         elif self.escaped:
             self.escaped = False
             if byte in (4, 5):

@@ -5,54 +5,56 @@ from .frames import START, TO_BOARD, Receiver
 
 
 class Line:
-    """Finds frames of version 2, and of version 1 where they count; both are added to `received`, those of version 1 as bytes."""
+    """Finds frames of version 2, and of version 1 where they count, and hands each to `deliver`: a Frame, or a payload of version 1.
 
-    def __init__(self, timeout=100, longest=255):
+    `session` says whether the board has one now; set it before the next byte comes, in `deliver` at the latest.
+    """
+
+    def __init__(self, deliver, timeout=100, longest=255, now=0):
+        self.deliver = deliver
         self.timeout = timeout
-        self.session = False  # whether the board has one now
-        self.version1 = version1.Decoder(timeout)
-        self.version2 = Receiver(TO_BOARD, timeout, self._outside, longest)
-        self.last = 0
-        self.received = []
+        self.session = False
+        self.version1 = version1.Decoder(timeout, START)
+        self.version2 = Receiver(TO_BOARD, timeout, longest)
+        self.last = now
 
     def receive(self, data, now):
+        """Takes bytes that arrive together."""
+        self.idle(now)
         for byte in data:
-            self.version2.receive(bytes([byte]), now)
-            self.received += self.version2.frames
-            self.version2.frames.clear()
+            self._put(byte)
             self.last = now
 
     def idle(self, now):
         """Says that it is this late and that nothing else has arrived."""
-        if not self.session:
-            self.version1.idle(now)
-            self._deliver()
+        silence = now - self.last
+        if silence > self.timeout:
+            while self.version1.window:
+                self._again(self.version1.give_up())
+            self.version2.body = None
+        if silence > self.timeout / 4 and not self.version1.waits():
+            self.version1.quiet = True
 
-    def _outside(self, byte, now):
-        """Takes a byte outside of frames of version 2; returns whether version 1 has it."""
-        if byte == START and not self.version1.in_payload():
-            self.version1.forget()
-            return False
-        if self.session:
-            self._in_session(byte, now)
+    def _put(self, byte):
+        if self.version2.body is not None:
+            self._put2(byte)
         else:
-            self.version1.receive(bytes([byte]), now)
-            self._deliver()
-        return True
+            self.version1.anywhere = not self.session
+            self._again(self.version1.put(byte))
 
-    def _in_session(self, byte, now):
-        """A frame of version 1 counts if its first byte follows a silence; nothing is read twice."""
-        before = len(self.version1.window)
-        if not before and now - self.last < self.timeout / 4:
-            return
-        self.version1.receive(bytes([byte]), now)
-        if len(self.version1.window) == before + 1:
-            self._deliver()
-            if not self.version1.delivered:
-                return
-        self.version1.messages.clear()
-        self.version1.forget()
+    def _again(self, rest):
+        """Hands out what version 1 has found; the bytes that it leaves begin with a frame of version 2."""
+        messages, self.version1.messages = self.version1.messages, []
+        for message in messages:
+            self.deliver(message)
+        if rest:
+            self._put2(rest[0])
+        for byte in rest[1:]:
+            self._put(byte)
 
-    def _deliver(self):
-        self.received += self.version1.messages
-        self.version1.messages.clear()
+    def _put2(self, byte):
+        self.version2.receive(bytes([byte]), self.version2.last)
+        frames, self.version2.frames = self.version2.frames, []
+        for frame in frames:
+            self.deliver(frame)
+        self.version1.quiet = self.version1.anywhere = not self.session

@@ -1,4 +1,6 @@
 """A program for a board, as the vectors and the tests describe it."""
+import re
+
 from . import vocabulary
 from .board import DONE, LATER, REFUSES
 from .rules import literal
@@ -13,9 +15,10 @@ class Program:
         self.carried_out = []
 
     def percepts(self, functors):
-        """All texts, or those of the functors in `(dist,light)`."""
-        wanted = functors.strip(b"()").split(b",") if functors else None
-        return [t for t in self.texts if wanted is None or literal(t)[0] in wanted]
+        """All texts, or those of the functors in `(dist,light)`: what stands between a bracket or comma and another."""
+        if not set(b"(,") & set(functors):
+            return self.texts
+        return [t for t in self.texts if re.search(rb"[(,]" + re.escape(literal(t)[0]) + rb"[,)]", functors)]
 
     def carry_out(self, text):
         name, arguments = literal(text)

@@ -1,0 +1,45 @@
+"""A whole board: bytes in, bytes out, in both versions."""
+import version1
+
+from .board import Board
+from .frames import Frame, encode
+from .line import Line
+
+REQUEST = b"getPercepts"
+
+
+class Device:
+    def __init__(self, program, now, timeout=100, **board):
+        self.program = program
+        self.board = Board(program, **board)
+        self.line = Line(self._take, timeout, self.board.longest, now)
+        self.sending = b""
+
+    def receive(self, data, now):
+        """The bytes that answer these, be there none."""
+        self.line.idle(now)
+        self.line.receive(data, now)
+        return self._sent()
+
+    def report(self, outcome):
+        return b"".join(map(encode, self.board.report(outcome)))
+
+    def percepts_unasked(self):
+        return b"".join(map(encode, self.board.percepts_unasked()))
+
+    def _sent(self):
+        sending, self.sending = self.sending, b""
+        return sending
+
+    def _take(self, message):
+        if isinstance(message, Frame):
+            self.sending += b"".join(map(encode, self.board.receive(message)))
+            self.line.session = bool(self.board.session)
+        else:
+            self.sending += self._version1(message)
+
+    def _version1(self, message):
+        if message[:len(REQUEST)] == REQUEST and message[len(REQUEST):len(REQUEST) + 1] in (b"", b"("):
+            return version1.frame(b"".join(self.program.percepts(message[len(REQUEST):])))
+        self.program.carry_out(message)
+        return b""
