@@ -19,6 +19,9 @@ enum {
     UBRR0H = 0xC5
 };
 
+/* A quarter of a millisecond. */
+#define LOOK_CYCLES (BOARD_HZ / 4000)
+
 /* The pins that timers drive: where the bit is that connects the pin, and the register with the duty. */
 static const struct {
     int pin;
@@ -184,25 +187,37 @@ void board_multiplex(board *board, int input, const int *select_pins, int count)
 
 /* ---- The serial line ---- */
 
+static avr_uart_t *uart(const board *b)
+{
+    avr_io_t *io = b->avr->io_port;
+    while (io && strcmp(io->kind, "uart") != 0)
+        io = io->next;
+    return (avr_uart_t *)io;
+}
+
+/* Ten bits. simavr allows eleven, so it is corrected whenever this is asked for, which is with every byte. */
 static avr_cycle_count_t byte_cycles(const board *b)
 {
     const uint8_t *data = b->avr->data;
     unsigned divisor = (unsigned)(data[UBRR0L] | data[UBRR0H] << 8) + 1;
-    return 10ull * divisor * (data[UCSR0A] & 1 << U2X0 ? 8 : 16);
+    return uart(b)->cycles_per_byte = 10ull * divisor * (data[UCSR0A] & 1 << U2X0 ? 8 : 16);
 }
 
 static avr_cycle_count_t feed(avr_t *avr, avr_cycle_count_t when, void *context)
 {
     board *b = (board *)context;
+    avr_cycle_count_t byte = byte_cycles(b);
     (void)avr;
     b->feeding = b->in_begin != b->in_end;
     if (!b->feeding)
         return 0;
+    if (b->in_at[b->in_begin] > when)
+        return b->in_at[b->in_begin];
     if (b->receiver_full)
-        return when + byte_cycles(b) / 8;
+        return when + byte / 8;
     avr_raise_irq(avr_io_getirq(b->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_INPUT), b->in[b->in_begin]);
     b->in_begin = (b->in_begin + 1) % sizeof b->in;
-    return when + byte_cycles(b);
+    return b->in_begin != b->in_end && b->in_at[b->in_begin] ? b->in_at[b->in_begin] : when + byte;
 }
 
 /* simavr's receiver hands bytes on somewhat more slowly than the line brings them, and drops what does not fit its queue. */
@@ -225,14 +240,32 @@ unsigned board_room(const board *board)
     return (unsigned)((board->in_begin + sizeof board->in - board->in_end - 1) % sizeof board->in);
 }
 
-void board_receive(board *board, uint8_t byte)
+static void put(board *board, uint8_t byte, uint64_t cycle, avr_cycle_count_t delay)
 {
     board->in[board->in_end] = byte;
+    board->in_at[board->in_end] = cycle;
     board->in_end = (board->in_end + 1) % sizeof board->in;
     if (!board->feeding) {
         board->feeding = true;
-        avr_cycle_timer_register(board->avr, byte_cycles(board), feed, board);
+        avr_cycle_timer_register(board->avr, delay, feed, board);
     }
+}
+
+void board_receive(board *board, uint8_t byte)
+{
+    put(board, byte, 0, byte_cycles(board));
+}
+
+/* simavr hands a byte over the time of a byte after it was given it. */
+void board_receive_at(board *board, uint8_t byte, uint64_t cycle)
+{
+    uint64_t now = board->avr->cycle;
+    put(board, byte, cycle, cycle > now ? cycle - now : 0);
+}
+
+void board_foretell(board *board, byte_forecast forecast)
+{
+    board->forecast = forecast;
 }
 
 static avr_cycle_count_t send(avr_t *avr, avr_cycle_count_t when, void *context)
@@ -249,6 +282,11 @@ static void written(avr_irq_t *irq, uint32_t value, void *context)
 {
     board *b = (board *)context;
     (void)irq;
+    if (b->forecast) {
+        b->out_free = (b->out_free > b->avr->cycle ? b->out_free : b->avr->cycle) + byte_cycles(b);
+        b->forecast(b->context, (uint8_t)value, b->out_free);
+        return;
+    }
     b->out[b->out_end] = (uint8_t)value;
     b->out_end = (b->out_end + 1) % sizeof b->out;
     if (!b->sending) {
@@ -341,17 +379,27 @@ bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_si
     return true;
 }
 
+static bool run(board *b, uint64_t cycle)
+{
+    while (b->avr->cycle < cycle) {
+        int state = avr_run(b->avr);
+        if (state == cpu_Done || state == cpu_Crashed)
+            return false;
+    }
+    return true;
+}
+
+/* A timer's compare register says nothing when it is written, so the pins are looked at in between. */
 bool board_run(board *board, uint64_t cycle)
 {
     int pin;
     while (board->avr->cycle < cycle) {
-        int state = avr_run(board->avr);
-        if (state == cpu_Done || state == cpu_Crashed)
+        uint64_t next = board->avr->cycle + LOOK_CYCLES;
+        if (!run(board, next < cycle ? next : cycle))
             return false;
+        for (pin = 0; pin < BOARD_PINS; pin++)
+            report(board, pin);
     }
-    /* A timer's compare register says nothing when it is written. */
-    for (pin = 0; pin < BOARD_PINS; pin++)
-        report(board, pin);
     return true;
 }
 
@@ -362,4 +410,5 @@ void board_reset(board *board)
     board->avr->cycle = now;
     board->in_begin = board->in_end = board->out_begin = board->out_end = 0;
     board->feeding = board->sending = board->receiver_full = false;
+    board->out_free = 0;
 }

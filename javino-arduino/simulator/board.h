@@ -27,17 +27,22 @@ typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
 /** Called with each byte that the board sends, when its last bit would have left. */
 typedef void (*byte_sink)(void *context, uint8_t byte);
 
+/** Called with each byte that the board sends, when it begins, with the cycle at which its last bit will have left. */
+typedef void (*byte_forecast)(void *context, uint8_t byte, uint64_t cycle);
+
 /** The board. The members are private but for avr. */
 struct board {
     avr_t *avr;
     void *context;
     pin_watcher watcher;
     byte_sink sink;
+    byte_forecast forecast; /* in place of sink; may be null */
     bool watched[BOARD_PINS];
     pin_state last[BOARD_PINS];
     uint16_t millivolts[BOARD_ANALOGUE][BOARD_CHANNELS];
     int select_pins[BOARD_ANALOGUE][BOARD_SELECTS]; /* -1: none */
     uint8_t in[4096];
+    uint64_t in_at[4096]; /* the cycle at which each begins; 0: behind the one before */
     unsigned in_begin;
     unsigned in_end;
     bool feeding;
@@ -46,6 +51,7 @@ struct board {
     unsigned out_begin;
     unsigned out_end;
     bool sending;
+    uint64_t out_free; /* the cycle at which the last byte of a forecast will have left */
 };
 
 /**
@@ -67,6 +73,12 @@ unsigned board_room(const board *board);
 
 /** Sends a byte to the board; it arrives by the rate that the board has set. */
 void board_receive(board *board, uint8_t byte);
+
+/** Sends a byte to the board whose first bit comes at a cycle, which has not passed and is not before those of earlier bytes. */
+void board_receive_at(board *board, uint8_t byte, uint64_t cycle);
+
+/** From now on bytes that the board sends go to this in place of the sink. */
+void board_foretell(board *board, byte_forecast forecast);
 
 /** @return the number of a pin named 13, A0 or PB5; -1 if there is none of that name */
 int board_pin(const char *name);

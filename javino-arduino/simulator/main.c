@@ -16,6 +16,7 @@
 #include "board.h"
 #include "console.h"
 #include "line.h"
+#include "stepped.h"
 
 #define SLICE_NS 250000ull
 /* When the machine has kept the simulator waiting for longer, the lost time is not made up for. */
@@ -23,10 +24,12 @@
 
 static const char USAGE[] =
     "usage: simulator [--link PATH] [--reset-on-open] [--boot-ms N] [--detached] SKETCH.elf|SKETCH.hex\n"
+    "       simulator --stepped SKETCH.elf|SKETCH.hex\n"
     "  --link PATH      a symbolic link to the serial line\n"
     "  --reset-on-open  opening the line resets the board, as on an Uno\n"
     "  --boot-ms N      after power-on and reset, the boot loader keeps the line for so long\n"
-    "  --detached       go on when standard input ends\n";
+    "  --detached       go on when standard input ends\n"
+    "  --stepped        no line and no real time: commands on standard input advance the board, see README.md\n";
 
 typedef struct {
     const char *link;
@@ -192,6 +195,8 @@ int main(int count, char **words)
     static simulator s;
     bool has_input = true;
     bool runs = true;
+    if (count == 3 && strcmp(words[1], "--stepped") == 0)
+        return stepped_run(words[2]) ? 0 : 1;
     if (!read_options(&s.options, count, words)) {
         fputs(USAGE, stderr);
         return 2;
