@@ -5,6 +5,7 @@ import argo.platform.Platform
 import jason.asSemantics.Agent
 import jason.environment.Environment
 import jason.mas2j.ClassParameters
+import kotlin.time.Duration
 
 /** The configuration of an agent under test and of its boards: the receiver of [argo.testkit.agent]'s last argument. */
 @TestSetUp
@@ -26,6 +27,9 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
      * take no time. Several agents of a test may share one. Its own threads, if any, run in real time.
      */
     var environment: Environment? = null
+
+    /** How long each of its reasoning cycles takes; the next one begins no earlier. */
+    var cycleTime: Duration = Duration.ZERO
 
     internal val platform = TestPlatform(time)
     internal var beliefBase: ClassParameters? = null

@@ -1,6 +1,7 @@
 package argo.testkit
 
 import javino.Frame
+import javino.LineClock
 import javino.LineSettings
 import javino.NoSuchPortException
 import javino.PerceptsRequest
@@ -29,6 +30,7 @@ class Board internal constructor(private val time: VirtualTime) {
     private var isConnected = true
     private var openingNanos = 0L
     private var refusal: ((String) -> PortException)? = null
+    private var elsewhere: ((String, LineSettings, LineClock) -> Transport)? = null
     private var line: MemoryLine? = null
     private val threads = ArrayList<Thread>()
     private var sensors: (Duration) -> List<String> = { emptyList() }
@@ -84,6 +86,13 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /** [replays] the recording in [file], as `monitor --record` of ARGO's tools writes it. */
     fun replays(file: Path): Board = replays(Recording.read(file))
+
+    /**
+     * From its next opening on its port leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] is given
+     * the port's name and settings, and the time that the line goes by. The board's other settings have no effect then, except for those of
+     * its port, nor do the expectations of commands.
+     */
+    fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
     /** It speaks version 2 of the protocol with agents that do; to be called before the port is opened. */
     fun version2(): Board = apply {
@@ -180,6 +189,7 @@ class Board internal constructor(private val time: VirtualTime) {
         if (openingNanos > 0) time.block(time.nanos() + openingNanos, interruptible = false) { false }
         if (!isConnected) throw NoSuchPortException(port, "there is no port $port")
         refusal?.let { throw it(port) }
+        elsewhere?.let { return it(port, settings, time) }
         val line = MemoryLine.paced(port, settings, time).also { this.line = it }
         threads.removeAll { !it.isAlive }
         threads += time.start("board $port") { run(line) }

@@ -41,6 +41,7 @@ class TestAgent internal constructor(
     private val inspector = AgentInspector(ts)
     private var cycles = 0
     private var cyclesAt = -1L
+    private var isBusy = false
 
     /** Where the programs of agents that it creates are looked for first. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
@@ -164,7 +165,8 @@ class TestAgent internal constructor(
 
     /** Runs one reasoning cycle. With an agent that never sleeps time would not advance. */
     internal fun step(): Boolean {
-        if (!cycle()) return false
+        if (isBusy || !cycle()) return false
+        takeTime()
         if (cyclesAt != time.nanos()) cycles = 0
         cyclesAt = time.nanos()
         if (++cycles < MOST_CYCLES) return true
@@ -173,6 +175,12 @@ class TestAgent internal constructor(
             "agent $name is still busy after $MOST_CYCLES cycles at one instant: a plan that repeats itself has to wait for something, " +
                 "time (.wait) or a command (argo.act)\n${report()}",
         )
+    }
+
+    private fun takeTime() {
+        if (setUp.cycleTime == Duration.ZERO) return
+        isBusy = true
+        time.later(nanos(setUp.cycleTime)) { isBusy = false }
     }
 
     private fun cycle(): Boolean = try {

@@ -8,9 +8,12 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
+import javino.sim.MemoryLine
 import javino.sim.Recording
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
+import kotlin.time.Duration
 import kotlin.time.Duration.Companion.hours
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
@@ -55,6 +58,25 @@ class AgentSpec : FunSpec({
         agentOf("!start.\n+!start <- argo.port(ttyACM0, [baud(300), boot(0), protocol(1)]); argo.act(ledOn).").use { robot ->
             robot.after(300.milliseconds).sent.shouldBeEmpty() // 11 bytes of 10 bits at 300 baud: 367 ms
             robot.after(100.milliseconds).sent shouldBe listOf("ledOn")
+        }
+    }
+
+    test("a port leads to a line of the test's own, which goes by the test's time") {
+        var line: MemoryLine? = null
+        agentOf("!start.\n+!start <- argo.port(ttyACM0, [boot(0), protocol(1)]); argo.act(ledOn).") {
+            board.leadsTo { port, settings, clock -> MemoryLine.paced(port, settings, clock).also { line = it }.computer() }
+        }.use { robot ->
+            robot.after(1.seconds)
+            val arrived = ByteArray(MemoryLine.CAPACITY)
+            val count = checkNotNull(line).board().read(arrived, 0, arrived.size, 0)
+            String(arrived, 0, count, Charsets.ISO_8859_1) shouldEndWith "fffe05ledOn"
+        }
+    }
+
+    test("a reasoning cycle takes the time that it is given") {
+        agentOf("!start.\n+!start <- +a; +b; +c; .print(done).") { cycleTime = 100.milliseconds }.use { robot ->
+            robot.after(250.milliseconds).printed.shouldBeEmpty()
+            robot.after(100.milliseconds).shouldPrint("done", within = Duration.ZERO)
         }
     }
 
