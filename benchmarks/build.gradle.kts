@@ -2,6 +2,7 @@ plugins { application }
 
 dependencies {
     implementation(project(":argo-arch"))
+    implementation(project(":argo-testkit")) // the bench of stops runs in its virtual time
     implementation(libs.jason)
     implementation(libs.jmh.core)
     implementation(libs.lets.plot.kotlin)

@@ -1,0 +1,55 @@
+package benchmarks.stops
+
+import javino.LineSettings
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * What the line of a course is in use for.
+ *
+ * @property snapshotsPerSecond of an agent that senses without interval and does not act
+ * @property snapshot the bytes of a snapshot, request and answer
+ * @property command the bytes of the command `stop`
+ */
+internal class LineFigures(val snapshotsPerSecond: Double, val snapshot: Traffic, val command: Traffic, private val byteNanos: Long) {
+    /** From the limit to the stop, if the line alone took time and the sensors were read at the limit, in ms. */
+    val shortestMs: Double get() = (snapshot.toBoard + snapshot.toComputer + command.toBoard) * byteNanos / NANOS_PER_MS
+
+    /** The same if they were read just before. */
+    val longestMs: Double get() = shortestMs + (snapshot.toBoard + snapshot.toComputer) * byteNanos / NANOS_PER_MS
+}
+
+/** Measures the line of [course]. */
+internal fun measureLine(course: StopCourse): LineFigures {
+    val (snapshots, sensed) = CourseRun(course, senses(course)).use { run ->
+        run.agent.after(SETTLED)
+        val before = run.robot.looked to run.traffic
+        run.agent.after(WINDOW)
+        run.robot.looked - before.first to run.traffic - before.second
+    }
+    val acted = CourseRun(course, acts(course)).use { run ->
+        run.agent.after(SETTLED)
+        val before = run.traffic
+        repeat(COMMANDS) {
+            run.agent.hears("bench", "achieve", "stop")
+            run.agent.after(BETWEEN)
+        }
+        run.traffic - before
+    }
+    return LineFigures(
+        snapshots / WINDOW.inWholeSeconds.toDouble(), sensed / snapshots, acted / COMMANDS, LineSettings(course.baud).byteNanos(),
+    )
+}
+
+private operator fun Traffic.div(times: Int) = Traffic((toBoard + times / 2) / times, (toComputer + times / 2) / times)
+
+private fun senses(course: StopCourse) =
+    "!start.\n+!start <- argo.port(\"uno\", ${course.options}); argo.limit(0); argo.percepts(open)."
+
+private fun acts(course: StopCourse) = "!start.\n+!start <- argo.port(\"uno\", ${course.options}).\n+!stop <- argo.act(stop)."
+
+private const val NANOS_PER_MS = 1e6
+private const val COMMANDS = 10
+private val SETTLED = 2.seconds
+private val WINDOW = 5.seconds
+private val BETWEEN = 200.milliseconds

@@ -1,0 +1,146 @@
+package benchmarks.stops
+
+import javino.LineClock
+import javino.LineSettings
+import javino.PortGoneException
+import javino.PortInterruptedException
+import javino.PortTimeoutException
+import javino.Transport
+import java.util.concurrent.TimeUnit
+
+/**
+ * The computer's end of the line to [uno], which advances with [clock]. Bytes have the times of a real line in both directions: the board
+ * is run to the present at least once in the time of a byte, before each byte that is sent to it, and gives out its own a byte's time before
+ * they arrive.
+ */
+internal class SteppedLine(
+    private val name: String, private val settings: LineSettings, private val clock: LineClock, private val uno: SteppedUno,
+    private val timeline: Timeline,
+) : Transport {
+    private class Arrival(val byte: Byte, val atNanos: Long)
+
+    private val lock = clock.newLock(false)
+    private val changed = lock.newCondition()
+    private val arriving = ArrayDeque<Arrival>()
+    private var freeAt = clock.nanos()
+    private var isClosed = false
+
+    /** The bytes that have been handed to it and read from it. */
+    var traffic = Traffic(0, 0)
+        private set
+
+    /** Called with the bytes that are handed to it. */
+    var tap: (ByteArray) -> Unit = {}
+
+    init {
+        uno.sent = { byte, atNanos ->
+            arriving += Arrival(byte, maxOf(atNanos, clock.nanos()))
+            timeline.addByte("board", atNanos)
+        }
+        advance()
+    }
+
+    override fun name() = name
+
+    override fun line() = settings
+
+    private fun advance() {
+        lock.lock()
+        try {
+            if (isClosed) return
+            val before = arriving.size
+            uno.runTo(clock.nanos())
+            if (arriving.size > before) changed.signalAll()
+            clock.schedule(settings.byteNanos() * 4 / 5, ::advance) // the board may send up to 2 % faster than its nominal rate
+        } finally {
+            lock.unlock()
+        }
+    }
+
+    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
+        val deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis.toLong())
+        lock.lock()
+        try {
+            while (true) {
+                requireOpen()
+                val now = clock.nanos()
+                val count = take(b, off, len, now)
+                if (count > 0 || now >= deadline) return count
+                await(minOf(deadline, arriving.firstOrNull()?.atNanos ?: deadline) - now)
+            }
+        } finally {
+            lock.unlock()
+        }
+    }
+
+    private fun take(b: ByteArray, off: Int, len: Int, now: Long): Int {
+        var count = 0
+        while (count < len && arriving.isNotEmpty() && arriving.first().atNanos <= now) b[off + count++] = arriving.removeFirst().byte
+        traffic += Traffic(0, count)
+        return count
+    }
+
+    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
+        val deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis.toLong())
+        lock.lock()
+        try {
+            requireOpen()
+            while (freeAt - clock.nanos() + len * settings.byteNanos() > DRIVER_BYTES * settings.byteNanos()) {
+                if (clock.nanos() >= deadline) throw PortTimeoutException(name, "port $name took 0 of $len bytes within $timeoutMillis ms")
+                await(minOf(deadline - clock.nanos(), settings.byteNanos()))
+                requireOpen()
+            }
+            send(b.copyOfRange(off, off + len))
+        } finally {
+            lock.unlock()
+        }
+    }
+
+    private fun send(bytes: ByteArray) {
+        val now = clock.nanos()
+        uno.runTo(now)
+        freeAt = maxOf(freeAt, now)
+        uno.send(bytes, freeAt, settings.byteNanos())
+        repeat(bytes.size) {
+            freeAt += settings.byteNanos()
+            timeline.addByte("computer", freeAt)
+        }
+        traffic += Traffic(bytes.size, 0)
+        tap(bytes)
+        changed.signalAll()
+    }
+
+    private fun requireOpen() {
+        if (isClosed) throw PortGoneException(name, "port $name is gone: it was closed")
+    }
+
+    private fun await(nanos: Long) {
+        try {
+            clock.await(changed, nanos)
+        } catch (_: InterruptedException) {
+            Thread.currentThread().interrupt()
+            throw PortInterruptedException(name)
+        }
+    }
+
+    override fun close() {
+        lock.lock()
+        try {
+            isClosed = true
+            changed.signalAll()
+        } finally {
+            lock.unlock()
+        }
+    }
+
+    private companion object {
+        const val DRIVER_BYTES = 2048
+    }
+}
+
+/** Bytes on a line, to the board and to the computer. */
+internal data class Traffic(val toBoard: Int, val toComputer: Int) {
+    operator fun plus(other: Traffic) = Traffic(toBoard + other.toBoard, toComputer + other.toComputer)
+
+    operator fun minus(other: Traffic) = Traffic(toBoard - other.toBoard, toComputer - other.toComputer)
+}

@@ -1,0 +1,81 @@
+package benchmarks.stops
+
+import java.io.IOException
+import java.nio.file.Path
+import java.util.Locale
+
+/**
+ * A sketch on a simulated ATmega328P whose time advances only in [runTo]. Times are nanoseconds since power-on. For one thread at a time.
+ *
+ * @param simulator the program of `javino-arduino/simulator`
+ * @param sketch an `.elf` or `.hex` file
+ */
+internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
+    private val process = ProcessBuilder("$simulator", "--stepped", "$sketch").redirectError(ProcessBuilder.Redirect.INHERIT).start()
+    private val commands = process.outputWriter()
+    private val answers = process.inputReader()
+    private var reached = 0L
+
+    /** Called with each byte that the board sends and the time at which its last bit arrives, at most a byte's time before that. */
+    var sent: (Byte, Long) -> Unit = { _, _ -> }
+
+    /** Called with each change of a watched pin, whether it is high now, and the time. */
+    var changed: (Int, Boolean, Long) -> Unit = { _, _, _ -> }
+
+    /** Runs until [nanos], unless it has done so. */
+    fun runTo(nanos: Long) {
+        if (nanos <= reached) return
+        reached = nanos
+        command("run ${cycle(nanos)}")
+    }
+
+    /** Puts [bytes] on the line, of which the first begins at [atNanos], which is no earlier than what it has run to, each in [byteNanos]. */
+    fun send(bytes: ByteArray, atNanos: Long, byteNanos: Long) =
+        command("send ${cycle(atNanos)} ${cycle(byteNanos)} ${bytes.joinToString("") { "%02x".format(Locale.ROOT, it) }}")
+
+    /** Applies a voltage to an analogue input such as `A0`. */
+    fun setMillivolts(input: String, millivolts: Int) = command("set $input $millivolts")
+
+    /** Reports changes of [pin] from now on. */
+    fun watch(pin: Int) {
+        write("watch $pin")
+        read()
+    }
+
+    /** Presses the reset button. */
+    fun reset() = command("reset")
+
+    private fun command(text: String) {
+        write(text)
+        while (true) {
+            val words = read().split(' ')
+            when (words[0]) {
+                "ok" -> return
+                "byte" -> sent(words[2].toInt(HEXADECIMAL).toByte(), nanos(words[1].toLong()))
+                "pin" -> changed(words[1].toInt(), words[2] == "high", (words.last().toDouble() * NANOS_PER_MS).toLong())
+                else -> throw IOException("the simulator answers \"$text\" with: ${words.joinToString(" ")}")
+            }
+        }
+    }
+
+    private fun write(text: String) {
+        commands.write("$text\n")
+        commands.flush()
+    }
+
+    private fun read(): String = answers.readLine() ?: throw IOException("the simulator has ended")
+
+    override fun close() {
+        process.destroyForcibly().waitFor()
+    }
+
+    private companion object {
+        const val HEXADECIMAL = 16
+        const val NANOS_PER_MS = 1e6
+
+        /** At 16 MHz. */
+        fun cycle(nanos: Long) = nanos * 16 / 1000
+
+        fun nanos(cycle: Long) = cycle * 1000 / 16
+    }
+}

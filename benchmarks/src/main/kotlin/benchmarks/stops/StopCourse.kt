@@ -1,0 +1,41 @@
+package benchmarks.stops
+
+import java.nio.file.Path
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.microseconds
+
+/** A sketch of `javino-arduino/bench`. */
+internal enum class Firmware(val sketch: String) {
+    LIBRARY("Stops"),
+    FIELD("FieldStops"),
+}
+
+/**
+ * A robot, a line and an agent.
+ *
+ * @property version of the protocol
+ * @property loopMs how long each `loop()` of the sketch takes besides what the library does
+ * @property filter the agent's
+ * @property cycleTime how long a reasoning cycle of the agent takes
+ */
+internal data class StopCourse(
+    val baud: Int,
+    val version: Int = 2,
+    val firmware: Firmware = Firmware.LIBRARY,
+    val loopMs: Int = 1,
+    val filter: String = "none",
+    val cycleTime: Duration = 100.microseconds,
+) {
+    val elf: Path get() = Bench.elf(firmware.sketch, baud, loopMs)
+
+    /** The port's options as the agent gives them. */
+    val options: String get() = "[baud($baud), protocol($version)]"
+
+    override fun toString() = listOfNotNull(
+        "$baud baud, version $version",
+        "the field's library".takeIf { firmware == Firmware.FIELD },
+        "loop() of $loopMs ms",
+        "filter $filter".takeIf { filter != "none" },
+        "$cycleTime a cycle".takeIf { cycleTime != 100.microseconds },
+    ).joinToString()
+}

@@ -1,0 +1,73 @@
+package benchmarks.stops
+
+import benchmarks.Distribution
+import kotlin.random.Random
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.nanoseconds
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * The stops of a course.
+ *
+ * @property worst what happened on the line and on the board in the longest, in ms from the limit on
+ * @property resumed how often the robot drove off again after a stop, by a command `front` that had been given before
+ * @property responses from the limit to the stop, in ns, in their order
+ * @property commands that the sketch has carried out
+ * @property sent commands in version 1; in version 2 they are not counted
+ * @property starts of the sketch
+ */
+internal class Stops(val responses: List<Long>, val worst: String, val resumed: Int, val commands: Int, val sent: Int, val starts: Int) {
+    val distribution = Distribution(responses.toLongArray())
+}
+
+/** Has the published agent stop the robot of [course] so many times; the phases between robot, line and agent come from [seed]. */
+internal fun measureStops(course: StopCourse, stops: Int, seed: Long): Stops = CourseRun(course, publishedAgent(course)).use { run ->
+    val random = Random(seed)
+    run.awaitStop() // the first one finds a line and an agent that are not yet in step
+    val made = List(stops) { run.stop(course.shortWay, random) }
+    run.agent.hears("bench", "achieve", "rest").after(QUIET)
+    Stops(made.map { it.nanos }, made.maxBy { it.nanos }.timeline, run.robot.departures - (stops + 1), run.robot.acted, run.sent, run.robot.started)
+}
+
+private fun publishedAgent(course: StopCourse) = """
+    { include("robot.asl") }
+    board("uno", ${course.options}). value(${WatchedRobot.LIMIT_MM}). interval($INTERVAL_MS). view(${course.filter}).
+    +!again <- .abolish(status(_)); !start.
+    +!rest <- .percepts(close).
+""".trimIndent()
+
+private class Stop(val nanos: Long, val timeline: String)
+
+/** Puts the robot back once all is quiet, and has the agent drive it to the limit again. */
+private fun CourseRun.stop(way: Int, random: Random): Stop {
+    agent.shouldBelieve("status(stopped)", within = PATIENCE)
+    agent.after(timeFor(way)) // a "front" that was on its way when a reflex stopped the robot is over
+    robot.place(WatchedRobot.LIMIT_MM + random.nextInt(way, 2 * way), random.nextLong(WatchedRobot.MILLIMETRE_NANOS))
+    agent.shouldBelieve("dist(f,X) & X > ${WatchedRobot.LIMIT_MM}", within = PATIENCE)
+    agent.after(timeFor(way) * random.nextDouble())
+    timeline.clear()
+    agent.hears("bench", "achieve", "again")
+    awaitStop()
+    val crossedAt = checkNotNull(robot.crossedAt)
+    return Stop(checkNotNull(robot.stoppedAt) - crossedAt, timeline.since(crossedAt))
+}
+
+private fun CourseRun.awaitStop() {
+    val end = agent.now + PATIENCE
+    do {
+        check(agent.now < end) {
+            "the robot has not stopped within $PATIENCE; the agent believes ${agent.beliefs} and intends ${agent.intentions}"
+        }
+        agent.after(LOOK)
+    } while (robot.stoppedAt == null)
+}
+
+/** The mm that the robot drives at least before the limit: the slower the line, the longer until it is in step. */
+private val StopCourse.shortWay get() = 10 + 400_000 / baud
+
+private fun timeFor(way: Int) = (way * WatchedRobot.MILLIMETRE_NANOS).nanoseconds
+
+private const val INTERVAL_MS = 20
+private val LOOK = 20.milliseconds
+private val QUIET = 2.seconds
+private val PATIENCE = 20.seconds

@@ -1,0 +1,41 @@
+package benchmarks.stops
+
+import java.util.Locale
+
+/** What happens on a line and on its board, as a text for people. Bytes that follow each other without a gap are one entry. */
+internal class Timeline(private val byteNanos: Long) {
+    private class Entry(val what: String, val fromNanos: Long, var toNanos: Long, var bytes: Int)
+
+    private val entries = ArrayList<Entry>()
+
+    /** Forgets what has happened. */
+    fun clear() = entries.clear()
+
+    /** At [nanos] the board did [what]. */
+    fun add(what: String, nanos: Long) {
+        entries += Entry(what, nanos, nanos, 0)
+    }
+
+    /** [sender] has sent a byte whose last bit arrives at [nanos]. */
+    fun addByte(sender: String, nanos: Long) {
+        val last = entries.lastOrNull { it.what == sender }
+        if (last == null || nanos - last.toNanos > byteNanos * 3 / 2) {
+            entries += Entry(sender, nanos - byteNanos, nanos, 1)
+        } else {
+            last.toNanos = nanos
+            last.bytes++
+        }
+    }
+
+    /** All of it, with times in ms from [nanos] on. */
+    fun since(nanos: Long): String = entries.sortedBy { it.fromNanos }.joinToString("") { entry ->
+        val from = (entry.fromNanos - nanos) / NANOS_PER_MS
+        val to = (entry.toNanos - nanos) / NANOS_PER_MS
+        if (entry.bytes == 0) "%10.2f            %s\n".format(Locale.ROOT, from, entry.what)
+        else "%10.2f %10.2f %s, %d bytes\n".format(Locale.ROOT, from, to, entry.what, entry.bytes)
+    }
+
+    private companion object {
+        const val NANOS_PER_MS = 1e6
+    }
+}

@@ -1,0 +1,105 @@
+package benchmarks.stops
+
+import javino.LineClock
+
+/**
+ * The robot around the sketches `Stops` and `FieldStops` on [uno]: it drives at 10 cm/s towards a wall while the sketch's pin says so, and
+ * its front sensor gives 1 mV for each of its mm from the wall. Goes by [clock].
+ */
+internal class WatchedRobot(private val uno: SteppedUno, private val clock: LineClock, private val timeline: Timeline) {
+    private var millimetres = 0
+    private var drives = false
+    private var lateNanos = 0L
+    private val edges = HashMap<Int, Int>()
+
+    /** When the sensor first gave the limit or less, in ns; null: it has not yet since it was [placed][place]. */
+    var crossedAt: Long? = null
+        private set
+
+    /** When it has stopped after that, in ns; null: it has not yet. */
+    var stoppedAt: Long? = null
+        private set
+
+    /** How often it has driven off. */
+    var departures = 0
+        private set
+
+    /** How many actions the sketch has carried out. */
+    val acted: Int get() = edges.getOrDefault(ACTED, 0)
+
+    /** How often the sketch has read its sensors. */
+    val looked: Int get() = edges.getOrDefault(LOOKED, 0)
+
+    /** How often the sketch has started. */
+    val started: Int get() = edges.getOrDefault(STARTED, 0)
+
+    init {
+        uno.changed = ::changed
+        listOf(DRIVES, ACTED, LOOKED, STARTED).forEach(uno::watch)
+        place(FIRST_MM, 0)
+    }
+
+    /**
+     * Places it so far from the wall.
+     *
+     * @param lateNanos after driving off it needs so much longer for its first millimetre
+     */
+    fun place(millimetres: Int, lateNanos: Long) {
+        this.millimetres = millimetres
+        this.lateNanos = lateNanos
+        crossedAt = null
+        stoppedAt = null
+        show()
+    }
+
+    private fun show() {
+        uno.runTo(clock.nanos())
+        uno.setMillivolts("A0", millimetres)
+        if (crossedAt == null && seen(millimetres) <= LIMIT_MM) crossedAt = clock.nanos()
+    }
+
+    private fun changed(pin: Int, isHigh: Boolean, atNanos: Long) {
+        if (pin != DRIVES) {
+            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // not the first low, of an output from now on
+            return
+        }
+        timeline.add(if (isHigh) "drives" else "stops", atNanos)
+        if (isHigh && !drives) depart(atNanos)
+        if (!isHigh && drives && crossedAt != null && stoppedAt == null) stoppedAt = atNanos
+        drives = isHigh
+    }
+
+    private fun count(pin: Int, atNanos: Long) {
+        edges.merge(pin, 1, Int::plus)
+        timeline.add(if (pin == LOOKED) "reads its sensors" else if (pin == ACTED) "acts" else "starts", atNanos)
+    }
+
+    private fun depart(atNanos: Long) {
+        departures++
+        clock.schedule(atNanos + lateNanos + MILLIMETRE_NANOS - clock.nanos(), ::drive)
+    }
+
+    private fun drive() {
+        if (!drives || millimetres == 0) return
+        millimetres--
+        show()
+        clock.schedule(MILLIMETRE_NANOS, ::drive)
+    }
+
+    companion object {
+        /** The distance at which the agent stops it, in mm. */
+        const val LIMIT_MM = 800
+
+        /** How long it drives for a millimetre. */
+        const val MILLIMETRE_NANOS = 10_000_000L
+
+        private const val FIRST_MM = 1000
+        private const val DRIVES = 8
+        private const val ACTED = 9
+        private const val LOOKED = 10
+        private const val STARTED = 11
+
+        /** What the sketch makes of its analogue input: ten bits of 5 V. */
+        private fun seen(millivolts: Int) = millivolts * 1023 / 5000 * 5000 / 1023
+    }
+}
