@@ -3,7 +3,7 @@
 
     differential.py BOARD [STREAMS] [SEED]
 
-BOARD is differential_board.c, compiled. A record to it is a letter, a flag, the time in ms (2 bytes), a length (2 bytes) and so many bytes:
+BOARD is differential_board.c, compiled. A record to it is a letter, a flag, the time in ms (2 bytes), a length (2 bytes), bytes:
 `n` a new board, `b` bytes that arrive, `p` the percepts' texts, `u` they are sent unasked, `d` the outcome of the action begun last. Each is
 answered with what the board has sent and what it has carried out, each with a length of 4 bytes in front.
 """
