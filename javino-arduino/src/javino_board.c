@@ -5,10 +5,31 @@
 #include "javino_items.h"
 #include "javino_literal.h"
 
-#ifndef JAVINO_VERSION_1_ONLY
-/* Bytes of a part of an answer: what a frame holds besides the numbers of the request and the part. */
+#ifdef JAVINO_VERSION_1_ONLY
+#define IS_PLAIN(board) true
+#define IS_OPEN(board) false
+#else
+/* Text for a request of version 1 stands as it is, any other in items. */
+#define IS_PLAIN(board) ((board)->link.event == JAVINO_REQUEST && (board)->link.version == 1)
+/* Whether parts of an answer have gone out, but not the last. */
+#define IS_OPEN(board) ((board)->part != 0)
+/* Bytes of an answer in a frame; in version 2 besides the numbers of the request and the part. */
 #define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
+#if JAVINO_TEXT_MAX > 255
+#define SPLITS /* percepts that are longer than the memory into pieces */
 #endif
+#endif
+
+/* Bytes of an answer that a frame holds. */
+static uint8_t frame_max(const javino_board *b)
+{
+#ifndef JAVINO_VERSION_1_ONLY
+    if (b->link.version == 2)
+        return PART_MAX;
+#endif
+    (void)b;
+    return JAVINO_MAX_PAYLOAD;
+}
 
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context)
 {
@@ -54,7 +75,6 @@ JAVINO_OUTLINE void javino_board_clear(javino_board *board)
     board->overlong = false;
 #ifndef JAVINO_VERSION_1_ONLY
     board->row = 0;
-    board->split = false;
 #endif
     board->link.decoder.size = board->memory - JAVINO_TEXT_MIN;
 }
@@ -73,8 +93,7 @@ static JAVINO_OUTLINE void place_text(javino_board *b)
         base = d->end;
     room = b->memory - base;
     /* In version 1 a message is one frame; while an answer is written, bytes arrive. */
-    if (room > JAVINO_MAX_PAYLOAD && (JAVINO_TEXT_MAX == 255 || b->link.event == JAVINO_REQUEST ||
-                                      !javino_link_is_version2(&b->link)))
+    if (room > JAVINO_MAX_PAYLOAD && (JAVINO_TEXT_MAX == 255 || b->link.event == JAVINO_REQUEST || b->link.version == 1))
         room = JAVINO_MAX_PAYLOAD;
     if (room <= b->room)
         return;
@@ -87,6 +106,8 @@ static JAVINO_OUTLINE void place_text(javino_board *b)
     b->text = place;
 }
 
+/* ---- Sending ---- */
+
 #ifndef JAVINO_VERSION_1_ONLY
 
 /**
@@ -94,17 +115,21 @@ static JAVINO_OUTLINE void place_text(javino_board *b)
  *
  * @param head  begins an item of which the text is the body; 0: the text is items
  */
-static JAVINO_OUTLINE void send_part(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
+static void send_part(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
 {
     javino_link *l = &b->link;
     javino_encoder *e = &l->encoder;
-    bool asked = l->event == JAVINO_REQUEST && !l->answered;
-    uint8_t kind = !last ? JAVINO_PERCEPTS_PART : b->part ? JAVINO_PERCEPTS_LAST : JAVINO_PERCEPTS;
-    bool numbered = kind != JAVINO_PERCEPTS;
-    javino_link_begin(l, kind, (uint8_t)(1 + numbered + (head ? JAVINO_ITEM_HEADER : 0) + length));
-    javino_encoder_put(e, asked ? l->request : 0);
-    if (numbered)
-        javino_encoder_put(e, b->part);
+    uint8_t part = b->part++;
+    uint8_t kind = !last ? JAVINO_PERCEPTS_PART : part ? JAVINO_PERCEPTS_LAST : JAVINO_PERCEPTS;
+    uint8_t size = length + 1;
+    if (head)
+        size += JAVINO_ITEM_HEADER;
+    if (kind != JAVINO_PERCEPTS)
+        size++;
+    javino_link_begin(l, kind, size);
+    javino_encoder_put(e, l->event == JAVINO_REQUEST && !l->answered ? l->request : 0);
+    if (kind != JAVINO_PERCEPTS)
+        javino_encoder_put(e, part);
     if (head) {
         javino_encoder_put(e, head);
         javino_encoder_put(e, length);
@@ -112,20 +137,10 @@ static JAVINO_OUTLINE void send_part(javino_board *b, bool last, uint8_t head, c
     while (length--)
         javino_encoder_put(e, (uint8_t)*text++);
     javino_encoder_end(e);
-    b->part++;
     if (last) {
         b->part = 0;
         l->answered = true;
     }
-}
-
-/* Sends text as it is, as the end of an answer or ahead of the rest of it. */
-static JAVINO_OUTLINE void send_text(javino_board *b, bool last, const char *text, size_t length)
-{
-    const uint8_t most = PART_MAX - JAVINO_ITEM_HEADER;
-    for (; length > most; length -= most, text += most)
-        send_part(b, false, JAVINO_ITEM_CONTINUED, text, most);
-    send_part(b, last, length ? JAVINO_ITEM_TEXT : 0, text, (uint8_t)length);
 }
 
 static void begin_item(javino_board *b)
@@ -136,48 +151,50 @@ static void begin_item(javino_board *b)
 
 #endif
 
+/* Sends so many bytes of the text, as the end of an answer or ahead of the rest of it. */
+static JAVINO_OUTLINE void send(javino_board *b, bool last, javino_room n)
+{
+#ifdef JAVINO_VERSION_1_ONLY
+    (void)last;
+    javino_link_send(&b->link, b->text, (uint8_t)n);
+#else
+    b->row = 0;
+    if (b->link.version == 1)
+        javino_link_send(&b->link, b->text, (uint8_t)n);
+    else
+        send_part(b, last, 0, b->text, (uint8_t)n);
+#endif
+    b->length -= n;
+    b->whole -= n;
+    if (b->length)
+        memmove(b->text, b->text + n, b->length);
+}
+
 /* Sends as much as one frame holds ahead of the rest: in version 1 whole percepts. */
 static JAVINO_OUTLINE bool send_ahead(javino_board *b)
 {
-    javino_room n;
-    bool alone = false;
-#ifndef JAVINO_VERSION_1_ONLY
-    if (b->items && !b->whole) {
-        /* A percept that is longer than the memory. */
-        alone = b->split = true;
+    javino_room n = b->whole;
+#ifdef SPLITS
+    bool splits = !n && !IS_PLAIN(b);
+    if (splits) {
+        b->split = true;
         b->text[1] = (char)(b->length - JAVINO_ITEM_HEADER);
-        b->whole = b->length;
+        n = b->whole = b->length;
     }
 #endif
-    n = b->whole;
     if (n == 0)
         return false;
-#ifndef JAVINO_VERSION_1_ONLY
-    if (b->items) {
-        if (n > PART_MAX)
-            n = PART_MAX;
-        send_part(b, false, 0, b->text, (uint8_t)n);
-        b->row = 0;
-    } else
-#endif
-    {
-#if JAVINO_TEXT_MAX > 255
-        if (n > JAVINO_MAX_PAYLOAD)
-            n = JAVINO_MAX_PAYLOAD;
-#endif
-        javino_link_send(&b->link, b->text, (uint8_t)n);
-    }
-    b->length -= n;
-    b->whole -= n;
-    memmove(b->text, b->text + n, b->length);
-#ifndef JAVINO_VERSION_1_ONLY
-    if (alone)
+    if (n > frame_max(b))
+        n = frame_max(b);
+    send(b, false, n);
+#ifdef SPLITS
+    if (splits)
         begin_item(b);
-#else
-    (void)alone;
 #endif
     return true;
 }
+
+/* ---- Percepts ---- */
 
 bool javino_percept_begin(javino_board *board, const char *functor)
 {
@@ -202,9 +219,7 @@ JAVINO_OUTLINE void javino_percept_put(javino_board *board, char c)
 {
     javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (b->length == 0)
-        b->items = javino_link_is_version2(&b->link);
-    if (b->items && b->length == b->whole && has_room(b, JAVINO_ITEM_HEADER))
+    if (b->length == b->whole && !IS_PLAIN(b) && has_room(b, JAVINO_ITEM_HEADER))
         begin_item(b);
 #endif
     if (has_room(b, 1))
@@ -260,35 +275,40 @@ void javino_percept_term(javino_board *board, const char *text)
 #ifndef JAVINO_VERSION_1_ONLY
 
 /* Ends the item that is being written. What nobody has asked for is coded when it is sent: a session may begin until then. */
-static void end_item(javino_board *b)
+static JAVINO_OUTLINE void end_item(javino_board *b)
 {
     javino_room length = b->length - b->whole - JAVINO_ITEM_HEADER;
-    if (!b->items || b->overlong)
+    if (b->overlong || IS_PLAIN(b))
         return;
+    if (b->link.event == JAVINO_REQUEST) {
+        javino_item_end(b);
+        return;
+    }
 #if JAVINO_TEXT_MAX > 255
     b->overlong = length > JAVINO_MAX_PAYLOAD;
 #endif
-    if (b->link.event == JAVINO_REQUEST) {
-        javino_item_end(b);
-    } else {
-        b->text[b->whole] = JAVINO_ITEM_TEXT;
-        b->text[b->whole + 1] = (char)length;
-    }
-    b->split = false;
+    b->text[b->whole] = JAVINO_ITEM_TEXT;
+    b->text[b->whole + 1] = (char)length;
 }
 
-/* Codes the percepts that have waited. */
-static void code_waiting(javino_board *b)
+/* Makes of the percepts that have waited what the version is that they are sent in. */
+static JAVINO_OUTLINE void code_waiting(javino_board *b)
 {
-    const char *from = b->text;
-    const char *end = from + b->whole;
+    char *from = b->text;
+    char *end = from + b->whole;
     b->whole = 0;
     while (from < end) {
-        javino_room n = (javino_room)((uint8_t)from[1] + JAVINO_ITEM_HEADER);
+        uint8_t n = (uint8_t)from[1];
+        bool plain = b->link.version == 1;
+        if (plain)
+            from += JAVINO_ITEM_HEADER;
+        else
+            n += JAVINO_ITEM_HEADER;
         memmove(b->text + b->whole, from, n);
         from += n;
         b->length = b->whole + n;
-        javino_item_end(b);
+        if (!plain)
+            javino_item_end(b);
         b->whole = b->length;
     }
     b->length = b->whole;
@@ -306,83 +326,46 @@ bool javino_percept_end(javino_board *board)
     fits = !board->overlong;
     if (!fits)
         board->length = board->whole;
+#ifdef SPLITS
+    board->split = false;
+#endif
     board->overlong = false;
     board->whole = board->length;
     return fits;
 }
 
-#ifndef JAVINO_VERSION_1_ONLY
-static void answer2(javino_board *b)
-{
-    if (!b->items) {
-        send_text(b, true, b->text, b->length);
-        return;
-    }
-    b->length = b->whole;
-    if (b->link.event != JAVINO_REQUEST)
-        code_waiting(b);
-    while (b->length > PART_MAX)
-        send_ahead(b);
-    send_part(b, true, 0, b->text, (uint8_t)b->length);
-}
-#endif
+/* ---- Answers ---- */
 
-void javino_board_answer(javino_board *board)
+JAVINO_OUTLINE void javino_board_answer(javino_board *board)
 {
     javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (javino_link_is_version2(&b->link)) {
-        if (b->length == 0)
-            b->items = false;
-        if (b->length || b->part || !b->link.answered)
-            answer2(b);
-        javino_board_clear(b);
-        return;
-    }
+    b->length = b->whole;
+    if (b->link.event != JAVINO_REQUEST)
+        code_waiting(b);
 #endif
-#if JAVINO_TEXT_MAX > 255
-    while (b->length > JAVINO_MAX_PAYLOAD)
+    while (b->length > frame_max(b))
         send_ahead(b);
-#endif
-    if (b->length || !b->link.answered)
-        javino_link_send(&b->link, b->text, (uint8_t)b->length);
+    if (b->length || IS_OPEN(b) || !b->link.answered)
+        send(b, true, b->length);
     javino_board_clear(b);
 }
-
-#ifndef JAVINO_VERSION_1_ONLY
-/* Makes what has waited the beginning of the answer to the request in hand. */
-static void turn_waiting(javino_board *b)
-{
-    if (b->link.version == 1 && !b->items)
-        return;
-    if (b->link.version == 2) {
-        if (b->items) {
-            code_waiting(b);
-            return;
-        }
-        send_text(b, false, b->text, b->whole);
-    }
-    javino_board_clear(b);
-}
-#endif
 
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 {
     javino_board *b = board;
-#ifndef JAVINO_VERSION_1_ONLY
-    if (b->part)
+    if (IS_OPEN(b))
         javino_board_answer(b);
-#endif
     if (b->link.event == JAVINO_REQUEST)
         javino_board_clear(b);
     javino_link_poll(&b->link, now_ms);
 #ifndef JAVINO_VERSION_1_ONLY
-    if (b->whole && b->link.event == JAVINO_REQUEST)
-        turn_waiting(b);
+    if (b->link.event == JAVINO_REQUEST)
+        code_waiting(b);
 #endif
 #if JAVINO_TEXT_MAX > 255
     /* What has waited for version 2 may be too long for version 1. */
-    if (!javino_link_is_version2(&b->link) && b->room > JAVINO_MAX_PAYLOAD)
+    if (b->link.version == 1 && b->room > JAVINO_MAX_PAYLOAD)
         javino_board_clear(b);
 #endif
     return b->link.event;
@@ -420,8 +403,11 @@ bool javino_board_send(javino_board *board, const char *text, size_t length)
 {
     javino_link *link = &board->link;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (javino_link_is_version2(link)) {
-        send_text(board, true, text, length);
+    const uint8_t most = PART_MAX - JAVINO_ITEM_HEADER;
+    if (link->version == 2) {
+        for (; length > most; length -= most, text += most)
+            send_part(board, false, JAVINO_ITEM_CONTINUED, text, most);
+        send_part(board, true, length ? JAVINO_ITEM_TEXT : 0, text, (uint8_t)length);
         return true;
     }
 #endif

@@ -62,7 +62,6 @@ typedef struct {
     javino_room whole;  /* bytes of whole percepts in it */
     bool overlong;   /* the percept that is being written does not fit */
 #ifndef JAVINO_VERSION_1_ONLY
-    bool items;         /* the text is an answer of version 2, coded as items */
     bool split;         /* of the percept that is being written a piece has been ended */
     bool half;          /* the last byte of the row has room for a digit */
     javino_room row;    /* where the row of digits at its end counts its percepts; 0: there is none */

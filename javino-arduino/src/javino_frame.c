@@ -44,7 +44,7 @@ static uint16_t elapsed(uint16_t now, uint16_t was)
     return now < 0x8000u ? now : 0;
 }
 
-bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
+JAVINO_OUTLINE bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
 {
     memset(decoder, 0, sizeof *decoder);
     decoder->bytes = bytes;
@@ -69,7 +69,7 @@ JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms
         d->gap = d->end;
 }
 
-bool javino_decoder_ready(const javino_decoder *decoder)
+JAVINO_OUTLINE bool javino_decoder_ready(const javino_decoder *decoder)
 {
     return decoder->end < decoder->size;
 }
@@ -146,7 +146,7 @@ static javino_follows read_frame2(javino_decoder *d, uint8_t *p, uint16_t stop)
 #endif
 
 /* Reads the next byte of a frame of version 1; false if it cannot stand there. */
-static JAVINO_OUTLINE bool read_byte(javino_decoder *d, uint8_t c)
+static bool read_byte(javino_decoder *d, uint8_t c)
 {
     uint16_t position = d->position;
     uint8_t value;
@@ -191,7 +191,7 @@ static JAVINO_OUTLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
 }
 
 /* Drops bytes from the front, which are then of no frame. */
-static void drop(javino_decoder *d, uint16_t count)
+static JAVINO_OUTLINE void drop(javino_decoder *d, uint16_t count)
 {
     d->held = 0;
     d->end -= count;
@@ -310,7 +310,7 @@ void javino_encoder_begin2(javino_encoder *encoder, uint8_t kind, uint8_t number
     javino_encoder_put(encoder, number);
 }
 
-JAVINO_OUTLINE void javino_encoder_put(javino_encoder *encoder, uint8_t byte)
+void javino_encoder_put(javino_encoder *encoder, uint8_t byte)
 {
     encoder->crc = javino_crc16(encoder->crc, byte);
     if (encoder->version2 && (byte == START || byte == ESCAPE)) {

@@ -44,7 +44,7 @@ static uint8_t id_of(javino_board *b, const char *text, uint8_t length)
     return id;
 }
 
-static JAVINO_OUTLINE void put_half(javino_board *b, uint8_t value)
+static void put_half(javino_board *b, uint8_t value)
 {
     uint8_t *end = (uint8_t *)b->text + b->length;
     b->half = !b->half;
@@ -87,7 +87,11 @@ void javino_item_end(javino_board *board)
     char *item = b->text + b->whole;
     char *text = item + JAVINO_ITEM_HEADER;
     uint8_t length = (uint8_t)(b->length - b->whole - JAVINO_ITEM_HEADER);
+#if JAVINO_TEXT_MAX > 255
     uint8_t id = b->split ? JAVINO_ITEM_TEXT : id_of(b, text, length);
+#else
+    uint8_t id = id_of(b, text, length);
+#endif
     if (id < b->link.known) {
         put_digits(b, id, text, length);
         return;

@@ -22,6 +22,7 @@
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
     memset(link, 0, sizeof *link);
+    link->version = 1;
     javino_decoder_init(&link->decoder, (uint8_t *)bytes, size, 100);
     link->encoder.write = write;
     link->encoder.context = context;
@@ -42,7 +43,7 @@ void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms)
     javino_decoder_put(&link->decoder, byte, now_ms);
 }
 
-JAVINO_OUTLINE void javino_link_send(javino_link *link, const char *text, uint8_t length)
+void javino_link_send(javino_link *link, const char *text, uint8_t length)
 {
     link->answered = true;
     javino_encoder_begin(&link->encoder, length);
@@ -54,12 +55,12 @@ JAVINO_OUTLINE void javino_link_send(javino_link *link, const char *text, uint8_
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-JAVINO_OUTLINE void javino_link_begin(javino_link *link, uint8_t kind, uint8_t length)
+void javino_link_begin(javino_link *link, uint8_t kind, uint8_t length)
 {
     javino_encoder_begin2(&link->encoder, kind | link->flags, link->due, length);
 }
 
-static JAVINO_OUTLINE void put(javino_link *l, uint8_t byte)
+static void put(javino_link *l, uint8_t byte)
 {
     javino_encoder_put(&l->encoder, byte);
 }
@@ -184,6 +185,7 @@ static javino_event meaning2(javino_link *l, const javino_frame *f)
         begin_session(l, f->number);
         welcome(l);
     } else if (!l->session) {
+        l->version = 1;
         welcome(l);
     } else if (f->kind == JAVINO_DESCRIBE) {
         describe(l, f->number, first);
@@ -225,16 +227,6 @@ static javino_event meaning(javino_link *l, const javino_frame *f)
     l->text += n;
     l->length -= n;
     return JAVINO_REQUEST;
-}
-
-bool javino_link_is_version2(const javino_link *link)
-{
-#ifdef JAVINO_VERSION_1_ONLY
-    (void)link;
-    return false;
-#else
-    return link->event == JAVINO_NOTHING ? link->session != 0 : link->version == 2;
-#endif
 }
 
 JAVINO_OUTLINE void javino_link_finish(javino_link *link, bool done)

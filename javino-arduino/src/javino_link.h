@@ -48,27 +48,27 @@ typedef uint8_t javino_later;
 typedef struct {
     javino_event event; /**< The message in hand: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
     uint8_t length;     /**< Bytes of its text. */
-    uint8_t version;    /**< 1 or 2. */
+    uint8_t version;    /**< 1 or 2: that of the last frame, 1 without a session. */
     const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
     javino_vocabulary vocabulary; /**< NULL, as at first: the actions have no numbers. */
-    javino_decoder decoder;
-    javino_encoder encoder;
-#ifndef JAVINO_VERSION_1_ONLY
-    const uint8_t *row; /* commands that follow in the frame in hand; NULL: it holds none */
-    uint8_t row_length; /* their bytes */
-    uint8_t command;    /* number of the next of them */
-    uint8_t session;    /* its nonce; 0: there is none */
-    uint8_t due;        /* number of the command that is carried out next */
-    uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
-    uint8_t request;    /* number of the request that is to be answered; 0: none */
-    uint8_t known;      /* shapes whose text the computer knows */
-    uint8_t shapes;     /* shapes that have been sent in this session */
-    javino_later later; /* the newest */
-#endif
     bool answered;
     bool drained; /* the last poll has read all that there was */
     bool heard;   /* something valid, since javino_link_lost was asked */
     bool lost;
+#ifndef JAVINO_VERSION_1_ONLY
+    uint8_t session;    /* its nonce; 0: there is none */
+    uint8_t due;        /* number of the command that is carried out next */
+    uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
+    uint8_t request;    /* number of the request in hand */
+    uint8_t known;      /* shapes whose text the computer knows */
+    uint8_t shapes;     /* shapes that have been sent in this session */
+    javino_later later; /* the newest */
+    uint8_t command;    /* number of the next command in the row */
+    uint8_t row_length; /* bytes of the row that are left */
+    const uint8_t *row; /* commands of the frame in hand; NULL: it holds none */
+#endif
+    javino_encoder encoder;
+    javino_decoder decoder;
     uint32_t since_ms;
     uint32_t drained_ms;
 } javino_link;
@@ -143,9 +143,6 @@ void javino_link_supervise(javino_link *link, uint32_t now_ms);
  * @return true once, and again only after something has arrived
  */
 bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms);
-
-/** Whether the message in hand is of version 2 or, if there is none, the line is in a session of version 2. */
-bool javino_link_is_version2(const javino_link *link);
 
 /** Sends one frame of version 1. Counts as an answer to the request in hand. */
 void javino_link_send(javino_link *link, const char *text, uint8_t length);

@@ -111,7 +111,7 @@ struct Program : Conversation {
     }
     if (step.contains("report"))
       javino_link_done(&board.link, pending, step["report"] == "done");
-    if (step.value("unasked", false) && javino_link_is_version2(&board.link))
+    if (step.value("unasked", false) && board.link.version == 2)
       answer();
   }
 };
