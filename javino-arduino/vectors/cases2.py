@@ -176,6 +176,14 @@ def receive():
         case("A5 behind a frame of version 1", to, v1 + h),
         case("version 1 to a computer", FROM_BOARD, v1 + ack + b"fffe0" + ack + v1),
     ]
+    misread = {
+        "a frame of version 1 that is cut takes in one of version 2, which silence shows": b"fffe20get" + h,
+        "a frame of version 1 takes in one of version 2, which is shown by what follows": b"fffe09get" + h + b"xyz",
+        "a frame of version 1 that is cut takes in another, which silence shows": b"fffe20get" + v1,
+    }
+    for session in (False, True):
+        where = "in" if session else "without"
+        cases += [case(f"{what}, {where} a session", to, (200, data), session=session) for what, data in misread.items()]
     cases += [case(f"a frame cut after {i} bytes, a frame at once", to, r[:i] + h) for i in range(1, len(r))]
     cases += [case(f"a frame cut after {i} bytes, then silence, a frame", to, (0, r[:i]), (130, h)) for i in range(1, len(r))]
     cases += [case(f"byte {i} damaged", to, changed(r, i, r[i] ^ bit) + h) for i in range(len(r)) for bit in (0x01, 0x80)]
