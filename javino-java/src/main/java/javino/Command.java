@@ -2,27 +2,50 @@ package javino;
 
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import javino.session.SessionCommand;
 
 /** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
-final class Command {
+final class Command implements SessionCommand {
     /** How far it has got: a command that waits can be withdrawn, one that has begun goes out. */
     private enum State { WAITING, BEGUN, WITHDRAWN }
 
     private final Frame frame;
     private final SendOptions options;
+    private final long submittedAt;
     private final long deadline;
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
     private volatile State state = State.WAITING;
+    private long number;
 
     /** @param now when it was submitted, by the link's clock */
     Command(Frame frame, SendOptions options, long now) {
         this.frame = frame;
         this.options = options;
+        submittedAt = now;
         deadline = now + TimeUnit.MILLISECONDS.toNanos(options.limitMillis());
     }
 
     Frame frame() {
         return frame;
+    }
+
+    @Override
+    public String text() {
+        return frame.text();
+    }
+
+    /** When it was submitted, by the link's clock. */
+    long submittedAt() {
+        return submittedAt;
+    }
+
+    /** Records how many commands have been submitted with it. */
+    void submitted(long count) {
+        number = count;
+    }
+
+    long number() {
+        return number;
     }
 
     /** Its text up to the first parenthesis. */
@@ -50,7 +73,8 @@ final class Command {
         return outcome;
     }
 
-    boolean isOver() {
+    @Override
+    public boolean isOver() {
         return outcome.isDone();
     }
 

@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Whichever of
- * these is free takes the next command, its own or another's. Outcomes are reported outside of any lock, on the thread that finds them
- * out; what their dependents throw ends no thread.
+ * these is free takes the next command, its own or another's. What the line is free for is written at once by who submits it. Outcomes are
+ * reported outside of any lock, on the thread that finds them out; what their dependents throw ends no thread.
  */
 final class CommandLoop {
     /** Returns when the board can be sent a command. */
@@ -14,52 +14,103 @@ final class CommandLoop {
         void await() throws PortException;
     }
 
+    private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
+    /** Milliseconds that the first command waits at most while nothing gets through. */
+    static final int MAX_WAIT_MILLIS = 5000;
+    private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_WAIT_MILLIS);
+
     private final String port;
+    private final Transport transport;
     private final FrameWriter writer;
-    private final Inbox inbox;
+    private final SessionLine line;
     private final RequestChannel channel;
     private final LineClock clock;
     private final Start start;
-    private final CommandSender oneWay;
-    private final CommandSender acknowledged;
+    private final OneWaySender oneWay;
+    private volatile long movedNanos; // when a command of version 1 last went out, or the board could not be asked
 
-    /** @param board a name that the board has whatever its port is called */
-    CommandLoop(Transport transport, String board, FrameWriter writer, Inbox inbox, RequestChannel channel, LineClock clock, Start start) {
+    CommandLoop(Transport transport, FrameWriter writer, SessionLine line, RequestChannel channel, LineClock clock, Start start) {
         port = transport.name();
+        this.transport = transport;
         this.writer = writer;
-        this.inbox = inbox;
+        this.line = line;
         this.channel = channel;
         this.clock = clock;
         this.start = start;
-        oneWay = new OneWaySender(writer, inbox, channel, clock);
-        acknowledged = new StopAndWaitSender(port, board, inbox, writer, clock, transport.line());
+        oneWay = new OneWaySender(port, writer, line.inbox(), clock);
+        movedNanos = clock.nanos();
     }
 
-    /** Queues a command; see {@link Link#send(String, SendOptions)}. */
+    /** Queues a command, and writes it if that waits for nothing; see {@link Link#send(String, SendOptions)}. */
     Command submit(Frame frame, SendOptions options) {
-        long limitNanos = TimeUnit.MILLISECONDS.toNanos(options.limitMillis());
         Command command = new Command(frame, options, clock.nanos());
+        String trouble = line.vocabulary().map(actions -> ActionCheck.trouble(command.text(), actions)).orElse(null);
+        if (trouble != null) {
+            fail(command, new ActionRefusedException(port, "the board at port " + port + " refuses \"" + command.text() + "\": " + trouble));
+            return command;
+        }
         command.outcome().whenComplete((done, failure) -> writer.reported());
         try {
             writer.submit(command).forEach(earlier -> fail(earlier, replaced(earlier, command)));
+            writeAtOnce(command);
         } catch (PortGoneException gone) {
             fail(command, gone);
+        } catch (PortException | RuntimeException | LinkageError unforeseen) { // a transport's
+            fail(command, unforeseen);
         }
-        if (limitNanos > 0) {
-            clock.schedule(limitNanos, () -> fail(command, timeOver(command)));
+        if (options.limitMillis() > 0 && !command.isOver()) {
+            clock.schedule(TimeUnit.MILLISECONDS.toNanos(options.limitMillis()), () -> fail(command, timeOver(command)));
         }
         return command;
     }
 
+    private void writeAtOnce(Command command) throws PortException {
+        if (line.isVersion2()) {
+            line.writeAtOnce();
+        } else if (!channel.mustAsk() && transport.isWritableNow() && writer.beginAtOnce(command)) {
+            try {
+                writer.leaves(oneWay.write(command));
+            } catch (PortException | RuntimeException | LinkageError trouble) {
+                writer.finish();
+                throw trouble;
+            }
+            return; // which has woken who waits
+        }
+        writer.wake();
+    }
+
     /** Sends commands until the line ends or the thread is interrupted. */
     void run() throws PortException {
-        while (writer.awaitWork(null, 0)) {
-            long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(CommandSender.MAX_WRITE_MILLIS);
-            sendNext(deadline);
-            if (clock.nanos() - deadline > 0) {
-                failStuck();
+        while (true) {
+            if (line.isVersion2()) {
+                runVersion2();
+            } else if (writer.awaitWork(null, 0, line::isVersion2)) {
+                sendNext(clock.nanos() + MAX_WAIT_NANOS);
+            }
+            Command head = writer.head();
+            if (head != null && isStuck(head)) {
+                movedNanos = clock.nanos();
+                fail(writer.withdrawNext(), writer.noTime(head.frame().length(), MAX_WAIT_MILLIS));
             }
         }
+    }
+
+    private void runVersion2() throws PortException {
+        try {
+            line.await(() -> !line.isVersion2() || writer.isLeaving() || writer.head() != null && isStuck(writer.head()),
+                    clock.nanos() + Monitor.FOREVER, false);
+        } catch (RuntimeException | LinkageError unforeseen) { // a transport's
+            LOG.log(System.Logger.Level.ERROR, "port " + port + " failed while commands were sent", unforeseen);
+            line.abandon(unforeseen);
+        }
+        finishLeaving();
+    }
+
+    /** Whether the next command has waited for long, and nothing has moved meanwhile. */
+    private boolean isStuck(Command head) {
+        long now = clock.nanos();
+        long moved = line.isVersion2() ? line.heardNanos() : movedNanos;
+        return now - head.submittedAt() > MAX_WAIT_NANOS && now - moved > MAX_WAIT_NANOS;
     }
 
     /** Sends a command and returns when it has arrived; see {@link Link#sendAndAwait}. */
@@ -71,9 +122,12 @@ final class CommandLoop {
             }
             long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
             while (!own.isOver()) {
-                if (own.isWaiting() && deadline - clock.nanos() < 0 && writer.withdraw(own)) {
-                    fail(own, writer.noTime(frame, timeoutMillis));
-                } else if (writer.awaitWork(own, deadline)) {
+                if (own.isWaiting() && deadline - clock.nanos() <= 0 && writer.withdraw(own)) {
+                    fail(own, writer.noTime(frame.length(), timeoutMillis));
+                } else if (line.isVersion2()) {
+                    finishLeaving();
+                    line.await(() -> own.isOver() || !line.isVersion2(), own.isWaiting() ? deadline : clock.nanos() + MAX_WAIT_NANOS, false);
+                } else if (writer.awaitWork(own, deadline, line::isVersion2)) {
                     sendNext(deadline);
                 }
             }
@@ -94,8 +148,11 @@ final class CommandLoop {
         }
     }
 
-    /** Sends the command whose turn is next, if it comes by {@code deadline}. */
+    /** Sends the command of version 1 whose turn is next, if it comes by {@code deadline}. */
     private void sendNext(long deadline) throws PortException {
+        if (finishLeaving()) {
+            return;
+        }
         try {
             if (channel.mustAsk()) {
                 start.await();
@@ -103,11 +160,33 @@ final class CommandLoop {
         } catch (RuntimeException | LinkageError unforeseen) { // a transport's
             fail(writer.withdrawNext(), unforeseen);
         }
-        Command command = writer.awaitCommand(deadline);
-        if (command == null) {
+        if (line.isVersion2() || line.hasLapsed()) {
             return;
         }
-        Throwable failure = transmit(command);
+        Command command = writer.awaitCommand(deadline);
+        if (command != null) {
+            movedNanos = clock.nanos();
+            end(command, () -> oneWay.awaitLeft(command, oneWay.write(command)));
+        }
+    }
+
+    /** Waits for the command that was written by who submitted it; false: there is none. */
+    private boolean finishLeaving() throws PortException {
+        Command leaving = writer.takeLeaving();
+        if (leaving == null) {
+            return false;
+        }
+        end(leaving, () -> oneWay.awaitLeft(leaving, writer.leavesAt()));
+        return true;
+    }
+
+    /** What is left to do with the command under way. */
+    private interface Transmission {
+        void run() throws PortException;
+    }
+
+    private void end(Command command, Transmission rest) throws PortException {
+        Throwable failure = failureOf(rest);
         writer.finish();
         if (failure == null) {
             command.outcome().complete(null);
@@ -119,14 +198,12 @@ final class CommandLoop {
         }
     }
 
-    private Throwable transmit(Command command) {
+    private Throwable failureOf(Transmission rest) {
         try {
-            (channel.protocol() == Protocol.V2 ? acknowledged : oneWay).send(command);
+            rest.run();
             return null;
         } catch (PortTimeoutException trouble) {
             return goneOr(trouble);
-        } catch (ActionUnconfirmedException trouble) {
-            return command.nanosLeft(clock.nanos(), 1) > 0 ? trouble : timeOver(command);
         } catch (PortException | RuntimeException | LinkageError trouble) {
             return trouble; // the commands behind it must go on, whatever a transport throws
         }
@@ -135,23 +212,21 @@ final class CommandLoop {
     /** Why the line is gone if it is, which a write that takes too long may be the first to show; else {@code trouble}. */
     private PortException goneOr(PortTimeoutException trouble) {
         try {
-            inbox.look();
+            line.inbox().look();
             return trouble;
         } catch (PortException gone) {
             return gone;
         }
     }
 
-    private void failStuck() {
-        Command stuck = writer.withdrawNext();
-        if (stuck != null) {
-            fail(stuck, writer.noTime(stuck.frame(), CommandSender.MAX_WRITE_MILLIS));
-        }
+    private PortException replaced(Command earlier, Command later) {
+        return new CommandReplacedException(port, '"' + earlier.text() + "\" had not begun to go out through port " + port
+                + " when \"" + later.text() + "\" took its place, so it was not sent");
     }
 
     /** Withdraws a command whose time is over, if it has not begun to go out. */
     private PortException timeOver(Command command) {
-        String subject = '"' + command.frame().text() + '"';
+        String subject = '"' + command.text() + '"';
         return writer.withdraw(command)
                 ? new CommandWithdrawnException(port, subject + " had not begun to go out through port " + port
                         + " when its time was over, so it was not sent; other commands, or the board, take the line's time")
@@ -159,16 +234,12 @@ final class CommandLoop {
                         + " when its time was over, and is not known to have arrived; it may have been carried out");
     }
 
-    private PortException replaced(Command earlier, Command later) {
-        return new CommandReplacedException(port, '"' + earlier.frame().text() + "\" had not begun to go out through port " + port
-                + " when \"" + later.frame().text() + "\" took its place, so it was not sent");
-    }
-
-    /** Fails the commands that wait, on a line that is gone for {@code reason}. */
+    /** Fails the commands that wait or are on their way, on a line that is gone for {@code reason}. */
     void failAll(String reason) {
-        for (Command command : writer.withdrawAll()) {
-            fail(command, new PortGoneException(port, reason));
-        }
+        PortGoneException gone = new PortGoneException(port, reason);
+        writer.withdrawAll().forEach(command -> fail(command, new PortGoneException(port, reason)));
+        fail(writer.takeLeaving(), gone);
+        line.abandon(gone);
     }
 
     private static void fail(Command command, Throwable failure) {

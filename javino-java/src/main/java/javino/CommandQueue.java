@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** The commands that wait for a line: urgent ones first, else in the order of their submission. Guarded by its user's lock. */
 final class CommandQueue {
@@ -23,6 +24,7 @@ final class CommandQueue {
             ordinary = without(ordinary, command, replaced, true);
         }
         submitted++;
+        command.submitted(submitted);
         return replaced;
     }
 
@@ -75,6 +77,11 @@ final class CommandQueue {
     /** Whether as many commands are over as had been submitted when {@link #submitted} returned {@code count}. */
     boolean areOver(long count) {
         return finished >= count;
+    }
+
+    /** Whether none waits of those that had been submitted when {@link #submitted} returned {@code count}. */
+    boolean haveBegun(long count) {
+        return Stream.concat(urgent.stream(), ordinary.stream()).noneMatch(command -> command.isWaiting() && command.number() <= count);
     }
 
     /** Removes all commands, and withdraws them. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javino.wire.BoardRule;
 
 /**
  * What travels as a unit: of version 1 of the Javino protocol {@code fffe}, the payload's length in two hexadecimal digits, the payload; of
@@ -89,9 +90,14 @@ public final class Frame {
      * As {@link #of(String)}, of a command. A board searches a damaged frame for others, and one that does not fit its memory, so the text
      * of a command must not hold what a frame begins with.
      *
-     * @throws IllegalArgumentException also if the text holds {@code fffe} or {@code fffd} and two hexadecimal digits
+     * @throws IllegalArgumentException also if the text holds {@code fffe} or {@code fffd} and two hexadecimal digits, or begins with the
+     *     byte 01 and sets or removes no {@link BoardRule}
      */
     public static Frame ofCommand(String text) {
+        if (BoardRule.isIn(text) && text.length() > 2 && BoardRule.read(text) == null) {
+            throw new IllegalArgumentException("the command " + quoted(text) + " begins with the byte 01, as a rule for the board does, "
+                    + "but is none; let it begin with another character");
+        }
         Matcher header = HEADER.matcher(text);
         if (header.find()) {
             throw new IllegalArgumentException("the command " + quoted(text) + " holds " + quoted(header.group()) + " from character "

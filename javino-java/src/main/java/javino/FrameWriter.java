@@ -1,17 +1,21 @@
 package javino;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
+import javino.session.WaitingCommands;
 
 /**
- * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames. One
- * command at a time is under way, from its turn until its outcome; requests go out meanwhile, and before the commands that wait.
+ * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames.
+ *
+ * <p>In version 1 one command at a time is under way, from its turn until its last byte has left; requests go out meanwhile, and before
+ * the commands that wait. In version 2 a {@link SessionLine} takes commands and writes its own frames.
  *
  * <p>Safe on any thread; no lock is held while bytes are written.
  */
-final class FrameWriter {
+final class FrameWriter implements WaitingCommands<Command> {
     /** What a frame is for: the pacer treats the two differently. */
     enum Kind { ACTION, REQUEST }
 
@@ -25,26 +29,36 @@ final class FrameWriter {
     private final Transport transport;
     private final LineClock clock;
     private final Pacer pacer;
-    private boolean writing;
-    private int turnsAwaited; // of requests and retransmissions
+    private boolean isWriting;
+    private int turnsAwaited; // of requests and HELLOs
     private Command underWay;
+    private boolean isLeaving; // the command under way was written by who submitted it, and its last byte leaves at leavesAt
+    private long leavesAt;
     private String endReason; // null while the line is there
 
     FrameWriter(Transport transport, Pacer pacer, LineClock clock) {
+        this(new Monitor(clock, transport.name()), transport, pacer, clock);
+    }
+
+    /** @param monitor guards it */
+    FrameWriter(Monitor monitor, Transport transport, Pacer pacer, LineClock clock) {
+        this.monitor = monitor;
         this.transport = transport;
         this.pacer = pacer;
         this.clock = clock;
-        monitor = new Monitor(clock, transport.name());
     }
 
-    /** Queues a command, and returns those whose place it takes. */
+    /** Queues a command, and returns those whose place it takes. Wakes nobody: {@link #wake} follows. */
     List<Command> submit(Command command) throws PortGoneException {
-        List<Command> replaced = new ArrayList<>();
-        monitor.change(() -> {
+        return monitor.get(() -> {
             requireLine();
-            replaced.addAll(commands.add(command));
+            return commands.add(command);
         });
-        return replaced;
+    }
+
+    /** Wakes who waits for a command. */
+    void wake() {
+        monitor.change(() -> { });
     }
 
     /** Takes a command that has not begun to go out from the queue, for good; false if it has. */
@@ -73,19 +87,37 @@ final class FrameWriter {
         return underWay == null ? commands.head() : null;
     }
 
+    @Override
+    public Command head() {
+        return monitor.get(commands::head);
+    }
+
+    @Override
+    public void begin() {
+        monitor.get(() -> {
+            commands.head().begin();
+            return null;
+        });
+    }
+
     /**
-     * Waits until a command may be written next: until one waits and none is under way.
+     * Waits until there is something to do with commands of version 1: until one waits and none is under way, or one leaves.
      *
      * @param own the wait ends when this command is over; null: it has no such end
      * @param deadline until when {@code own} may wait for its turn
-     * @return whether there is one
+     * @param isElsewhere ends the wait too
+     * @return whether there is something to do
      */
-    boolean awaitWork(Command own, long deadline) throws PortException {
+    boolean awaitWork(Command own, long deadline, BooleanSupplier isElsewhere) throws PortException {
         return monitor.getInterruptibly(() -> {
-            awaitZero(() -> own != null && own.isOver() || next() != null ? 0
+            awaitZero(() -> own != null && own.isOver() || isElsewhere.getAsBoolean() || hasWork() ? 0
                     : own != null && own.isWaiting() ? deadline - clock.nanos() : Monitor.FOREVER);
-            return (own == null || !own.isOver()) && next() != null;
+            return (own == null || !own.isOver()) && hasWork();
         });
+    }
+
+    private boolean hasWork() {
+        return isLeaving || next() != null;
     }
 
     /**
@@ -97,19 +129,55 @@ final class FrameWriter {
     Command awaitCommand(long deadline) throws PortException {
         return monitor.getInterruptibly(() -> {
             awaitZero(() -> next() == null ? 0 : Math.min(nanosUntilNext(), deadline - clock.nanos()));
-            Command next = next();
-            if (next == null || nanosUntilNext() > 0) {
-                return null;
-            }
-            next.begin();
-            underWay = next;
-            writing = true;
-            return next;
+            return beginNext();
         });
     }
 
+    /** Begins the next command if that waits for nothing and is {@code own}; as {@link #awaitCommand}. */
+    boolean beginAtOnce(Command own) {
+        return monitor.get(() -> endReason == null && next() == own && beginNext() != null);
+    }
+
+    private Command beginNext() {
+        Command next = next();
+        if (next == null || nanosUntilNext() > 0) {
+            return null;
+        }
+        next.begin();
+        underWay = next;
+        isWriting = true;
+        return next;
+    }
+
     private long nanosUntilNext() {
-        return writing || turnsAwaited > 0 ? Monitor.FOREVER : pacer.nanosUntilAction(pacer.lengthOf(next().frame()), clock.nanos());
+        return isWriting || turnsAwaited > 0 ? Monitor.FOREVER : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
+    }
+
+    /** Records that the command under way has been written, and leaves it to {@link #takeLeaving}. */
+    void leaves(long at) {
+        monitor.change(() -> {
+            isLeaving = true;
+            leavesAt = at;
+        });
+    }
+
+    /** Whether {@link #takeLeaving} has a command. */
+    boolean isLeaving() {
+        return monitor.get(() -> isLeaving);
+    }
+
+    /** The command that was written by who submitted it, unless another thread has taken it; null: there is none. */
+    Command takeLeaving() {
+        return monitor.get(() -> {
+            boolean wasLeaving = isLeaving;
+            isLeaving = false;
+            return wasLeaving ? underWay : null;
+        });
+    }
+
+    /** When the last byte of the command leaves that {@link #takeLeaving} returned. */
+    long leavesAt() {
+        return monitor.get(() -> leavesAt);
     }
 
     /** Records that the command under way has arrived, or failed: the next one may go. */
@@ -132,6 +200,12 @@ final class FrameWriter {
         });
     }
 
+    /** Whether the commands that have been submitted so far have begun to go out, whenever it is asked. */
+    BooleanSupplier commandsSoFarHaveBegun() {
+        long submitted = monitor.get(commands::submitted);
+        return () -> monitor.get(() -> commands.haveBegun(submitted));
+    }
+
     /**
      * Waits for a turn of its own, before the commands that wait, and writes a frame.
      *
@@ -139,58 +213,93 @@ final class FrameWriter {
      * @return when its last byte leaves the line, by the clock
      * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
      */
-    long write(Kind kind, Frame frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
+    long write(Kind kind, byte[] frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
         monitor.getInterruptibly(() -> {
-            awaitTurn(kind, frame, timeoutMillis);
+            awaitTurn(kind, frame.length, timeoutMillis);
             return null;
         });
         return writeNow(kind, frame, timeoutMillis, beforeWrite);
     }
 
-    private void awaitTurn(Kind kind, Frame frame, int timeoutMillis) throws PortException {
+    private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
         long due = clock.nanos();
         long deadline = due + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        LongSupplier untilTurn = () -> writing ? Monitor.FOREVER
-                : kind == Kind.ACTION ? pacer.nanosUntilAction(frame.length(), clock.nanos()) : pacer.nanosUntilRequest(due, clock.nanos());
+        LongSupplier untilTurn = () -> isWriting ? Monitor.FOREVER
+                : kind == Kind.ACTION ? pacer.nanosUntilAction(bytes, clock.nanos()) : pacer.nanosUntilRequest(due, clock.nanos());
         turnsAwaited++;
         try {
             awaitZero(() -> Math.min(untilTurn.getAsLong(), deadline - clock.nanos()));
             if (untilTurn.getAsLong() > 0) {
-                throw noTime(frame, timeoutMillis);
+                throw noTime(bytes, timeoutMillis);
             }
-            writing = true;
+            isWriting = true;
         } finally {
             monitor.change(() -> turnsAwaited--);
         }
     }
 
     /** Why a frame was not written whose turn did not come. */
-    PortTimeoutException noTime(Frame frame, int timeoutMillis) {
-        return new PortTimeoutException(transport.name(), "port " + transport.name() + " had no time for a message of " + frame.length()
+    PortTimeoutException noTime(int bytes, int timeoutMillis) {
+        return new PortTimeoutException(transport.name(), "port " + transport.name() + " had no time for a message of " + bytes
                 + " bytes within " + timeoutMillis + " ms; the line is busy with those before it");
     }
 
     /** Writes a frame whose turn has come; as {@link #write}. */
-    long writeNow(Kind kind, Frame frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
-        byte[] bytes = frame.toBytes();
+    long writeNow(Kind kind, byte[] frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
         try {
             beforeWrite.run();
-            long start = clock.nanos();
-            try {
-                transport.write(bytes, 0, bytes.length, timeoutMillis);
-            } catch (PortException | RuntimeException e) {
-                wrote(kind, bytes.length, start); // some bytes may have left
-                throw e;
-            }
-            return wrote(kind, bytes.length, start);
+            return hand(frame, timeoutMillis, (start, now) -> kind == Kind.ACTION
+                    ? pacer.wroteAction(frame.length, start, now) : pacer.wroteRequest(frame.length, start, now));
         } finally {
-            monitor.change(() -> writing = false);
+            monitor.change(() -> isWriting = false);
         }
     }
 
-    private long wrote(Kind kind, int bytes, long start) {
-        return monitor.get(() -> kind == Kind.ACTION
-                ? pacer.wroteAction(bytes, start, clock.nanos()) : pacer.wroteRequest(bytes, start, clock.nanos()));
+    /** Records when a frame was handed to the driver, and when the driver had taken it; returns when its last byte leaves. */
+    private interface Written {
+        long at(long start, long now);
+    }
+
+    private long hand(byte[] frame, int timeoutMillis, Written written) throws PortException {
+        long start = clock.nanos();
+        try {
+            transport.write(frame, 0, frame.length, timeoutMillis);
+        } catch (PortException | RuntimeException e) {
+            monitor.get(() -> written.at(start, clock.nanos())); // some bytes may have left
+            throw e;
+        }
+        return monitor.get(() -> written.at(start, clock.nanos()));
+    }
+
+    /** Nanoseconds until a frame of version 2 may be written. The caller holds the monitor's lock. */
+    long nanosUntilFrame() {
+        return isWriting ? Monitor.FOREVER : pacer.nanosUntilFrame(clock.nanos());
+    }
+
+    /** Records that a frame of version 2 goes out, which {@link #writeFrame} writes. The caller holds the monitor's lock. */
+    void beginFrame() {
+        isWriting = true;
+    }
+
+    /** Writes a frame of version 2, and {@code whenWritten} is given when its last byte leaves. The caller does not hold the monitor's lock. */
+    void writeFrame(byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
+        try {
+            hand(frame, timeoutMillis, (start, now) -> {
+                long left = pacer.wroteFrame(frame.length, start, now);
+                whenWritten.accept(left);
+                return left;
+            });
+        } finally {
+            monitor.change(() -> isWriting = false);
+        }
+    }
+
+    /** Records that all that was written has arrived. */
+    void allArrived(long now) {
+        monitor.get(() -> {
+            pacer.allArrived(now);
+            return null;
+        });
     }
 
     /** Waits until the clock shows {@code nanos}. */
@@ -224,11 +333,6 @@ final class FrameWriter {
     /** Records that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
-    }
-
-    /** Keeps the manners of version 2 from now on. */
-    void speakVersion2() {
-        monitor.change(pacer::speakVersion2);
     }
 
     /** Ends the line: who waits here, or comes later, gets a {@link PortGoneException} with {@code reason}. */

@@ -4,46 +4,62 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import javino.wire.WireDecoder;
+import javino.wire.WireFrame;
 
 /**
- * Reads a line and keeps what came until it is asked for: messages, and what the board says of an action.
+ * Reads a line. Frames of version 2 are handed on, messages of version 1 are kept until they are asked for.
  *
  * <p>Leader and followers: one of the waiting threads reads, keeps what is for the others, and hands the reading on when its own wait
- * ends. One thread at a time waits for messages, and one for the outcome of an action.
+ * ends.
  */
 final class Inbox {
-    /** Told whenever bytes have arrived. */
+    /** Is called whenever bytes have arrived. */
     interface ReadListener {
         /** Records that {@code bytes} have been read at {@code now}, in nanoseconds of the line's clock. */
         void received(int bytes, long now);
     }
 
-    /** What a board says of an action. */
-    enum Outcome { DONE, REFUSED }
+    /** Takes what comes in version 2, while the monitor's lock is held. */
+    interface FrameListener {
+        void received(WireFrame frame, long now);
+
+        /** Bytes have come. */
+        void receiving(long now);
+
+        /** A frame's checksum was wrong. */
+        void damaged();
+    }
 
     private static final int BUFFER = 1024;
     /** Messages that wait at most to be taken: nobody may ever take one of a board that speaks unasked. The newest count. */
-    private static final int MAX_MESSAGES = 64;
-    private static final System.Logger LOG = System.getLogger(Inbox.class.getName());
+    static final int MAX_MESSAGES = 64;
     /** Reads at most, one after the other, of what a line has ready: more than any driver holds, but an end for a line that never rests. */
     private static final int READS = 64;
+
+    private static final FrameListener NOBODY = new FrameListener() {
+        @Override
+        public void received(WireFrame frame, long now) {}
+
+        @Override
+        public void receiving(long now) {}
+
+        @Override
+        public void damaged() {}
+    };
 
     private final Monitor monitor;
     private final Deque<Reply> messages = new ArrayDeque<>();
     private final byte[] buffer = new byte[BUFFER]; // belongs to who reads
     private final Transport transport;
     private final LineClock clock;
-    private final FrameDecoder decoder;
-    private final Reassembler reassembler;
+    private final FrameDecoder version1;
+    private final WireDecoder version2;
     private final LocalEchoFilter localEchoes = new LocalEchoFilter();
     private final ReadListener received;
-    private final long interByteTimeoutNanos;
-    private boolean beingRead;
-    private boolean version2; // and nothing else
-    private int awaited; // the action whose outcome is waited for
-    private Outcome outcome;
-    private boolean toldOfLength;
-    private long wasted; // bytes that had made no frame by the last one that did, or a silence behind them
+    private final FrameListener frames;
+    private boolean isBeingRead;
+    private Protocol protocol;
     private volatile long lastByteNanos;
 
     /**
@@ -52,54 +68,48 @@ final class Inbox {
      * @param received told whenever bytes have arrived
      */
     Inbox(Transport transport, LineClock clock, ReadListener received) {
-        this(transport, clock, received, Protocol.V1, Frame.MAX_PAYLOAD);
+        this(new Monitor(clock, transport.name()), transport, clock, received, Protocol.V1, NOBODY);
     }
 
     /**
+     * @param monitor guards it
      * @param received told whenever bytes have arrived
-     * @param messageLimit bytes that a message of several fragments has at most
+     * @param frames takes what comes in version 2
      */
-    Inbox(Transport transport, LineClock clock, ReadListener received, Protocol protocol, int messageLimit) {
+    Inbox(Monitor monitor, Transport transport, LineClock clock, ReadListener received, Protocol protocol, FrameListener frames) {
+        this.monitor = monitor;
         this.transport = transport;
         this.clock = clock;
-        monitor = new Monitor(clock, transport.name());
         this.received = received;
-        interByteTimeoutNanos = FrameDecoder.interByteTimeoutNanos(transport.line());
-        decoder = new FrameDecoder(interByteTimeoutNanos, protocol, this::keep);
-        reassembler = new Reassembler(messageLimit);
-        version2 = protocol == Protocol.V2;
+        this.protocol = protocol;
+        this.frames = frames;
+        long timeout = FrameDecoder.interByteTimeoutNanos(transport.line());
+        version1 = new FrameDecoder(timeout, this::keep);
+        version2 = new WireDecoder(true, timeout, frame -> this.frames.received(frame, lastByteNanos));
         lastByteNanos = clock.nanos();
     }
 
-    /** Reads this version alone from now on. */
-    void read(Protocol protocol) {
-        monitor.change(() -> {
-            version2 = protocol == Protocol.V2;
-            decoder.read(protocol);
-        });
+    /** Reads this version alone from now on, or both. Who waits for messages of version 1 stops when that is not read any more. */
+    void read(Protocol value) {
+        monitor.change(() -> protocol = value);
     }
 
-    /** The next message, or null if none is complete when the clock shows {@code deadlineNanos}; one that has passed does not wait. */
+    /**
+     * The next message of version 1, or null if none is complete when the clock shows {@code deadlineNanos}; one that has passed does not
+     * wait. Null also as soon as version 2 alone is read.
+     */
     Reply next(long deadlineNanos) throws PortException {
         return await(messages::poll, deadlineNanos);
     }
 
-    /** Forgets the outcomes of earlier actions, since action {@code sequence} is about to go out. */
-    void expectOutcome(int sequence) {
-        monitor.change(() -> {
-            awaited = sequence;
-            outcome = null;
-        });
+    /** Whether messages of version 1 can come. */
+    boolean isReadingVersion1() {
+        return monitor.get(() -> protocol != Protocol.V2);
     }
 
-    /** Reads until the clock shows {@code deadlineNanos}, and keeps what comes. */
-    void watch(long deadlineNanos) throws PortException {
-        await(() -> null, deadlineNanos);
-    }
-
-    /** The outcome of the action that is expected, or null if it is not known when the clock shows {@code deadlineNanos}. */
-    Outcome outcome(long deadlineNanos) throws PortException {
-        return await(() -> outcome, deadlineNanos);
+    /** Whether a message of version 1 waits to be taken. */
+    boolean hasMessage() {
+        return monitor.get(() -> !messages.isEmpty());
     }
 
     /** Reads what the line has ready, and keeps it. */
@@ -122,28 +132,19 @@ final class Inbox {
         readReady(READS);
         monitor.change(() -> {
             messages.clear();
-            if (!version2) {
-                decoder.reset(); // in version 2 what is unfinished may be the outcome of an action
-            }
-            reassembler.asked();
-            wasted = decoder.discarded();
+            version1.reset();
         });
     }
 
     /** Reads what the line has ready, in at most {@code most} pieces, unless another thread reads. */
     private void readReady(int most) throws PortException {
         monitor.get(() -> {
-            for (int reads = 0; reads < most && !beingRead && readFor(0) > 0; reads++) { }
+            for (int reads = 0; reads < most && !isBeingRead && readFor(0) > 0; reads++) { }
             return null;
         });
     }
 
-    /** Records that a request is about to go out for whose sake nothing is forgotten. */
-    void asked() {
-        monitor.change(reassembler::asked);
-    }
-
-    /** Records that a frame is about to go out, which is no message if the line brings it back. */
+    /** Records that a frame of version 1 is about to go out, which is no message if the line brings it back. */
     void sends(Frame frame) {
         monitor.change(() -> localEchoes.sends(frame));
     }
@@ -153,28 +154,23 @@ final class Inbox {
         return lastByteNanos;
     }
 
-    /** Bytes so far that made no frame. */
-    long discardedBytes() {
-        return monitor.get(decoder::discarded);
-    }
-
-    /** Frames so far whose checksum was wrong. */
+    /** Frames of version 2 so far whose checksum was wrong. */
     long corrupt() {
-        return monitor.get(decoder::corrupt);
+        return monitor.get(version2::corrupt);
     }
 
     private <T> T await(Supplier<T> wanted, long deadlineNanos) throws PortException {
         return monitor.get(() -> {
             for (T found = wanted.get(); true; found = wanted.get()) {
                 long now = clock.nanos();
-                long left = Math.max(0, deadlineNanos - now);
-                if (found != null || left == 0 && beingRead) {
+                long left = protocol == Protocol.V2 ? 0 : Math.max(0, deadlineNanos - now);
+                if (found != null || left == 0 && isBeingRead) {
                     return found;
                 }
-                if (beingRead) {
+                if (isBeingRead) {
                     monitor.await(left);
                 } else {
-                    readFor(Math.min(left, decoder.nanosUntilIdle(now)));
+                    readFor(left);
                     if (left == 0) {
                         return wanted.get();
                     }
@@ -183,74 +179,59 @@ final class Inbox {
         });
     }
 
-    /** Reads for at most {@code nanos}, during which the lock is free: the caller holds it once. */
-    private int readFor(long nanos) throws PortException {
-        long millis = TimeUnit.NANOSECONDS.toMillis(nanos + TimeUnit.MILLISECONDS.toNanos(1) - 1);
+    /** Whether a thread reads. The caller holds the monitor's lock. */
+    boolean isBeingRead() {
+        return isBeingRead;
+    }
+
+    /**
+     * Reads for at most {@code nanos}, less if an unfinished frame has to be given up before. The caller holds the monitor's lock once,
+     * which is free while bytes are awaited; no thread {@link #isBeingRead reads}.
+     */
+    int readFor(long nanos) throws PortException {
+        long start = clock.nanos();
+        long idle = Math.min(version1.nanosUntilIdle(start), version2.nanosUntilIdle(start));
+        long millis = TimeUnit.NANOSECONDS.toMillis(Math.min(nanos, idle) + TimeUnit.MILLISECONDS.toNanos(1) - 1);
         int count = 0;
-        beingRead = true;
+        isBeingRead = true;
         try {
             count = monitor.unlocked(() -> transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE)));
         } finally {
-            beingRead = false;
+            isBeingRead = false;
         }
         long now = clock.nanos();
         if (count > 0) {
-            lastByteNanos = now;
-            decoder.acceptUnbroken(buffer, 0, count, now); // a read that finds nothing shows a silence, a late one does not
-            received.received(count, now);
-        } else {
-            decoder.idle(now);
-            noteSilence(now);
+            accept(count, now);
+        } else { // a read that finds nothing shows a silence, a late one does not
+            version1.idle(now);
+            version2.idle(now);
         }
         return count;
     }
 
-    private void noteSilence(long now) {
-        if (decoder.discarded() > wasted && now - lastByteNanos > interByteTimeoutNanos) {
-            wasted = decoder.discarded();
-            reassembler.excuse();
+    private void accept(int count, long now) {
+        lastByteNanos = now;
+        long corrupt = version2.corrupt();
+        frames.receiving(now);
+        if (protocol != Protocol.V1) {
+            version2.acceptUnbroken(buffer, 0, count, now);
         }
+        if (protocol != Protocol.V2) {
+            version1.acceptUnbroken(buffer, 0, count, now);
+        }
+        if (version2.corrupt() > corrupt) {
+            frames.damaged();
+        }
+        received.received(count, now);
     }
 
     private void keep(Frame frame) {
         if (localEchoes.isEcho(frame)) {
             return;
         }
-        if (frame.version() == 1) {
-            keep(new Reply(frame.text(), Protocol.V1, lastByteNanos));
-        } else if (frame.has(Frame.ACK | Frame.REFUSAL)) {
-            keepOutcome(frame);
-        } else {
-            String message = reassembler.accept(frame, decoder.discarded() > wasted);
-            wasted = decoder.discarded();
-            if (message != null) {
-                keep(new Reply(message, Protocol.V2, lastByteNanos));
-            }
-            tellOfLength();
-        }
-    }
-
-    private void keep(Reply message) {
         if (messages.size() == MAX_MESSAGES) {
             messages.poll();
         }
-        messages.add(message);
-    }
-
-    /** Says so when a message was too long; and not again before one has come that was not. */
-    private void tellOfLength() {
-        if (reassembler.tooLong() != toldOfLength) {
-            toldOfLength = reassembler.tooLong();
-            if (toldOfLength) {
-                LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent a message of more than " + reassembler.limit()
-                        + " bytes, which is dropped; longer ones are dropped without a word until one comes that is not");
-            }
-        }
-    }
-
-    private void keepOutcome(Frame frame) {
-        if (frame.sequence() == awaited && outcome == null) {
-            outcome = frame.has(Frame.REFUSAL) ? Outcome.REFUSED : Outcome.DONE;
-        }
+        messages.add(new Reply(frame.text(), Protocol.V1, lastByteNanos));
     }
 }

@@ -40,10 +40,9 @@ public final class Link implements AutoCloseable {
     private final PortOwners.Claim claim;
     private final LineClock clock;
     private final FrameWriter writer;
-    private final Inbox inbox;
+    private final SessionLine line;
     private final RequestChannel channel; // used by who holds reading
     private final CommandLoop commands;
-    private volatile BoardListener boardListener; // null: nobody is called
     private volatile long exchangeNanos; // that the last one took
 
     Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
@@ -53,10 +52,11 @@ public final class Link implements AutoCloseable {
         this.clock = clock;
         ending = clock.newLock(false);
         reading = clock.newLock(true); // fair: a sender that must wait for readiness gets its turn too
-        writer = new FrameWriter(transport, new Pacer(settings, clock.nanos()), clock);
-        inbox = new Inbox(transport, clock, writer::received, settings.protocol(), settings.messageLimit());
-        channel = new RequestChannel(inbox, writer, clock, settings);
-        commands = new CommandLoop(transport, claim.canonicalName(), writer, inbox, channel, clock, this::awaitStart);
+        Monitor monitor = new Monitor(clock, transport.name());
+        writer = new FrameWriter(monitor, transport, new Pacer(settings, clock.nanos()), clock);
+        line = new SessionLine(monitor, transport, clock, writer, settings);
+        channel = new RequestChannel(line, writer, clock, settings);
+        commands = new CommandLoop(transport, writer, line, channel, clock, this::awaitStart);
     }
 
     /**
@@ -116,7 +116,7 @@ public final class Link implements AutoCloseable {
 
     /** The version that is spoken; {@link Protocol#AUTO} while it has not been found out. */
     public Protocol protocol() {
-        return channel.protocol();
+        return line.protocol();
     }
 
     /**
@@ -124,17 +124,20 @@ public final class Link implements AutoCloseable {
      * thread; does not wait.
      */
     public Optional<List<BoardAction>> vocabulary() {
-        return Optional.empty();
+        return line.vocabulary();
     }
 
-    /** Sets who is called when the board reports something of its own accord, in place of who was before. */
+    /**
+     * Sets who is called when the board reports something of its own accord, in place of who was before. If a session has begun before,
+     * {@link BoardListener#sessionBegan} is called at once, on the calling thread.
+     */
     public void onBoardEvents(BoardListener listener) {
-        boardListener = Objects.requireNonNull(listener, "listener");
+        line.onBoardEvents(Objects.requireNonNull(listener, "listener"));
     }
 
     /** Frames of version 2 that have arrived with a wrong checksum and were dropped. */
     public long corruptFrames() {
-        return inbox.corrupt();
+        return line.inbox().corrupt();
     }
 
     /** Whether it can be used: it was not closed, and no call has found its device gone. */
@@ -155,10 +158,10 @@ public final class Link implements AutoCloseable {
     public Reply request(String message, int timeoutMillis) throws PortException {
         Frame request = Frame.of(message);
         requireTime(timeoutMillis);
-        if (channel.protocol() == Protocol.V1 && !channel.mustAsk()) {
+        if (line.protocol() == Protocol.V1 && !channel.mustAsk()) {
             writer.awaitCommandsSoFar(TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
-        return exchange(request, timeoutMillis);
+        return line.isVersion2() && !PerceptsRequest.isIn(message) ? answerToCommand(message, timeoutMillis) : exchange(request, timeoutMillis);
     }
 
     /**
@@ -174,9 +177,9 @@ public final class Link implements AutoCloseable {
         long limit = Math.max(TimeUnit.MILLISECONDS.toNanos(intervalMillis), exchangeNanos);
         long grace = settings.line().byteNanos() * Frame.of(PerceptsRequest.ALL).length() / GRACE_DIVISOR;
         noticing(() -> {
-            writer.awaitCommandsSoFar(limit);
+            giveWay(limit);
             writer.awaitTime(clock.nanos() + grace);
-            writer.awaitCommandsSoFar(limit);
+            giveWay(limit);
             return null;
         });
         long start = clock.nanos();
@@ -185,6 +188,22 @@ public final class Link implements AutoCloseable {
         } finally {
             exchangeNanos = clock.nanos() - start;
         }
+    }
+
+    /** Waits, at most {@code nanos}, until the commands so far are over, or in version 2, which carries both ways at once, have begun. */
+    private void giveWay(long nanos) throws PortException {
+        if (line.isVersion2()) {
+            line.await(writer.commandsSoFarHaveBegun(), clock.nanos() + nanos, false);
+        } else {
+            writer.awaitCommandsSoFar(nanos);
+        }
+    }
+
+    /** In version 2 nothing but percepts is asked for: another message is a command, and what the board sends behind it is the answer. */
+    private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
+        line.forgetHeard();
+        sendAndAwait(message, timeoutMillis);
+        return listen(timeoutMillis);
     }
 
     private Reply exchange(Frame request, int timeoutMillis) throws PortException {
@@ -244,7 +263,7 @@ public final class Link implements AutoCloseable {
 
     /** As {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
-        sendAndAwait(Frame.ofCommand(command), options, CommandSender.MAX_WRITE_MILLIS);
+        sendAndAwait(Frame.ofCommand(command), options, CommandLoop.MAX_WAIT_MILLIS);
     }
 
     private void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
@@ -280,7 +299,7 @@ public final class Link implements AutoCloseable {
     public void watch(int timeoutMillis) throws PortException {
         requireTime(timeoutMillis);
         reading(() -> {
-            inbox.watch(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+            channel.watch(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
             return null;
         });
     }
@@ -293,7 +312,8 @@ public final class Link implements AutoCloseable {
      */
     public void check() throws PortException {
         noticing(() -> {
-            inbox.look();
+            line.inbox().look();
+            line.report();
             return null;
         });
     }
@@ -365,6 +385,8 @@ public final class Link implements AutoCloseable {
         } catch (PortGoneException e) {
             end(e.getMessage());
             throw e;
+        } finally {
+            line.report();
         }
     }
 
@@ -373,7 +395,7 @@ public final class Link implements AutoCloseable {
         try {
             return work.run();
         } catch (PortTimeoutException e) {
-            inbox.look();
+            line.inbox().look();
             throw e;
         }
     }

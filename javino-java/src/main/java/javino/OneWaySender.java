@@ -1,30 +1,39 @@
 package javino;
 
 import java.util.concurrent.TimeUnit;
+import javino.wire.BoardRule;
 
 /** Sends commands to a version 1 board, which acknowledges nothing: a command has arrived when its last byte has left. */
-final class OneWaySender implements CommandSender {
+final class OneWaySender {
     /** How long the device may be gone before it is noticed while a long message leaves. */
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
+    private static final int MAX_WRITE_MILLIS = 5000;
 
+    private final String port;
     private final FrameWriter writer;
     private final Inbox inbox;
-    private final RequestChannel channel;
     private final LineClock clock;
 
-    OneWaySender(FrameWriter writer, Inbox inbox, RequestChannel channel, LineClock clock) {
+    OneWaySender(String port, FrameWriter writer, Inbox inbox, LineClock clock) {
+        this.port = port;
         this.writer = writer;
         this.inbox = inbox;
-        this.channel = channel;
         this.clock = clock;
     }
 
-    @Override
-    public void send(Command command) throws PortException {
-        long left = writer.writeNow(FrameWriter.Kind.ACTION, command.frame(), MAX_WRITE_MILLIS, () -> {
-            channel.awaitGap();
-            inbox.sends(command.frame());
+    /** Writes the command whose turn has come; returns when its last byte leaves. */
+    long write(Command command) throws PortException {
+        Frame frame = command.frame();
+        return writer.writeNow(FrameWriter.Kind.ACTION, frame.toBytes(), MAX_WRITE_MILLIS, () -> {
+            if (BoardRule.isIn(command.text())) {
+                throw new ActionRefusedException(port, "the board at port " + port + " speaks version 1, in which it takes no rules");
+            }
+            inbox.sends(frame);
         });
+    }
+
+    /** Waits until the last byte of a command leaves, at {@code left}, or it is over. */
+    void awaitLeft(Command command, long left) throws PortException {
         while (!command.isOver() && left - clock.nanos() > WATCH_NANOS) { // who would read the line may be waiting for its turn
             writer.awaitTime(clock.nanos() + WATCH_NANOS);
             inbox.look();

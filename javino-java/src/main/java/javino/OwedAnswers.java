@@ -14,13 +14,9 @@ final class OwedAnswers {
     /** A board that has never answered and does so later than this was starting, not slow. */
     private static final long SLOWEST_BOARD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
-    private final RoundTripTimes times;
+    private long longestNanos; // that an answer has taken; 0: none has been timed
     private int asked; // requests since the line was last known to owe no answer
     private long firstAskedAt;
-
-    OwedAnswers(RoundTripTimes times) {
-        this.times = times;
-    }
 
     /** Records that a request was written whose last byte leaves at {@code nanos}. */
     void asked(long nanos) {
@@ -35,14 +31,9 @@ final class OwedAnswers {
         return asked > 1;
     }
 
-    /** Answers that may come at most. */
-    int count() {
-        return asked;
-    }
-
     /** Records that the one request there was has been answered at {@code now}. */
     void answered(long now) {
-        times.answeredAfter(now - firstAskedAt);
+        longestNanos = Math.max(longestNanos, now - firstAskedAt);
         asked = 0;
     }
 
@@ -60,8 +51,7 @@ final class OwedAnswers {
      */
     long settlingNanos(long answerAt, long timeoutNanos) {
         long sinceFirst = answerAt - firstAskedAt;
-        long longest = times.longestNanos();
-        long slow = longest > 0 ? 2 * longest : sinceFirst < SLOWEST_BOARD_NANOS ? sinceFirst : 0;
+        long slow = longestNanos > 0 ? 2 * longestNanos : sinceFirst < SLOWEST_BOARD_NANOS ? sinceFirst : 0;
         return Math.min(Math.max(MIN_SETTLING_NANOS, slow), timeoutNanos);
     }
 }

@@ -14,8 +14,8 @@ import java.util.concurrent.TimeUnit;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
  *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms.
  * </ul>
- * Version 2 boards keep what they receive, and acknowledge actions, of which one is on its way at a time. For them only the receive buffer
- * counts. A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
+ * Version 2 boards say how much they can receive, so for them the pace alone counts. A line that is not paced knows neither. Times are
+ * nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
@@ -32,7 +32,6 @@ final class Pacer {
     private final long byteNanos;
     private final long minGapNanos;
     private final int boardQueue;
-    private boolean version2;
 
     private long lineFreeAt;
     private long lastEnd; // of the last frame, or of the answer behind it
@@ -54,17 +53,11 @@ final class Pacer {
         lineFreeAt = now;
         lastEnd = now - gap();
         busyUntil = now;
-        version2 = settings.protocol() == Protocol.V2;
     }
 
-    /** Records that the board speaks version 2. */
-    void speakVersion2() {
-        version2 = true;
-    }
-
-    /** Bytes that a command, which is given as a frame of version 1, takes on the line. */
-    int lengthOf(Frame command) {
-        return command.length() + (version2 ? Frame.VERSION_2_OVERHEAD : 0);
+    /** Nanoseconds from {@code now} until a frame of version 2 may be written; 0: now. */
+    long nanosUntilFrame(long now) {
+        return nanosUntil(lineFreeAt, now);
     }
 
     /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
@@ -78,13 +71,13 @@ final class Pacer {
      * @param due when it would have been written on a free line
      */
     long nanosUntilRequest(long due, long now) {
-        long free = !version2 && actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
-        long probeDelay = version2 || minGapNanos == 0 ? 0 : loop.probeDelayNanos();
+        long free = actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
+        long probeDelay = minGapNanos == 0 ? 0 : loop.probeDelayNanos();
         return nanosUntil(later(free, due) + probeDelay, now);
     }
 
     private long earliest() {
-        return version2 ? lineFreeAt : later(lineFreeAt, lastEnd + gap());
+        return later(lineFreeAt, lastEnd + gap());
     }
 
     private long nanosUntil(long at, long now) {
@@ -118,6 +111,16 @@ final class Pacer {
         awaitingAnswer = true;
         busyUntil = requestEnd + QUIET_NANOS;
         return requestEnd;
+    }
+
+    /** Records that a frame of version 2 was written; as {@link #wroteAction}. */
+    long wroteFrame(int bytes, long start, long now) {
+        return wrote(bytes, start, now);
+    }
+
+    /** Records that all that was written has arrived, if the line is faster than its rate, as a pseudo-terminal is. */
+    void allArrived(long now) {
+        lineFreeAt = now - lineFreeAt < 0 ? now : lineFreeAt;
     }
 
     private long wrote(int bytes, long start, long now) {
@@ -167,7 +170,7 @@ final class Pacer {
     }
 
     private boolean overfills(int bytes) {
-        return !version2 && actionsMeanwhile >= boardQueue || bytesMeanwhile + bytes > RECEIVE_BUFFER;
+        return actionsMeanwhile >= boardQueue || bytesMeanwhile + bytes > RECEIVE_BUFFER;
     }
 
     private boolean mayBeBusy(long now) {

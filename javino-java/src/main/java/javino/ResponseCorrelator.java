@@ -3,7 +3,7 @@ package javino;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Tells which of the messages that come is the answer to the last request, and waits for it.
+ * Tells which of the messages of version 1 that come is the answer to the last request, and waits for it.
  *
  * <p>Times are nanoseconds of the link's clock. One thread at a time.
  */
@@ -12,14 +12,9 @@ final class ResponseCorrelator {
 
     private final Inbox inbox;
     private final LineClock clock;
-    private final RoundTripTimes times;
-    private OwedAnswers owed;
-    private OwedAnswers asIfVersion2; // what is owed if the board turns out to be of version 2 and slow; null: nothing
+    private final OwedAnswers owed = new OwedAnswers();
 
-    /** @param times records how long answers take */
-    ResponseCorrelator(Inbox inbox, LineClock clock, RoundTripTimes times) {
-        this.times = times;
-        owed = new OwedAnswers(times);
+    ResponseCorrelator(Inbox inbox, LineClock clock) {
         this.inbox = inbox;
         this.clock = clock;
     }
@@ -39,39 +34,7 @@ final class ResponseCorrelator {
     }
 
     private boolean isComing(long sent) {
-        return inbox.lastByteNanos() - sent > 0 && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
-    }
-
-    /** As {@link #by}, but null as soon as the line is silent behind more than {@code noise}. */
-    Reply orDamage(long sent, long noise, long deadline, long giveUp) throws PortException {
-        Reply answer = null;
-        for (long now = clock.nanos(); answer == null && deadline - now > 0; now = clock.nanos()) {
-            if (inbox.discardedBytes() > noise && now - inbox.lastByteNanos() >= QUIET_NANOS) {
-                return null;
-            }
-            answer = inbox.next(Math.min(deadline - now, QUIET_NANOS) + now);
-        }
-        return answer != null ? answer : by(sent, deadline, giveUp);
-    }
-
-    /** Records that nothing is owed any more. */
-    void settled() {
-        owed.settled();
-    }
-
-    /** Records that the requests so far were of version 2, to which a version 1 board owes no answer. */
-    void oweNothingInVersion1() {
-        asIfVersion2 = owed;
-        owed = new OwedAnswers(times);
-    }
-
-    /** Records that it is a version 2 board that answers now, after all. */
-    void oweAllInVersion2() {
-        if (asIfVersion2 != null) {
-            asIfVersion2.asked(clock.nanos());
-            owed = asIfVersion2;
-            asIfVersion2 = null;
-        }
+        return inbox.isReadingVersion1() && inbox.lastByteNanos() - sent > 0 && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
     }
 
     /**
@@ -79,9 +42,9 @@ final class ResponseCorrelator {
      *
      * @param first that message
      */
-    Reply last(Reply first, int timeoutMillis, boolean version2) throws PortException {
+    Reply last(Reply first, int timeoutMillis) throws PortException {
         if (owed.mayBeLate()) {
-            return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis), version2);
+            return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         owed.answered(clock.nanos());
         return newest(first); // behind a frame that was cut comes the intact one
@@ -93,26 +56,18 @@ final class ResponseCorrelator {
         return newer == null ? message : newer;
     }
 
-    /**
-     * The last message before the board falls silent. A board of version 2 may acknowledge actions all the time, so there it is the time
-     * since a message that counts, and if there is one for each request no further is due.
-     */
-    private Reply lastBeforeSilence(Reply first, long timeoutNanos, boolean version2) throws PortException {
+    /** The last message before the line falls silent. */
+    private Reply lastBeforeSilence(Reply first, long timeoutNanos) throws PortException {
         long now = clock.nanos();
         long giveUp = now + timeoutNanos;
         long settlingNanos = owed.settlingNanos(now, timeoutNanos);
         Reply last = first;
-        long lastAt = now;
-        for (int messages = 1; giveUp - clock.nanos() > 0; ) {
-            long left = Math.min((version2 ? lastAt : inbox.lastByteNanos()) + settlingNanos, giveUp) - clock.nanos();
+        while (giveUp - clock.nanos() > 0 && inbox.isReadingVersion1()) {
+            long left = Math.min(inbox.lastByteNanos() + settlingNanos, giveUp) - clock.nanos();
             Reply later = inbox.next(clock.nanos() + left);
             if (later != null) {
                 last = later;
-                lastAt = clock.nanos();
-                messages++;
-            }
-            boolean silent = later == null && clock.nanos() - (version2 ? lastAt : inbox.lastByteNanos()) >= settlingNanos;
-            if (silent || version2 && messages >= owed.count()) {
+            } else if (clock.nanos() - inbox.lastByteNanos() >= settlingNanos) {
                 owed.settled();
                 return last;
             }

@@ -57,7 +57,7 @@ class CommandInterleavingsSpec : FunSpec({
             }
             concurrently({ writer.submit(command("stop", urgent = true)) }, write, write)
             check(taken.size == 1) { "under way: $taken" }
-            writer.writeNow(FrameWriter.Kind.ACTION, Frame.of("x"), 1000) { }
+            writer.writeNow(FrameWriter.Kind.ACTION, Frame.of("x").toBytes(), 1000) { }
             writer.finish()
             val next = writer.awaitCommand(10_000_000_000)?.frame()?.text()
             check(setOf(taken.single(), next) == setOf("on", "stop")) { "taken: $taken, then $next" }

@@ -5,22 +5,18 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
-import io.kotest.matchers.string.shouldContain
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
-import java.util.logging.Handler
-import java.util.logging.LogRecord
-import java.util.logging.Logger
 import javino.sim.MemoryLine
 
 private const val PAST = Long.MIN_VALUE / 4
 
 /** An inbox on a line in memory, whose far end a test holds. */
-private class InboxProbe(protocol: Protocol = Protocol.V1, messageLimit: Int = Frame.MAX_PAYLOAD) {
+private class InboxProbe {
     val clock = JumpingClock()
     private val line = MemoryLine.unlimited("probe", LineSettings.defaults(), clock)
     val receivedAt = mutableListOf<Long>()
-    val inbox = Inbox(line.computer(), clock, { _, now -> receivedAt.add(now) }, protocol, messageLimit)
+    val inbox = Inbox(line.computer(), clock) { _, now -> receivedAt.add(now) }
 
     fun arrives(bytes: String) = line.board().write(bytes.toByteArray(Charsets.ISO_8859_1), 0, bytes.length, 0)
 
@@ -103,7 +99,7 @@ class InboxSpec : FunSpec({
         shouldThrow<PortGoneException> { probe.next() }
     }
 
-    test("who waits for an outcome is not held up by another thread that reads for long") {
+    test("who waits for a message is not held up by another thread that reads for long") {
         val reading = CountDownLatch(1)
         val free = CountDownLatch(1)
         val line = object : Transport by MemoryLine.unlimited("slow", LineSettings.defaults()).computer() {
@@ -116,7 +112,7 @@ class InboxSpec : FunSpec({
         val inbox = Inbox(line, LineClock.system()) { _, _ -> }
         val clearing = async { inbox.clear() }
         reading.await()
-        async { inbox.outcome(LineClock.system().nanos() + 1_000_000) }.get(20, TimeUnit.SECONDS).shouldBeNull()
+        async { inbox.next(LineClock.system().nanos() + 1_000_000) }.get(20, TimeUnit.SECONDS).shouldBeNull()
         free.countDown()
         clearing.get(20, TimeUnit.SECONDS)
     }
@@ -126,44 +122,4 @@ class InboxSpec : FunSpec({
         probe.arrives((0 until 100).joinToString("") { "fffe03%03d".format(it) })
         generateSequence { probe.next() }.toList() shouldBe (36 until 100).map { "%03d".format(it) }
     }
-
-    test("messages that are too long are dropped with a warning, and with another one only after one that is not") {
-        val probe = InboxProbe(Protocol.V2, 300)
-        var sequence = 0
-        fun says(vararg parts: String) = parts.forEachIndexed { i, part ->
-            val flags = if (i < parts.lastIndex) Frame.MORE else 0
-            probe.arrives(String(Frame.version2(part.toByteArray(), flags, sequence++ % 16).toBytes(), Charsets.ISO_8859_1))
-        }
-        val long = "x".repeat(200)
-        val warnings = warningsOf(Inbox::class.java) {
-            repeat(5) { says(long, long) }
-            probe.next().shouldBeNull()
-            says("short")
-            probe.next() shouldBe "short"
-            says(long, "x".repeat(100))
-            probe.next() shouldBe "x".repeat(300)
-            repeat(5) { says(long, long) }
-            probe.next().shouldBeNull()
-        }
-        warnings.size shouldBe 2
-        warnings.first() shouldContain "port probe sent a message of more than 300 bytes"
-    }
 })
-
-/** The warnings that [type] logs during [work]. */
-private fun warningsOf(type: Class<*>, work: () -> Unit): List<String> {
-    val messages = ArrayList<String>()
-    val handler = object : Handler() {
-        override fun publish(record: LogRecord) { messages += record.message }
-        override fun flush() = Unit
-        override fun close() = Unit
-    }
-    val logger = Logger.getLogger(type.name)
-    logger.addHandler(handler)
-    try {
-        work()
-    } finally {
-        logger.removeHandler(handler)
-    }
-    return messages
-}

@@ -188,8 +188,8 @@ class PacerSpec : FunSpec({
         delays.drop(31).count { it > 0 } shouldBe 9
     }
 
-    test("a line that is not paced, a board that keeps messages, and one of version 2 are asked when they may be") {
-        for (settings in LinkSettings.defaults().run { listOf(withPaced(false), withSpacingMillis(0), withProtocol(Protocol.V2)) }) {
+    test("a line that is not paced, and a board that keeps messages, are asked when they may be") {
+        for (settings in LinkSettings.defaults().run { listOf(withPaced(false), withSpacingMillis(0)) }) {
             val pacer = pacer(settings)
             var now = 0L
             repeat(20) {
@@ -207,6 +207,16 @@ class PacerSpec : FunSpec({
         val sent = pacer.wroteAction(11, asked, asked)
         pacer.received(1, asked + 40 * MILLI)
         pacer.nanosUntilAction(11, sent) shouldBe asked + 90 * MILLI - sent
+    }
+
+    test("a frame of version 2 goes out when the one before has left, or is known to have arrived") {
+        val pacer = pacer()
+        val left = pacer.wroteFrame(10, 0, 0)
+        pacer.nanosUntilFrame(0) shouldBe left
+        pacer.nanosUntilFrame(left) shouldBe 0
+        pacer.wroteFrame(10, left, left)
+        pacer.allArrived(left + MILLI)
+        pacer.nanosUntilFrame(left + MILLI) shouldBe 0
     }
 
     test("a line that is not paced holds nothing back") {

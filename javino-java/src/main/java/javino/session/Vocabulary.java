@@ -23,7 +23,7 @@ final class Vocabulary {
     private int request;
     private int doublings;
     private boolean isWanted;
-    private boolean isComplete;
+    private Optional<List<BoardAction>> complete = Optional.empty();
     private long dueAt;
 
     /** Forgets everything: another session begins. */
@@ -33,7 +33,7 @@ final class Vocabulary {
         request = 0;
         doublings = 0;
         isWanted = false;
-        isComplete = false;
+        complete = Optional.empty();
     }
 
     /** Begins to ask. */
@@ -46,17 +46,20 @@ final class Vocabulary {
 
     /** The actions in the order of their numbers; empty while they are not known. */
     Optional<List<BoardAction>> actions() {
-        return isComplete ? Optional.of(List.copyOf(actions)) : Optional.empty();
+        return complete;
     }
 
-    /** How a command goes out. */
+    /** How a command goes out; an empty text is none. */
     CommandItem itemOf(String text) {
+        if (text.isEmpty()) {
+            return new CommandItem.Nothing();
+        }
         Integer number = numbers.get(text);
         return number == null ? new CommandItem.Text(text) : new CommandItem.Action(number);
     }
 
     private boolean asks() {
-        return isWanted && !isComplete;
+        return isWanted && complete.isEmpty();
     }
 
     /** Nanoseconds until the next page is asked for. */
@@ -72,11 +75,11 @@ final class Vocabulary {
         return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
     }
 
-    /** Takes a page; returns whether all are known with it. */
-    boolean accept(String payload, long now) {
+    /** Takes a page. */
+    void accept(String payload, long now) {
         VocabularyPage page = VocabularyPage.read(payload);
         if (page == null || !asks() || page.first() != actions.size() || page.actions().isEmpty() && page.total() > actions.size()) {
-            return false;
+            return;
         }
         for (BoardAction action : page.actions()) {
             if (action.arguments() == 0 || action.arguments() == BoardAction.ANY) {
@@ -87,9 +90,10 @@ final class Vocabulary {
             actions.add(action);
         }
         numbers.values().removeIf(number -> number > CommandItem.MAX_ACTION);
-        isComplete = actions.size() >= page.total();
+        if (actions.size() >= page.total()) {
+            complete = Optional.of(List.copyOf(actions));
+        }
         doublings = 0;
         dueAt = now;
-        return isComplete;
     }
 }

@@ -77,6 +77,11 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         return number == 0 ? "" + MARK : "" + MARK + (char) number;
     }
 
+    /** Whether a command's text sets or removes rules, well-formed or not. */
+    public static boolean isIn(String text) {
+        return !text.isEmpty() && text.charAt(0) == MARK;
+    }
+
     /** The rule of a command's text; null: it sets none, or is malformed. */
     public static BoardRule read(String text) {
         int end = text.indexOf(END, 2);

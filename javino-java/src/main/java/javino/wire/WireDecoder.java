@@ -21,6 +21,7 @@ public final class WireDecoder {
     private int checksumBytes;
     private long lastByteNanos;
     private long damaged;
+    private long corrupt;
 
     /**
      * @param fromBoard whether the frames are a board's, else a computer's
@@ -46,6 +47,14 @@ public final class WireDecoder {
         for (int i = offset; i < offset + count; i++) {
             accept(bytes[i], now);
         }
+    }
+
+    /**
+     * Takes bytes that may have arrived any time before {@code now}: a reader that was held up does not know of a silence before them.
+     */
+    public void acceptUnbroken(byte[] bytes, int offset, int count, long now) {
+        lastByteNanos = now;
+        accept(bytes, offset, count, now);
     }
 
     /**
@@ -88,6 +97,11 @@ public final class WireDecoder {
     /** Frames so far that were damaged. */
     public long damaged() {
         return damaged;
+    }
+
+    /** Frames so far whose checksum was wrong. */
+    public long corrupt() {
+        return corrupt;
     }
 
     private void begin() {
@@ -146,6 +160,7 @@ public final class WireDecoder {
 
     private void end() {
         if (checksum != crc.value()) {
+            corrupt++;
             drop();
             return;
         }

@@ -1,0 +1,65 @@
+package javino;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import javino.wire.BoardAction;
+import javino.wire.BoardRule;
+
+/** Whether a board that has described itself knows a command. */
+final class ActionCheck {
+    private ActionCheck() {}
+
+    /** Why a board with these actions would refuse the command, for a message to a person; null: it would not. */
+    static String trouble(String command, List<BoardAction> actions) {
+        if (actions.isEmpty() || BoardRule.isIn(command)) {
+            return null;
+        }
+        int open = command.indexOf('(');
+        String name = open < 0 ? command : command.substring(0, open);
+        int arguments = open < 0 ? 0 : argumentsBehind(command, open);
+        BoardAction known = null;
+        for (BoardAction action : actions) {
+            known = action.name().equals(name) ? action : known; // the newest counts
+        }
+        if (known == null) {
+            return "it has no action " + name + "; it has " + words(actions);
+        }
+        return known.arguments() == arguments || known.arguments() == BoardAction.ANY ? null
+                : name + " takes " + count(known) + ", not " + arguments + "; the board has " + words(actions);
+    }
+
+    /** The commas outside of brackets and quotes, and one more. */
+    private static int argumentsBehind(String command, int open) {
+        int depth = 0;
+        int arguments = command.startsWith(")", open + 1) ? 0 : 1;
+        boolean isQuoted = false;
+        for (int i = open + 1; i < command.length(); i++) {
+            char c = command.charAt(i);
+            if (c == '\\' && isQuoted) {
+                i++;
+            } else if (c == '"') {
+                isQuoted = !isQuoted;
+            } else if (!isQuoted && (c == '(' || c == '[')) {
+                depth++;
+            } else if (!isQuoted && (c == ')' || c == ']')) {
+                depth--;
+            } else if (!isQuoted && c == ',' && depth == 0) {
+                arguments++;
+            }
+        }
+        return arguments;
+    }
+
+    private static String words(List<BoardAction> actions) {
+        return actions.stream().map(action -> action.name() + (action.arguments() == 0 ? "" : " with " + count(action)))
+                .distinct().collect(Collectors.joining(", "));
+    }
+
+    private static String count(BoardAction action) {
+        return switch (action.arguments()) {
+            case BoardAction.ANY -> "any number of arguments";
+            case 1 -> "1 argument";
+            default -> action.arguments() + " arguments";
+        };
+    }
+}

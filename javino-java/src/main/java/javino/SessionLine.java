@@ -1,0 +1,357 @@
+package javino;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import javino.session.CommandOutcome;
+import javino.session.ComputerSession;
+import javino.session.SessionListener;
+import javino.wire.BoardAction;
+import javino.wire.CriticalReport;
+import javino.wire.Welcome;
+import javino.wire.WireFrame;
+
+/**
+ * A line on which version 2 is spoken, or may be: carries the frames of a {@link ComputerSession}. Each thread that waits for something
+ * here works for all: it writes the frame that is due, and reads if no other thread does.
+ *
+ * <p>Safe on any thread. Outcomes and reports are passed on outside of the lock, by the thread that has found them out. No lock is held
+ * while bytes are written or awaited.
+ */
+final class SessionLine implements SessionListener<Command>, Inbox.FrameListener {
+    private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
+    /** How often a thread that waits looks whether a command has waited for too long. */
+    private static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(1);
+    private static final int MAX_WRITE_MILLIS = 5000;
+
+    private final Monitor monitor;
+    private final Transport transport;
+    private final LineClock clock;
+    private final FrameWriter writer;
+    private final Inbox inbox;
+    private final ComputerSession<Command> session;
+    private final Protocol wanted;
+    private final Deque<Runnable> reports = new ArrayDeque<>(); // what is passed on when the lock is free
+    private final Deque<Reply> heard = new ArrayDeque<>(); // percepts that came unasked
+    private volatile Protocol protocol;
+    private volatile BoardListener listener; // null: nobody is called
+    private volatile long heardNanos; // when the board was last known to be there
+    private boolean hasLapsed;
+    private int rules; // that the board can hold, in this session
+    private Reply answer;
+    private Throwable failure; // of commands that are out while the session is closed; null: they are unconfirmed
+    private int followers;
+
+    /** @param monitor guards it, with the inbox and the writer */
+    SessionLine(Monitor monitor, Transport transport, LineClock clock, FrameWriter writer, LinkSettings settings) {
+        this.monitor = monitor;
+        this.transport = transport;
+        this.clock = clock;
+        this.writer = writer;
+        wanted = settings.protocol();
+        protocol = wanted;
+        heardNanos = clock.nanos();
+        inbox = new Inbox(monitor, transport, clock, writer::received, wanted, this);
+        session = new ComputerSession<>(settings.line().byteNanos(), settings.messageLimit(), new SplittableRandom(clock.nanos()), this);
+        if (wanted == Protocol.V2) {
+            session.open(clock.nanos());
+        }
+    }
+
+    /** What reads the line. */
+    Inbox inbox() {
+        return inbox;
+    }
+
+    /** The version that is spoken; {@link Protocol#AUTO}: it is not known yet, or not any more. */
+    Protocol protocol() {
+        return protocol;
+    }
+
+    /** Whether a session has begun and not ended. */
+    boolean isOpen() {
+        return monitor.get(session::isOpen);
+    }
+
+    boolean isVersion2() {
+        return protocol == Protocol.V2;
+    }
+
+    /** Speaks version 1 from now on, unless the board answers a HELLO after all. */
+    void agreeOnVersion1() {
+        monitor.change(() -> {
+            hasLapsed = false;
+            protocol = protocol == Protocol.AUTO ? Protocol.V1 : protocol;
+        });
+    }
+
+    /** Whether the board spoke version 2 and then fell silent, so that another one may be there. */
+    boolean hasLapsed() {
+        return monitor.get(() -> hasLapsed);
+    }
+
+    /** A HELLO to a board that may speak version 2. */
+    byte[] hello() {
+        return monitor.get(() -> session.hello().toBytes());
+    }
+
+    /** When a frame of version 2 came last, or the line was opened. */
+    long heardNanos() {
+        return heardNanos;
+    }
+
+    /** The board's actions; empty while they are not known. */
+    Optional<List<BoardAction>> vocabulary() {
+        return isVersion2() ? monitor.get(session::vocabulary) : Optional.empty();
+    }
+
+    /** Sets who is called with what the board reports; called at once if a session has begun. */
+    void onBoardEvents(BoardListener boardListener) {
+        boolean hasBegun = monitor.get(() -> {
+            listener = boardListener;
+            return session.isOpen();
+        });
+        if (hasBegun) {
+            boardListener.sessionBegan(rules);
+        }
+    }
+
+    /**
+     * Writes and reads on this thread until {@code isDone}, which is asked under the lock, or until the clock shows {@code deadline}.
+     *
+     * @param reads whether it reads although nothing is expected
+     * @return whether it is done
+     */
+    boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
+        try {
+            while (true) {
+                WireFrame frame = monitor.getInterruptibly(() -> nextUnless(isDone, deadline, reads));
+                report();
+                if (frame != null) {
+                    write(frame, deadline - clock.nanos());
+                } else if (monitor.get(isDone::getAsBoolean)) {
+                    return true;
+                } else if (deadline - clock.nanos() <= 0) {
+                    return false;
+                }
+            }
+        } finally {
+            report();
+        }
+    }
+
+    /** The frame that is to be written now; null after it has waited for a change, or read. */
+    private WireFrame nextUnless(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
+        writer.requireLine();
+        long now = clock.nanos();
+        long left = deadline - now;
+        if (isDone.getAsBoolean() || left <= 0) {
+            return null;
+        }
+        long untilFree = writer.nanosUntilFrame();
+        WireFrame frame = untilFree > 0 ? null : next(now);
+        if (frame != null) {
+            return frame;
+        }
+        long untilNext = untilFree > 0 ? untilFree : Math.min(session.nanosUntilDue(now), writer.head() == null ? Long.MAX_VALUE : LOOK_NANOS);
+        if ((reads || session.isExpecting()) && !inbox.isBeingRead()) {
+            inbox.readFor(followers > 0 ? left : Math.min(left, untilNext)); // who follows wakes in time
+        } else {
+            followers++;
+            try {
+                monitor.await(Math.min(left, untilNext));
+            } finally {
+                followers--;
+            }
+        }
+        return null;
+    }
+
+    private WireFrame next(long now) {
+        WireFrame frame = session.next(now, writer);
+        if (frame != null) {
+            writer.beginFrame();
+        }
+        return frame;
+    }
+
+    private void write(WireFrame frame, long left) throws PortException {
+        long millis = Math.max(1, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
+        try {
+            writer.writeFrame(frame.toBytes(), (int) millis, session::wrote);
+        } catch (PortTimeoutException e) {
+            inbox.look(); // the line may be gone; if not, what it did not take is repeated
+        }
+    }
+
+    /** Writes the next frame on this thread, if that waits for nothing. */
+    void writeAtOnce() throws PortException {
+        if (!transport.isWritableNow()) {
+            return;
+        }
+        WireFrame frame = monitor.get(() -> isVersion2() && writer.hasLine() && writer.nanosUntilFrame() == 0 ? next(clock.nanos()) : null);
+        if (frame != null) {
+            write(frame, Long.MAX_VALUE);
+        }
+        report();
+    }
+
+    /** Passes on what has been found out. The caller holds no lock. */
+    void report() {
+        for (Runnable next = monitor.get(reports::poll); next != null; next = monitor.get(reports::poll)) {
+            next.run();
+        }
+    }
+
+    /** Asks for percepts in version 2; null: no answer came by {@code deadline}, or the board speaks version 2 no more. */
+    Reply request(String functors, long deadline) throws PortException {
+        inbox.look(); // what has come is no answer to this
+        monitor.change(() -> {
+            answer = null;
+            session.request(functors, clock.nanos());
+        });
+        try {
+            await(() -> answer != null || !isVersion2(), deadline, true);
+            return monitor.get(() -> answer);
+        } finally {
+            monitor.change(session::cancelRequest);
+        }
+    }
+
+    /** The newest percepts that came unasked; null: none came by {@code deadline}. */
+    Reply listen(long deadline) throws PortException {
+        await(() -> !heard.isEmpty() || !isVersion2(), deadline, true);
+        return monitor.get(() -> {
+            Reply newest = heard.peekLast();
+            heard.clear();
+            return newest;
+        });
+    }
+
+    /** Forgets percepts that came unasked. */
+    void forgetHeard() {
+        monitor.change(heard::clear);
+    }
+
+    /** Fails the commands that are out, and begins another session if the line is still there. */
+    void abandon(Throwable why) {
+        monitor.change(() -> {
+            long now = clock.nanos();
+            failure = why;
+            session.close(now);
+            failure = null;
+            if (isVersion2() && writer.hasLine()) {
+                session.open(now);
+            }
+        });
+        report();
+    }
+
+    @Override
+    public void received(WireFrame frame, long now) {
+        heardNanos = now;
+        session.received(frame, now);
+        if (session.isSettled()) {
+            writer.allArrived(now);
+        }
+    }
+
+    @Override
+    public void receiving(long now) {
+        session.receiving(now);
+    }
+
+    @Override
+    public void damaged() {
+        session.damaged();
+    }
+
+    @Override
+    public void began(Welcome welcome) {
+        protocol = Protocol.V2;
+        hasLapsed = false;
+        rules = welcome.rules();
+        inbox.read(Protocol.V2);
+        notify(called -> called.sessionBegan(welcome.rules()));
+    }
+
+    @Override
+    public void ended(Command command, CommandOutcome outcome) {
+        Throwable why = outcome == CommandOutcome.UNCONFIRMED && failure != null ? failure : failureOf(command, outcome);
+        reports.add(() -> {
+            if (why == null) {
+                command.outcome().complete(null);
+            } else {
+                command.outcome().completeExceptionally(why);
+            }
+        });
+    }
+
+    private PortException failureOf(Command command, CommandOutcome outcome) {
+        String port = transport.name();
+        String text = command.text();
+        return switch (outcome) {
+            case DONE -> null;
+            case REFUSED -> new ActionRefusedException(port, "the board at port " + port + " refuses \"" + text
+                    + "\": it does not know the action, or not with these arguments");
+            case UNCONFIRMED -> new ActionUnconfirmedException(port, "port " + port + " did not say that it acted on \"" + text
+                    + "\"; it may have, or the board does not run any more");
+            case TOO_LONG -> new ActionRefusedException(port, "the board at port " + port + " takes no command of " + text.length()
+                    + " bytes: " + Frame.quoted(text));
+        };
+    }
+
+    @Override
+    public void answered(String percepts) {
+        answer = new Reply(percepts, Protocol.V2, inbox.lastByteNanos());
+    }
+
+    @Override
+    public void heard(String percepts) {
+        if (heard.size() == Inbox.MAX_MESSAGES) {
+            heard.poll();
+        }
+        heard.add(new Reply(percepts, Protocol.V2, inbox.lastByteNanos()));
+    }
+
+    @Override
+    public void dropped(int bytes) {
+        LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent percepts of " + bytes
+                + " bytes, which are dropped: more than the link's limit for messages");
+    }
+
+    @Override
+    public void reported(CriticalReport report) {
+        long receivedNanos = inbox.lastByteNanos();
+        notify(called -> called.critical(report.rule(), report.outcome(), report.percept(), receivedNanos));
+    }
+
+    private void notify(Consumer<BoardListener> call) {
+        BoardListener called = listener;
+        if (called != null) {
+            reports.add(() -> {
+                try {
+                    call.accept(called);
+                } catch (RuntimeException broken) {
+                    LOG.log(System.Logger.Level.ERROR, "who was called with what the board reports has failed", broken);
+                }
+            });
+        }
+    }
+
+    @Override
+    public void lapsed() {
+        hasLapsed = true;
+        if (wanted == Protocol.V2) {
+            session.open(clock.nanos());
+        } else {
+            protocol = Protocol.AUTO;
+            inbox.read(Protocol.AUTO);
+        }
+    }
+}

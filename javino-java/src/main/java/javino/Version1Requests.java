@@ -1,0 +1,97 @@
+package javino;
+
+import java.util.concurrent.TimeUnit;
+
+/** Asks and listens in version 1: what is said to a board, and what of that is an answer. One thread at a time. */
+final class Version1Requests {
+    /** A board that may be starting is asked again after as long. */
+    static final int REPEAT_MILLIS = 250;
+
+    private final Inbox inbox;
+    private final FrameWriter writer;
+    private final LineClock clock;
+    private final BoardStart start;
+    private final ResponseCorrelator answers;
+    private final int spacingMillis;
+    private boolean isListening; // somebody wants what the board says unasked
+    private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
+    private Reply overheard; // the newest that came meanwhile and is for who listens; null: none
+
+    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStart start, LinkSettings settings) {
+        this.inbox = inbox;
+        this.writer = writer;
+        this.clock = clock;
+        this.start = start;
+        answers = new ResponseCorrelator(inbox, clock);
+        spacingMillis = settings.spacingMillis();
+    }
+
+    /** Sets whether what is asked from now on is for the sake of an action. */
+    void isForAction(boolean value) {
+        isForAction = value;
+    }
+
+    /** Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting. */
+    Reply request(Frame request, int timeoutMillis) throws PortException {
+        overheard = null;
+        long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+        long starting = start.nanosLeft();
+        if (starting > 0) {
+            return askUntil(clock.nanos() + Math.max(starting, timeoutNanos), request, timeoutMillis);
+        }
+        Reply answer = inbox.next(ask(request, timeoutMillis) + timeoutNanos);
+        return answer == null ? null : completed(answer, timeoutMillis);
+    }
+
+    /** Repeats the request until it is answered or the clock shows {@code giveUp}; null: no answer. */
+    Reply askUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
+        long repeatNanos = TimeUnit.MILLISECONDS.toNanos(Math.min(timeoutMillis, REPEAT_MILLIS));
+        Reply answer = null;
+        for (long left = giveUp - clock.nanos(); answer == null && left > 0 && inbox.isReadingVersion1(); left = giveUp - clock.nanos()) {
+            long sent = ask(request, timeoutMillis);
+            answer = first(sent, sent + Math.min(left, repeatNanos), giveUp);
+        }
+        return answer == null ? null : completed(answer, timeoutMillis);
+    }
+
+    /** Writes a request, and returns when its last byte leaves. */
+    long ask(Frame request, int timeoutMillis) throws PortException {
+        long sent = writer.write(FrameWriter.Kind.REQUEST, request.toBytes(), timeoutMillis + spacingMillis, () -> {
+            if (!(isForAction && isListening)) {
+                inbox.clear();
+            }
+            inbox.sends(request);
+        });
+        answers.asked(sent);
+        return sent;
+    }
+
+    /** The next message, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
+    Reply first(long sent, long deadline, long giveUp) throws PortException {
+        return answers.by(sent, deadline, giveUp);
+    }
+
+    /** Brings the exchange whose first message has come to its end, and returns the answer. */
+    Reply completed(Reply first, int timeoutMillis) throws PortException {
+        start.heard();
+        Reply answer = answers.last(first, timeoutMillis);
+        if (isForAction && isListening) {
+            overheard = answer;
+        }
+        writer.answered(clock.nanos());
+        return answer;
+    }
+
+    /** The newest message that the board sends of its own accord, or null if none comes by {@code deadline}. */
+    Reply listen(long deadline) throws PortException {
+        isListening = true;
+        Reply message = overheard != null ? overheard : inbox.next(deadline);
+        overheard = null;
+        if (message == null) {
+            return null;
+        }
+        start.heard();
+        writer.answered(clock.nanos()); // who speaks is not busy with a request that nobody waits for any more
+        return answers.newest(message);
+    }
+}
