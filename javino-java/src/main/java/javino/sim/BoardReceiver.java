@@ -3,7 +3,6 @@ package javino.sim;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javino.Frame;
-import javino.FrameDecoder;
 import javino.Protocol;
 import javino.wire.FrameKind;
 import javino.wire.WireDecoder;
@@ -22,23 +21,24 @@ final class BoardReceiver {
     }
 
     private final Protocol reads;
+    private final long timeoutNanos;
     private final BooleanSupplier hasSession;
     private final WireDecoder version2;
-    private final FrameDecoder version1; // without a session
-    private final LoneFrames lone; // of version 1, in a session
+    private final Version1Window version1;
+    private long lastNanos;
 
     /**
      * @param reads the version whose frames are found, or both
      * @param timeoutNanos silence that ends a frame
      * @param longestPayload bytes of payload of version 2
-     * @param hasSession whether there is a session of version 2 when a byte arrives
+     * @param hasSession whether there is a session of version 2 when a byte arrives: then a frame of version 1 counts behind a silence only
      */
     BoardReceiver(Protocol reads, long timeoutNanos, int longestPayload, BooleanSupplier hasSession, Consumer<Found> found) {
         this.reads = reads;
+        this.timeoutNanos = timeoutNanos;
         this.hasSession = hasSession;
         version2 = new WireDecoder(false, timeoutNanos, longestPayload, frame -> found.accept(new Found(null, frame)));
-        version1 = new FrameDecoder(timeoutNanos, frame -> found.accept(new Found(frame, null)));
-        lone = new LoneFrames(timeoutNanos, frame -> found.accept(new Found(frame, null)));
+        version1 = new Version1Window(reads == Protocol.V1 ? -1 : WireFrame.START, frame -> found.accept(new Found(frame, null)));
     }
 
     /**
@@ -48,28 +48,52 @@ final class BoardReceiver {
      */
     void accept(byte octet, long now, long silenceNanos) {
         idle(now);
-        boolean isPayload = version1.isInPayload() || lone.isInPayload();
-        if (reads != Protocol.V1 && !isPayload && version2.accept(octet, now)) {
-            version1.reset();
-            lone.forget();
-        } else if (reads == Protocol.V2) {
-            return;
-        } else if (hasSession.getAsBoolean()) {
-            lone.accept(octet, now, silenceNanos);
-        } else {
-            version1.accept(octet, now);
+        lastNanos = now;
+        if (silenceNanos > timeoutNanos / 4 && !version1.isReading()) {
+            version1.quiet(true);
         }
+        put(octet);
     }
 
     /** Notes that nothing has arrived since the last byte. */
     void idle(long now) {
-        version1.idle(now);
+        if (now - lastNanos > timeoutNanos) {
+            while (!version1.isEmpty()) {
+                readAgain(version1.giveUp());
+            }
+        }
         version2.idle(now);
-        lone.idle(now);
     }
 
     /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: it has not. */
     long nanosUntilIdle(long now) {
-        return Math.min(version1.nanosUntilIdle(now), Math.min(version2.nanosUntilIdle(now), lone.nanosUntilIdle(now)));
+        return version1.isReading() || version2.isInFrame() ? Math.max(0, lastNanos + timeoutNanos + 1 - now) : Long.MAX_VALUE;
+    }
+
+    private void put(byte octet) {
+        if (reads == Protocol.V2 || version2.isInFrame()) {
+            put2(octet);
+        } else {
+            version1.anywhere(!hasSession.getAsBoolean());
+            readAgain(version1.put(octet));
+        }
+    }
+
+    /** Takes bytes that version 1 leaves, the first of which begins a frame of version 2. */
+    private void readAgain(String rest) {
+        for (int i = 0; i < rest.length(); i++) {
+            if (i == 0) {
+                put2((byte) rest.charAt(i));
+            } else {
+                put((byte) rest.charAt(i));
+            }
+        }
+    }
+
+    private void put2(byte octet) {
+        version2.accept(octet, lastNanos);
+        boolean isAnywhere = !hasSession.getAsBoolean();
+        version1.anywhere(isAnywhere);
+        version1.quiet(isAnywhere);
     }
 }

@@ -18,7 +18,9 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     /** Bytes around a payload. */
     public static final int OVERHEAD = 6;
 
-    static final int START = 0xA5;
+    /** The byte that begins a frame, and is in no other place of it. */
+    public static final int START = 0xA5;
+
     static final int ESCAPE = 0xA4;
     static final int ESCAPED = 0xA0; // a byte behind ESCAPE stands for the sum
     static final int REFUSED = 0x40;

@@ -1,0 +1,173 @@
+/*
+ * The board's library behind standard input and output, for comparison with another implementation. A line is an operation:
+ *
+ *   n             a new board
+ *   w MS          nothing arrives for so long
+ *   b HEX         bytes arrive
+ *   p HEX ...     the sensors show these percepts, each without its ;
+ *   u             the percepts are sent unasked
+ *   r 0|1         the outcome of the newest action that is open
+ *
+ * It writes "> HEX" for bytes that the board sends, "! HEX" for a command that it carries out, and "." behind each operation. The program
+ * refuses commands that begin with no, and speed without arguments; the outcome of one that begins with later is open.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "javino_board.h"
+
+#define MEMORY 4096
+#define MAX_PERCEPTS 64
+#define MAX_LINE 65536
+
+static javino_board board;
+static uint8_t *memory;
+static uint16_t now;
+static javino_later later;
+static char *percepts[MAX_PERCEPTS];
+static int percept_count;
+static bool writing;
+
+static void end_bytes(void)
+{
+    if (writing)
+        putchar('\n');
+    writing = false;
+}
+
+static void write_byte(void *context, uint8_t byte)
+{
+    (void)context;
+    if (!writing)
+        printf("> ");
+    writing = true;
+    printf("%02x", byte);
+}
+
+static const char *name_action(void *context, uint8_t number, uint8_t *arguments)
+{
+    static const struct {
+        const char *name;
+        uint8_t arguments;
+    } actions[] = {{"front", 0}, {"speed", 1}, {"no", 0}, {"later", 0}, {"say", JAVINO_ANY}};
+    (void)context;
+    if (number >= sizeof actions / sizeof *actions)
+        return NULL;
+    *arguments = actions[number].arguments;
+    return actions[number].name;
+}
+
+static bool begins(const javino_link *link, const char *text)
+{
+    return link->length >= strlen(text) && memcmp(link->text, text, strlen(text)) == 0;
+}
+
+static void act(void)
+{
+    javino_link *link = &board.link;
+    int i;
+    if (begins(link, "no") || (begins(link, "speed") && link->length == 5)) {
+        javino_link_finish(link, false);
+        return;
+    }
+    end_bytes();
+    printf("! ");
+    for (i = 0; i < link->length; i++)
+        printf("%02x", (uint8_t)link->text[i]);
+    putchar('\n');
+    if (begins(link, "later") && link->version == 2)
+        later = javino_link_later(link);
+}
+
+static void show(void)
+{
+    int i;
+    for (i = 0; i < percept_count; i++) {
+        const char *p = percepts[i];
+        if (!javino_board_wants(&board, p, strcspn(p, "(")))
+            continue;
+        javino_percept_text(&board, p);
+        javino_percept_end(&board);
+    }
+    javino_board_answer(&board);
+}
+
+static void run(void)
+{
+    javino_event event;
+    while ((event = javino_board_poll(&board, now)) != JAVINO_NOTHING)
+        if (event == JAVINO_REQUEST)
+            show();
+        else
+            act();
+}
+
+static void start(void)
+{
+    free(memory);
+    memory = malloc(MEMORY); /* of its own, so that the sanitizer sees what goes beyond it */
+    if (!memory || !javino_board_init(&board, memory, MEMORY, write_byte, NULL))
+        exit(1);
+    board.link.vocabulary = name_action;
+    now = 0;
+    later = 0;
+    percept_count = 0;
+}
+
+static size_t unhex(char *text)
+{
+    size_t length = strlen(text) / 2;
+    size_t i;
+    for (i = 0; i < length; i++) {
+        char digits[3] = {text[2 * i], text[2 * i + 1], 0};
+        text[i] = (char)strtoul(digits, NULL, 16);
+    }
+    text[length] = 0;
+    return length;
+}
+
+static void receive(char *hex)
+{
+    size_t length = unhex(hex);
+    size_t i;
+    for (i = 0; i < length; i++) {
+        if (!javino_link_ready(&board.link))
+            exit(2);
+        javino_link_receive(&board.link, (uint8_t)hex[i], now);
+        run();
+    }
+}
+
+static void set_percepts(char *list)
+{
+    static char texts[MAX_LINE];
+    char *p = strcpy(texts, list);
+    percept_count = 0;
+    for (p = strtok(p, " "); p; p = strtok(NULL, " ")) {
+        unhex(p);
+        percepts[percept_count++] = p;
+    }
+}
+
+int main(void)
+{
+    static char line[MAX_LINE];
+    while (fgets(line, sizeof line, stdin)) {
+        char *argument = line + 2;
+        line[strcspn(line, "\n")] = 0;
+        switch (line[0]) {
+        case 'n': start(); break;
+        case 'w': now += (uint16_t)atoi(argument); run(); break;
+        case 'b': receive(argument); break;
+        case 'p': set_percepts(argument); break;
+        case 'u': show(); break;
+        case 'r': javino_link_done(&board.link, later, argument[0] == '1'); break;
+        default: return 3;
+        }
+        end_bytes();
+        puts(".");
+    }
+    free(memory);
+    return 0;
+}

@@ -1,0 +1,60 @@
+package javino.sim
+
+import io.kotest.core.test.Enabled
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.extension
+import kotlin.io.path.listDirectoryEntries
+
+/** The board's library in C, as a program of `src/test/c/board.c` that plays operations. */
+internal object LibraryBoards {
+    private val sources = Path.of("../javino-arduino/src")
+    private val program: Path by lazy(::compile)
+
+    /** Whether there is a C compiler with the sanitizers. */
+    val available: Enabled by lazy {
+        val reason = runCatching { cc(Files.createTempDirectory("argo-c").resolve("empty"), "-x", "c", "/dev/null", "-shared", "-fPIC") }
+        if (reason.getOrNull()?.first == 0) Enabled.enabled
+        else Enabled.disabled("needs a C compiler, cc, with its sanitizers, but: ${reason.getOrNull()?.second ?: reason.exceptionOrNull()}")
+    }
+
+    /** What it writes for each of the [operations]. */
+    fun play(operations: List<String>): List<List<String>> {
+        val script = Files.createTempFile("argo-c", ".txt")
+        val output = Files.createTempFile("argo-c", ".txt")
+        try {
+            Files.write(script, operations)
+            val process = ProcessBuilder(program.toString()).redirectInput(script.toFile()).redirectOutput(output.toFile())
+                .redirectError(ProcessBuilder.Redirect.INHERIT).start()
+            check(process.waitFor(LIMIT_S, TimeUnit.SECONDS)) { "the library still plays after $LIMIT_S s" }
+            val answers = mutableListOf(mutableListOf<String>())
+            for (line in Files.readAllLines(output)) if (line == ".") answers += mutableListOf<String>() else answers.last() += line
+            check(process.exitValue() == 0) { "the library failed at ${operations.getOrNull(answers.size - 1)}" }
+            return answers.dropLast(1)
+        } finally {
+            Files.delete(script)
+            Files.delete(output)
+        }
+    }
+
+    private fun compile(): Path {
+        val directory = Files.createTempDirectory("argo-c").also { it.toFile().deleteOnExit() }
+        val made = directory.resolve("board").also { it.toFile().deleteOnExit() }
+        val files = sources.listDirectoryEntries().filter { it.extension == "c" }.map { it.toString() }
+        val (status, output) = cc(made, "-Wall", "-Wextra", "-Werror", "-I$sources", "src/test/c/board.c", *files.toTypedArray())
+        check(status == 0) { "the board's library does not compile:\n$output" }
+        return made
+    }
+
+    /** The exit status of the compiler and what it wrote. */
+    private fun cc(made: Path, vararg arguments: String): Pair<Int, String> {
+        val options = listOf("cc", "-std=c99", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-o", "$made")
+        val process = ProcessBuilder(options + arguments).redirectErrorStream(true).start()
+        val output = process.inputReader().readText()
+        check(process.waitFor(LIMIT_S, TimeUnit.SECONDS)) { "the compiler still runs after $LIMIT_S s" }
+        return process.exitValue() to output
+    }
+
+    private const val LIMIT_S = 120L
+}
