@@ -29,16 +29,22 @@ internal fun measureLine(course: StopCourse): LineFigures {
     }
     val acted = CourseRun(course, acts(course)).use { run ->
         run.agent.after(SETTLED)
-        val before = run.traffic
-        repeat(COMMANDS) {
-            run.agent.hears("bench", "achieve", "stop")
-            run.agent.after(BETWEEN)
-        }
-        run.traffic - before
+        val idle = run.trafficOf { } // the link looks after its board now and then
+        run.trafficOf { run.agent.hears("bench", "achieve", "stop") } - idle
     }
     return LineFigures(
         snapshots / WINDOW.inWholeSeconds.toDouble(), sensed / snapshots, acted / COMMANDS, LineSettings(course.baud).byteNanos(),
     )
+}
+
+/** The bytes on the line while [command] is given [COMMANDS] times. */
+private fun CourseRun.trafficOf(command: () -> Unit): Traffic {
+    val before = traffic
+    repeat(COMMANDS) {
+        command()
+        agent.after(BETWEEN)
+    }
+    return traffic - before
 }
 
 private operator fun Traffic.div(times: Int) = Traffic((toBoard + times / 2) / times, (toComputer + times / 2) / times)

@@ -9,14 +9,16 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * The stops of a course.
  *
- * @property worst what happened on the line and on the board in the longest, in ms from the limit on
- * @property resumed how often the robot drove off again after a stop, by a command `front` that had been given before
  * @property responses from the limit to the stop, in ns, in their order
+ * @property rests from the limit until the robot stood for good, in ns: later where a command `front`, given before, drove it on after a reflex
+ * @property worst what happened on the line and on the board in the longest response, in ms from the limit on
  * @property commands that the sketch has carried out
  * @property sent commands in version 1; in version 2 they are not counted
  * @property starts of the sketch
  */
-internal class Stops(val responses: List<Long>, val worst: String, val resumed: Int, val commands: Int, val sent: Int, val starts: Int) {
+internal class Stops(
+    val responses: List<Long>, val rests: List<Long>, val worst: String, val commands: Int, val sent: Int, val starts: Int,
+) {
     val distribution = Distribution(responses.toLongArray())
 }
 
@@ -24,9 +26,11 @@ internal class Stops(val responses: List<Long>, val worst: String, val resumed: 
 internal fun measureStops(course: StopCourse, stops: Int, seed: Long): Stops = CourseRun(course, publishedAgent(course)).use { run ->
     val random = Random(seed)
     run.awaitStop() // the first one finds a line and an agent that are not yet in step
+    run.rest(course.shortWay)
     val made = List(stops) { run.stop(course.shortWay, random) }
     run.agent.hears("bench", "achieve", "rest").after(QUIET)
-    Stops(made.map { it.nanos }, made.maxBy { it.nanos }.timeline, run.robot.departures - (stops + 1), run.robot.acted, run.sent, run.robot.started)
+    val worst = made.maxBy { it.response }.timeline
+    Stops(made.map { it.response }, made.map { it.rest }, worst, run.robot.acted, run.sent, run.robot.started)
 }
 
 private fun publishedAgent(course: StopCourse) = """
@@ -36,12 +40,10 @@ private fun publishedAgent(course: StopCourse) = """
     +!rest <- .percepts(close).
 """.trimIndent()
 
-private class Stop(val nanos: Long, val timeline: String)
+private class Stop(val response: Long, val rest: Long, val timeline: String)
 
-/** Puts the robot back once all is quiet, and has the agent drive it to the limit again. */
+/** Puts the robot back and has the agent drive it to the limit again. */
 private fun CourseRun.stop(way: Int, random: Random): Stop {
-    agent.shouldBelieve("status(stopped)", within = PATIENCE)
-    agent.after(timeFor(way)) // a "front" that was on its way when a reflex stopped the robot is over
     robot.place(WatchedRobot.LIMIT_MM + random.nextInt(way, 2 * way), random.nextLong(WatchedRobot.MILLIMETRE_NANOS))
     agent.shouldBelieve("dist(f,X) & X > ${WatchedRobot.LIMIT_MM}", within = PATIENCE)
     agent.after(timeFor(way) * random.nextDouble())
@@ -49,7 +51,15 @@ private fun CourseRun.stop(way: Int, random: Random): Stop {
     agent.hears("bench", "achieve", "again")
     awaitStop()
     val crossedAt = checkNotNull(robot.crossedAt)
-    return Stop(checkNotNull(robot.stoppedAt) - crossedAt, timeline.since(crossedAt))
+    val events = timeline.since(crossedAt)
+    rest(way)
+    return Stop(checkNotNull(robot.stoppedAt) - crossedAt, checkNotNull(robot.restsSince) - crossedAt, events)
+}
+
+/** Waits until the agent has stopped the robot, also where a reflex has done so before. */
+private fun CourseRun.rest(way: Int) {
+    agent.shouldBelieve("status(stopped)", within = PATIENCE)
+    agent.after(timeFor(way))
 }
 
 private fun CourseRun.awaitStop() {

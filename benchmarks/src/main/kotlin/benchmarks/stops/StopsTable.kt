@@ -1,5 +1,6 @@
 package benchmarks.stops
 
+import benchmarks.Distribution
 import java.io.File
 import java.util.Locale
 import kotlin.time.Duration.Companion.microseconds
@@ -7,8 +8,8 @@ import kotlin.time.Duration.Companion.microseconds
 private const val STOPS = 40
 private const val SEED = 1L
 
-private val HEAD = "%-62s %8s %8s %8s   %-14s %9s %5s %7s %8s".format(
-    "", "median", "99 %", "worst", "the line alone", "commands", "lost", "starts", "resumed",
+private val HEAD = "%-62s %8s %8s %8s %8s   %-14s %9s %5s %7s".format(
+    "", "median", "99 %", "worst", "for good", "the line alone", "commands", "lost", "starts",
 )
 
 private val COURSES = buildList {
@@ -32,7 +33,7 @@ fun stops(timelines: File): Boolean {
     timelines.writeText("")
     println("from the limit to the stop, twelve sensors that all change, published agent, $STOPS stops each, virtual time; ms")
     println(HEAD)
-    val lines = HashMap<StopCourse, LineFigures>()
+    val lines = LinkedHashMap<StopCourse, LineFigures>()
     for (course in COURSES) {
         val plain = StopCourse(course.baud, course.version, course.firmware, course.loopMs)
         val stops = measureStops(course, STOPS, SEED)
@@ -46,9 +47,9 @@ fun stops(timelines: File): Boolean {
 }
 
 private fun row(course: StopCourse, stops: Stops, line: LineFigures) = with(stops.distribution) {
-    "%-62s %8.1f %8.1f %8.1f   %5.0f to %4.0f  %9d %5s %7d %8d".format(
-        Locale.ROOT, "$course", ms(0.5), ms(0.99), ms(1.0), line.shortestMs, line.longestMs, stops.commands,
-        if (course.version == 1) "${stops.sent - stops.commands}" else "", stops.starts, stops.resumed,
+    "%-62s %8.1f %8.1f %8.1f %8.1f   %5.0f to %4.0f  %9d %5s %7d".format(
+        Locale.ROOT, "$course", ms(0.5), ms(0.99), ms(1.0), Distribution(stops.rests.toLongArray()).ms(1.0), line.shortestMs,
+        line.longestMs, stops.commands, if (course.version == 1) "${stops.sent - stops.commands}" else "", stops.starts,
     )
 }
 

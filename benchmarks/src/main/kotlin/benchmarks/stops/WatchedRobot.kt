@@ -20,8 +20,8 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     var stoppedAt: Long? = null
         private set
 
-    /** How often it has driven off. */
-    var departures = 0
+    /** Since when it stands, in ns; null: it has not stopped since it was [placed][place]. */
+    var restsSince: Long? = null
         private set
 
     /** How many actions the sketch has carried out. */
@@ -49,6 +49,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
         this.lateNanos = lateNanos
         crossedAt = null
         stoppedAt = null
+        restsSince = null
         show()
     }
 
@@ -65,7 +66,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
         }
         timeline.add(if (isHigh) "drives" else "stops", atNanos)
         if (isHigh && !drives) depart(atNanos)
-        if (!isHigh && drives && crossedAt != null && stoppedAt == null) stoppedAt = atNanos
+        if (!isHigh && drives && crossedAt != null) stop(atNanos)
         drives = isHigh
     }
 
@@ -74,8 +75,12 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
         timeline.add(if (pin == LOOKED) "reads its sensors" else if (pin == ACTED) "acts" else "starts", atNanos)
     }
 
+    private fun stop(atNanos: Long) {
+        if (stoppedAt == null) stoppedAt = atNanos
+        restsSince = atNanos
+    }
+
     private fun depart(atNanos: Long) {
-        departures++
         clock.schedule(atNanos + lateNanos + MILLIMETRE_NANOS - clock.nanos(), ::drive)
     }
 
