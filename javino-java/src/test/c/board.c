@@ -9,7 +9,7 @@
  *   r 0|1         the outcome of the newest action that is open
  *
  * It writes "> HEX" for bytes that the board sends, "! HEX" for a command that it carries out, and "." behind each operation. The program
- * refuses commands that begin with no, and speed without arguments; the outcome of one that begins with later is open.
+ * refuses commands that begin with no or the byte 01, and speed without arguments; the outcome of one that begins with later is open.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -67,7 +67,7 @@ static void act(void)
 {
     javino_link *link = &board.link;
     int i;
-    if (begins(link, "no") || (begins(link, "speed") && link->length == 5)) {
+    if (begins(link, "no") || begins(link, "\1") || (begins(link, "speed") && link->length == 5)) {
         javino_link_finish(link, false);
         return;
     }

@@ -21,6 +21,21 @@ class Version2Spec : FunSpec({
         }
     }
 
+    test("a command that the board's vocabulary does not hold fails its plan and does not go out") {
+        agentOf("""
+            !start.
+            +!start <- argo.port(ttyACM0).
+            +!do(W) <- argo.act(W); .print(done(W)).
+            -!do(W)[error(E)] <- .print(failed(W,E)).
+        """) { board.version2().knows("ledOn", "speed/1") }.use { bob ->
+            bob.hears("user", "achieve", "do(ledOn)").shouldPrint("done(ledOn)").after(1.seconds) // by then the board has described itself
+            for (command in listOf("fly", "speed")) {
+                bob.hears("user", "achieve", "do($command)").shouldPrint("failed($command,act_refused)")
+            }
+            bob.hears("user", "achieve", "do(speed(3))").shouldPrint("done(speed(3))").board.commands shouldBe listOf("ledOn", "speed(3)")
+        }
+    }
+
     test("a command that the board says nothing of fails its plan") {
         agentOf("""
             !start.

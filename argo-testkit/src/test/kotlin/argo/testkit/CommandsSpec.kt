@@ -40,7 +40,8 @@ class CommandsSpec : FunSpec({
     test("commands fail, whatever their options, while the board hangs, and arrive again when it recovers") {
         worker("protocol(2)") { board.version2() }.use { agent ->
             agent.board.hangs()
-            agent.isTo("do(a)", "do(b,[timeout(200)])").shouldPrint("failed(b,act_timeout)").shouldPrint("failed(a,act_unconfirmed)", within = 20.seconds)
+            agent.isTo("do(a)", "do(b,[timeout(200)])")
+            agent.shouldPrint("failed(b,act_unconfirmed)").shouldPrint("failed(a,act_unconfirmed)", within = 20.seconds)
             agent.board.recovers()
             agent.after(5.seconds).isTo("do(c)").shouldPrint("done(c)")
         }

@@ -40,8 +40,11 @@ final class BoardRules {
         rules.clear();
     }
 
-    /** Sets a rule or removes some, as the text of a command says; false: it is malformed, or there is no room. */
+    /** Sets a rule or removes some, as the text of a command says; false: it is malformed, or the board has no room for rules. */
     boolean change(String command) {
+        if (capacity == 0) {
+            return false;
+        }
         if (command.length() == 1) {
             rules.clear();
             return true;

@@ -61,6 +61,12 @@ class BoardSessionSpec : FunSpec({
         bench.sent.map { it.payload() } shouldContainExactly List(2) { "\u0001" } + List(2) { "\u0001\u0000\u0000" }
     }
 
+    test("a board that holds no rules refuses to remove some, too") {
+        val bench = Bench(BoardSession.Capacity.FULL).apply { hello(); sent.clear() }
+        bench.command(0, BoardRule.removal(0))
+        bench.sent shouldContainExactly listOf(WireFrame(FrameKind.ACK, true, false, 1, ""))
+    }
+
     test("numbers of commands wrap, and a repetition from before the wrap is passed over") {
         val bench = Bench().apply { hello() }
         repeat(300) { bench.command(it % 256, "c$it") }

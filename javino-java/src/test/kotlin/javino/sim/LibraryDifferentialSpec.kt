@@ -170,7 +170,7 @@ private class Generator(private val random: Random, private val due: () -> Int, 
         0 -> "\u00FE"
         1 -> one("\u00FF", "\u0000\u0000", "\u0007x", "\u0000")
         2 -> "\u0000" + one("\u0002hi", "\u0082" + "x".repeat(0x82))
-        3 -> "\u0003fly"
+        3 -> one("\u0003fly", "\u0002\u0001\u0007", "\u0004\u0001\u0007a\u0000")
         4 -> one("later", "no(1)", "later(2)", "\u00A4\u00A5fffe02hi").let { "" + it.length.toChar() + it }
         else -> "" + (0x80 + random.nextInt(7)).toChar()
     }
