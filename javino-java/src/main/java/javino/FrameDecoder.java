@@ -3,7 +3,7 @@ package javino;
 import java.util.function.Consumer;
 
 /**
- * Finds frames in whatever bytes a line brings.
+ * Finds frames of version 1 in whatever bytes a line brings.
  *
  * <p>A frame is handed over the moment its last byte is in. Because version 1 has no checksum, a frame whose beginning or end was lost
  * may have swallowed the beginning of the next one; so its bytes are kept until what follows is known:
@@ -12,8 +12,7 @@ import java.util.function.Consumer;
  *   <li>anything else puts it in doubt: its bytes, but for the first, are read once more together with what followed, and intact frames
  *       among them are handed over as well.
  * </ul>
- * So an intact stream gives exactly its frames, whatever text they carry, and a damaged frame does not cost the intact one behind it. A
- * version 2 frame whose checksum is wrong is never handed over; it is in doubt from the beginning.
+ * So an intact stream gives exactly its frames, whatever text they carry, and a damaged frame does not cost the intact one behind it.
  *
  * <p>A frame that stops half-way is given up when the line has been silent for longer than the inter-byte timeout; complete frames among
  * its bytes are handed over first. Memory is bounded by about two frames and no input makes a decoder throw. What the receiver of the
@@ -24,9 +23,8 @@ import java.util.function.Consumer;
 public final class FrameDecoder {
     private static final long LEAST_INTER_BYTE_NANOS = 100_000_000L;
     private static final int INTER_BYTE_TIMES = 20;
-    private static final int LONGEST = Frame.HEADER_LENGTH_2 + Frame.MAX_PAYLOAD + Frame.CRC_LENGTH;
-    /** Where in a frame the preamble's last byte is, by which the versions differ. */
-    private static final int VERSION_AT = 3;
+    private static final int LONGEST = Frame.HEADER_LENGTH + Frame.MAX_PAYLOAD;
+    private static final int PREAMBLE_END = 3;
     private static final int LENGTH_AT = 4;
     /** A delivered frame and an unfinished header behind it, and as much again so that bytes are seldom moved. */
     private static final int CAPACITY = 2 * (LONGEST + Frame.HEADER_LENGTH);
@@ -35,7 +33,6 @@ public final class FrameDecoder {
 
     private final long interByteTimeoutNanos;
     private final Consumer<Frame> sink;
-    private Protocol protocol;
     private final byte[] held = new byte[CAPACITY];
     private int start; // held[start..end) are the bytes not yet decided on
     private int end;
@@ -43,35 +40,17 @@ public final class FrameDecoder {
     private long lastByteNanos;
     private long frames;
     private long discarded;
-    private long corrupt;
 
     /**
-     * Reads version 1 alone.
-     *
      * @param interByteTimeoutNanos nanoseconds of silence after which an unfinished frame is given up, at least 1
      * @param sink receives each frame, on the thread that feeds the decoder
      */
     public FrameDecoder(long interByteTimeoutNanos, Consumer<Frame> sink) {
-        this(interByteTimeoutNanos, Protocol.V1, sink);
-    }
-
-    /**
-     * @param interByteTimeoutNanos nanoseconds of silence after which an unfinished frame is given up, at least 1
-     * @param protocol the version whose frames are found, or both: {@link Protocol#AUTO}
-     * @param sink receives each frame, on the thread that feeds the decoder
-     */
-    public FrameDecoder(long interByteTimeoutNanos, Protocol protocol, Consumer<Frame> sink) {
         if (interByteTimeoutNanos < 1) {
             throw new IllegalArgumentException("an inter-byte timeout is at least 1 ns, but " + interByteTimeoutNanos + " was given");
         }
         this.interByteTimeoutNanos = interByteTimeoutNanos;
-        this.protocol = protocol;
         this.sink = sink;
-    }
-
-    /** Finds frames of this version from now on, or of both; may be called by the receiver of a frame. */
-    void read(Protocol value) {
-        protocol = value;
     }
 
     /** The inter-byte timeout for a line when nothing else is known: 100 ms, or 20 byte times if that is longer. */
@@ -143,11 +122,6 @@ public final class FrameDecoder {
         return discarded;
     }
 
-    /** Frames of version 2 so far whose checksum was wrong. */
-    public long corrupt() {
-        return corrupt;
-    }
-
     private void append(byte b) {
         if (end == CAPACITY) {
             System.arraycopy(held, start, held, 0, end - start);
@@ -177,42 +151,20 @@ public final class FrameDecoder {
 
     private boolean deliverOrSkip() {
         return switch (headerAt(start)) {
-            case COMPLETE -> held[start + VERSION_AT] == 'e' ? deliverVersion1() : deliverVersion2OrSkip();
+            case COMPLETE -> deliver();
             case IMPOSSIBLE -> discardFirst();
             case UNFINISHED -> false;
         };
     }
 
-    private boolean deliverVersion1() {
+    private boolean deliver() {
         int length = Frame.HEADER_LENGTH + payloadLength();
         if (end - start < length) {
             return false;
         }
-        return deliver(length, Frame.copyOf(1, 0, 0, held, start + Frame.HEADER_LENGTH, payloadLength()));
-    }
-
-    private boolean deliverVersion2OrSkip() {
-        int crcAt = start + Frame.HEADER_LENGTH_2 + payloadLength();
-        int length = crcAt + Frame.CRC_LENGTH - start;
-        if (!digitsFit(start + Frame.HEADER_LENGTH, start + Frame.HEADER_LENGTH_2) || !digitsFit(crcAt, start + length)) {
-            return discardFirst();
-        }
-        if (end - start < length) {
-            return false;
-        }
-        if (numberAt(crcAt, Frame.CRC_LENGTH) != Crc16.of(held, start + LENGTH_AT, crcAt - start - LENGTH_AT)) {
-            corrupt++;
-            return discardFirst();
-        }
-        int flags = digit(held[start + Frame.HEADER_LENGTH]);
-        int sequence = digit(held[start + Frame.HEADER_LENGTH + 1]);
-        return deliver(length, Frame.copyOf(2, flags, sequence, held, start + Frame.HEADER_LENGTH_2, payloadLength()));
-    }
-
-    private boolean deliver(int length, Frame frame) {
         delivered = length;
         frames++;
-        sink.accept(frame);
+        sink.accept(Frame.copyOf(held, start + Frame.HEADER_LENGTH, payloadLength()));
         return true;
     }
 
@@ -260,31 +212,13 @@ public final class FrameDecoder {
     private boolean fits(int position, byte b) {
         return switch (position) {
             case 0, 1, 2 -> b == 'f';
-            case VERSION_AT -> b == 'e' && protocol.reads(1) || b == 'd' && protocol.reads(2);
+            case PREAMBLE_END -> b == 'e';
             default -> digit(b) >= 0;
         };
     }
 
     private int payloadLength() {
-        return numberAt(start + LENGTH_AT, 2);
-    }
-
-    /** Whether what has arrived of these bytes is hexadecimal digits. */
-    private boolean digitsFit(int from, int to) {
-        for (int i = from; i < Math.min(to, end); i++) {
-            if (digit(held[i]) < 0) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private int numberAt(int from, int digits) {
-        int number = 0;
-        for (int i = from; i < from + digits; i++) {
-            number = number << 4 | digit(held[i]);
-        }
-        return number;
+        return digit(held[start + LENGTH_AT]) << 4 | digit(held[start + LENGTH_AT + 1]);
     }
 
     /** The value of a hexadecimal digit in either case, or -1. */

@@ -8,10 +8,6 @@ public enum Protocol {
     /** Version 1, which boards in the field speak: frames without a checksum, nothing is acknowledged. */
     V1,
 
-    /** Version 2: frames with a checksum, messages of any length, acknowledged actions. */
-    V2;
-
-    boolean reads(int version) {
-        return this == AUTO || ordinal() == version;
-    }
+    /** Version 2: short frames with a checksum, answers of any length, acknowledged commands, critical rules on the board. */
+    V2
 }

@@ -8,12 +8,13 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
 
 /**
  * Gives blocking writes a time limit. The operating system's write has none: it waits for as long as the far end does not read. So it is
- * done on a thread of this writer's own, which the caller waits for.
+ * done on a thread of this writer's own, which the caller waits for, unless the caller knows that the driver takes the bytes at once.
  *
  * <p>Safe on any thread; writes go out in the order in which they are called, each as a whole.
  */
@@ -25,6 +26,7 @@ final class TimedWriter {
 
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
+    private final AtomicBoolean isWriting = new AtomicBoolean();
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
     /**
@@ -48,7 +50,14 @@ final class TimedWriter {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
         CompletableFuture<Outcome> write;
         try {
-            write = CompletableFuture.supplyAsync(() -> driver.applyAsInt(bytes) == len ? Outcome.WRITTEN : Outcome.FAILED, thread);
+            write = CompletableFuture.supplyAsync(() -> {
+                isWriting.set(true);
+                try {
+                    return writeHere(bytes);
+                } finally {
+                    isWriting.set(false);
+                }
+            }, thread);
         } catch (RejectedExecutionException e) {
             return Outcome.CLOSED;
         }
@@ -62,6 +71,16 @@ final class TimedWriter {
         } finally {
             write.cancel(false); // a write that has not begun does not
         }
+    }
+
+    /** Writes the bytes on the calling thread, for as long as the driver takes. */
+    Outcome writeHere(byte[] bytes) {
+        return driver.applyAsInt(bytes) == bytes.length ? Outcome.WRITTEN : Outcome.FAILED;
+    }
+
+    /** Whether a write of this writer's thread has not returned, be it one that is {@link Outcome#TOO_LATE}. */
+    boolean isWriting() {
+        return isWriting.get();
     }
 
     /** Ends the thread as soon as its write returns. Calls that wait get {@link Outcome#CLOSED}. */

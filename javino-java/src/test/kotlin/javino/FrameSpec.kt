@@ -10,6 +10,7 @@ import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
+import javino.wire.BoardRule
 
 class FrameSpec : FunSpec({
     test("a frame is the preamble, the length in two upper-case digits, and the payload") {
@@ -49,7 +50,7 @@ class FrameSpec : FunSpec({
     }
 
     test("a command whose text holds the header of a frame is refused with the header, its place and what to do") {
-        for (header in listOf("fffe05", "fffd0A", "fffeFF", "fffdab")) {
+        for (header in listOf("fffe05", "fffe0A", "fffeFF", "fffeab")) {
             val refusal = shouldThrow<IllegalArgumentException> { Frame.ofCommand("say(\"${header}front\")") }
             refusal.message shouldContain header
             refusal.message shouldContain "character 6"
@@ -60,8 +61,14 @@ class FrameSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { Frame.ofCommand("say(€)") }
     }
 
+    test("a command begins with the byte 01 only if it sets or removes a rule") {
+        shouldThrow<IllegalArgumentException> { Frame.ofCommand("\u0001say(hello)") }.message shouldContain "begins with the byte 01"
+        val rule = BoardRule("dist", listOf(BoardRule.Condition(2, BoardRule.Operator.LESS, "10")), "stop")
+        for (text in listOf(rule.text(3), BoardRule.removal(3), BoardRule.removal(0))) Frame.ofCommand(text).text() shouldBe text
+    }
+
     test("any other text is a command") {
-        for (text in listOf("", "ledOn", "say(\"fffe\")", "say(fffe0)", "say(fffe0g)", "say(FFFE05)", "say(ffe05)", "say(fffc05)")) {
+        for (text in listOf("", "ledOn", "say(\"fffe\")", "say(fffe0)", "say(fffe0g)", "say(FFFE05)", "say(ffe05)", "say(fffd05)")) {
             Frame.ofCommand(text) shouldBe Frame.of(text)
         }
     }

@@ -113,6 +113,11 @@ final class SerialTransport extends DriverTransport {
     }
 
     @Override
+    protected boolean hasWrittenAll() {
+        return port.bytesAwaitingWrite() == 0;
+    }
+
+    @Override
     protected String lossWhenRefused() {
         return "its device was unplugged, or the far end closed";
     }

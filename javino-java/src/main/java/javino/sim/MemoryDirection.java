@@ -55,6 +55,11 @@ final class MemoryDirection {
         return taken;
     }
 
+    /** Bytes that it can take. */
+    int room() {
+        return bytes.length - count;
+    }
+
     boolean isEmpty() {
         return count == 0;
     }

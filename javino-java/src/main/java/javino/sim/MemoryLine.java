@@ -24,6 +24,8 @@ public final class MemoryLine {
     /** Bytes a direction that the line holds unread. */
     public static final int CAPACITY = 4096;
 
+    private static final int LONGEST_FRAME = 600; // each byte of which may be escaped
+
     private final Lock lock;
     private final String name;
     private final LineSettings line;
@@ -186,6 +188,16 @@ public final class MemoryLine {
                     }
                     await(out, deadline - now);
                 }
+            } finally {
+                lock.unlock();
+            }
+        }
+
+        @Override
+        public boolean isWritableNow() {
+            lock.lock();
+            try {
+                return end == null && out.room() >= LONGEST_FRAME;
             } finally {
                 lock.unlock();
             }
