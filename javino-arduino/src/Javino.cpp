@@ -6,7 +6,7 @@
 static const uint8_t MESSAGES_PER_RUN = 8;
 
 JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size)
-    : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), waiting_(false), busy_(false), mute_(false) {
+    : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), rules_(NULL), waiting_(false), busy_(false), mute_(false) {
   javino_board_init(&board_, memory, size, write, this);
   board_.link.vocabulary = describe;
 }
@@ -36,8 +36,38 @@ void JavinoBoard::supervise(JavinoBoard &board) {
     board.lost_();
 }
 
+#ifndef JAVINO_VERSION_1_ONLY
+bool JavinoBoard::rules(JavinoBoard &board, bool action) {
+  if (!action) {
+    javino_rules_look(&board.board_, look, board.receive());
+    return true;
+  }
+  if (!javino_rules_is(&board.board_))
+    return false;
+  javino_link_finish(&board.board_.link, javino_rules_set(&board.board_));
+  return true;
+}
+
+void JavinoBoard::look(void *board) {
+  Callback perceive = static_cast<JavinoBoard *>(board)->perceive_;
+  if (perceive)
+    perceive();
+}
+
+bool JavinoBoard::react(void *board, const char *text, uint8_t length) {
+  return static_cast<JavinoBoard *>(board)->act.carryOut(text, length, true) == JavinoActions::DONE;
+}
+
+bool JavinoBoard::isFree(void *board) {
+  JavinoBoard *self = static_cast<JavinoBoard *>(board);
+  return self->stream_.availableForWrite() >= self->free_;
+}
+#endif
+
 void JavinoBoard::next() {
   mute_ = false;
+  if (rules_)
+    rules_(*this, false);
   javino_board_poll(&board_, receive());
   if (supervise_)
     supervise_(*this);
@@ -87,6 +117,8 @@ void JavinoBoard::handle() {
  * are open. Where it can be one, what follows decides.
  */
 bool JavinoBoard::carryOutAction() {
+  if (rules_ && rules_(*this, true))
+    return true;
   const javino_link &link = board_.link;
   javino_follows follows = JAVINO_FOLLOWS_HEADER;
   if (link.version == 1)

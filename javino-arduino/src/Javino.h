@@ -26,6 +26,7 @@
 #include "JavinoActions.h"
 #include "JavinoArguments.h"
 #include "javino_board.h"
+#include "javino_rules.h"
 
 #ifndef JAVINO_BYTES
 #if defined(RAMEND) && RAMEND < 0x0900
@@ -133,6 +134,27 @@ public:
     supervise_ = ms && function ? supervise : NULL;
     javino_link_supervise(&board_.link, millis());
   }
+
+  /**
+   * Has the board watch critical rules itself, which the computer sets: a reflex is carried out within a run(), at once when
+   * a rule begins to be met. The function given to perceive() is called up to every 5 ms for the percepts that the rules name, which
+   * wants() tells; so it should read no sensor that is not wanted. Actions that are a reflex are called within percept().
+   *
+   * Call it in setup(), before or behind all actions. A sketch that does not is spared the code.
+   *
+   * @param bytes  of the board's memory for the rules; one takes some 20
+   * @return false if there is too little memory, or version 2 is left out
+   */
+  bool watchRules(uint8_t bytes = 96) {
+#ifdef JAVINO_VERSION_1_ONLY
+    (void)bytes;
+    return false;
+#else
+    rules_ = rules;
+    free_ = stream_.availableForWrite();
+    return javino_rules_init(&board_, bytes, react, isFree);
+#endif
+  }
   ///@}
 
   /** @name Percepts */
@@ -231,6 +253,10 @@ private:
   static void write(void *board, uint8_t byte);
   static const char *describe(void *board, uint8_t number, uint8_t *arguments);
   static void supervise(JavinoBoard &board);
+  static bool rules(JavinoBoard &board, bool action);
+  static void look(void *board);
+  static bool react(void *board, const char *text, uint8_t length);
+  static bool isFree(void *board);
 
   /** Takes what has arrived. @return when, by the core's clock */
   uint16_t receive();
@@ -266,6 +292,8 @@ private:
   void (*supervise_)(JavinoBoard &); /* A sketch that does not supervise its link is spared the code. */
   Callback lost_;                    /* Set together with supervise_, and so is the time. */
   unsigned long silence_ms_;
+  bool (*rules_)(JavinoBoard &, bool action); /* Handles the action in hand if it sets a rule, or looks at the rules. */
+  int free_;                                  /* What the port takes when all before has left. */
   bool waiting_; /* The action in hand waits for what follows it. */
   bool busy_;    /* run() or availableMsg() is under way. */
   bool mute_;    /* The port takes nothing more of this message. */

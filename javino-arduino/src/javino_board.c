@@ -55,6 +55,10 @@ JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *fu
     const char *p = board->link.text;
     const char *end = p + board->link.length;
     bool all = true;
+#ifndef JAVINO_VERSION_1_ONLY
+    if (board->link.event == JAVINO_WATCH)
+        return board->watch->wants(board, functor, length);
+#endif
     if (board->link.event != JAVINO_REQUEST)
         return true;
     /* Each name stands between a bracket or comma and another. */
@@ -75,6 +79,7 @@ JAVINO_OUTLINE void javino_board_clear(javino_board *board)
     board->overlong = false;
 #ifndef JAVINO_VERSION_1_ONLY
     board->row = 0;
+    board->answering = 0;
 #endif
     board->link.decoder.size = board->memory - JAVINO_TEXT_MIN;
 }
@@ -127,7 +132,7 @@ static void send_part(javino_board *b, bool last, uint8_t head, const char *text
     if (kind != JAVINO_PERCEPTS)
         size++;
     javino_link_begin(l, kind, size);
-    javino_encoder_put(e, l->event == JAVINO_REQUEST && !l->answered ? l->request : 0);
+    javino_encoder_put(e, b->answering ? b->answering : l->event == JAVINO_REQUEST && !l->answered ? l->request : 0);
     if (kind != JAVINO_PERCEPTS)
         javino_encoder_put(e, part);
     if (head) {
@@ -139,7 +144,8 @@ static void send_part(javino_board *b, bool last, uint8_t head, const char *text
     javino_encoder_end(e);
     if (last) {
         b->part = 0;
-        l->answered = true;
+        if (!b->answering)
+            l->answered = true;
     }
 }
 
@@ -151,15 +157,15 @@ static void begin_item(javino_board *b)
 
 #endif
 
-/* Sends so many bytes of the text, as the end of an answer or ahead of the rest of it. */
-static JAVINO_OUTLINE void send(javino_board *b, bool last, javino_room n)
+JAVINO_OUTLINE void javino_board_send_text(javino_board *board, bool last, javino_room n)
 {
+    javino_board *b = board;
 #ifdef JAVINO_VERSION_1_ONLY
     (void)last;
     javino_link_send(&b->link, b->text, (uint8_t)n);
 #else
     b->row = 0;
-    if (b->link.version == 1)
+    if (b->link.version == 1 && !b->answering)
         javino_link_send(&b->link, b->text, (uint8_t)n);
     else
         send_part(b, last, 0, b->text, (uint8_t)n);
@@ -186,7 +192,7 @@ static JAVINO_OUTLINE bool send_ahead(javino_board *b)
         return false;
     if (n > frame_max(b))
         n = frame_max(b);
-    send(b, false, n);
+    javino_board_send_text(b, false, n);
 #ifdef SPLITS
     if (splits)
         begin_item(b);
@@ -322,6 +328,11 @@ bool javino_percept_end(javino_board *board)
     javino_percept_put(board, ';');
 #ifndef JAVINO_VERSION_1_ONLY
     end_item(board);
+    if (board->link.event == JAVINO_WATCH) {
+        if (!board->overlong)
+            board->watch->percept(board);
+        board->length = board->whole;
+    }
 #endif
     fits = !board->overlong;
     if (!fits)
@@ -341,27 +352,37 @@ JAVINO_OUTLINE void javino_board_answer(javino_board *board)
     javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
     b->length = b->whole;
+    if (b->watch && b->watch->answer(b))
+        return;
     if (b->link.event != JAVINO_REQUEST)
         code_waiting(b);
 #endif
     while (b->length > frame_max(b))
         send_ahead(b);
     if (b->length || IS_OPEN(b) || !b->link.answered)
-        send(b, true, b->length);
+        javino_board_send_text(b, true, b->length);
     javino_board_clear(b);
 }
 
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 {
     javino_board *b = board;
-    if (IS_OPEN(b))
-        javino_board_answer(b);
-    if (b->link.event == JAVINO_REQUEST)
-        javino_board_clear(b);
+#ifndef JAVINO_VERSION_1_ONLY
+    if (!b->watch || !b->watch->go_on(b, false))
+#endif
+    {
+        if (IS_OPEN(b))
+            javino_board_answer(b);
+        if (b->link.event == JAVINO_REQUEST)
+            javino_board_clear(b);
+    }
     javino_link_poll(&b->link, now_ms);
 #ifndef JAVINO_VERSION_1_ONLY
-    if (b->link.event == JAVINO_REQUEST)
+    if (b->link.event == JAVINO_REQUEST) {
+        if (b->watch)
+            b->watch->go_on(b, true);
         code_waiting(b);
+    }
 #endif
 #if JAVINO_TEXT_MAX > 255
     /* What has waited for version 2 may be too long for version 1. */
@@ -404,6 +425,8 @@ bool javino_board_send(javino_board *board, const char *text, size_t length)
     javino_link *link = &board->link;
 #ifndef JAVINO_VERSION_1_ONLY
     const uint8_t most = PART_MAX - JAVINO_ITEM_HEADER;
+    if (board->watch)
+        board->watch->go_on(board, true);
     if (link->version == 2) {
         for (; length > most; length -= most, text += most)
             send_part(board, false, JAVINO_ITEM_CONTINUED, text, most);

@@ -53,8 +53,19 @@ typedef uint8_t javino_room;
 #endif
 #endif
 
-/** A board. The members are private but for link, on which javino_link_receive and so on are called. */
+struct javino_board;
+struct javino_rules;
+
+/** How rules take part in what a board does, see javino_rules.h. */
 typedef struct {
+    bool (*wants)(const struct javino_board *board, const char *functor, size_t length);
+    void (*percept)(struct javino_board *board);
+    bool (*answer)(struct javino_board *board);
+    bool (*go_on)(struct javino_board *board, bool all);
+} javino_watch;
+
+/** A board. The members are private but for link, on which javino_link_receive and so on are called. */
+typedef struct javino_board {
     char *text;
     uint16_t memory; /* bytes */
     javino_room room;   /* bytes for text; 0: none has been begun */
@@ -66,6 +77,9 @@ typedef struct {
     bool half;          /* the last byte of the row has room for a digit */
     javino_room row;    /* where the row of digits at its end counts its percepts; 0: there is none */
     uint8_t part;       /* parts that have gone out; 0: no answer has been begun */
+    uint8_t answering;  /* the request whose answer goes out part by part; 0: none */
+    const javino_watch *watch; /* NULL: it holds no rules */
+    struct javino_rules *rules;
 #endif
     javino_link link;
 #ifndef JAVINO_VERSION_1_ONLY
@@ -130,6 +144,9 @@ bool javino_percept_end(javino_board *board);
 
 /** Sends the percepts written so far, be there none, as the answer; without a request unasked. */
 void javino_board_answer(javino_board *board);
+
+/** For javino_rules.c: sends so many bytes of the text, as the end of an answer or ahead of the rest of it. */
+void javino_board_send_text(javino_board *board, bool last, javino_room n);
 
 /** Forgets the percepts written so far. */
 void javino_board_clear(javino_board *board);

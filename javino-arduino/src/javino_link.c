@@ -90,14 +90,14 @@ static void welcome(javino_link *l)
     put(l, l->session);
     put(l, JAVINO_CREDIT);
     put(l, longest_payload(l));
-    put(l, 0);
+    put(l, l->rules_max);
     javino_encoder_end(&l->encoder);
 }
 
 static void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
-    l->due = l->flags = l->known = l->shapes = 0;
+    l->due = l->flags = l->known = l->shapes = l->rules = 0;
     javino_decoder_session(&l->decoder);
 }
 
@@ -239,6 +239,7 @@ JAVINO_OUTLINE void javino_link_finish(javino_link *link, bool done)
 #else
     if (action && IS_VERSION_2(link))
         settle(link, done);
+    link->version = link->session ? 2 : 1;
 #endif
 }
 

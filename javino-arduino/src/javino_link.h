@@ -21,7 +21,8 @@ extern "C" {
 enum {
     JAVINO_NOTHING, /**< No message. */
     JAVINO_REQUEST, /**< Percepts are asked for. The text is empty or the functors that are wanted, as in (dist,light). */
-    JAVINO_ACTION   /**< A command. The text is a literal. */
+    JAVINO_ACTION,  /**< A command. The text is a literal. */
+    JAVINO_WATCH    /**< Never found: the percepts that are written now are compared with rules, see javino_rules.h. */
 };
 typedef uint8_t javino_event;
 
@@ -48,7 +49,7 @@ typedef uint8_t javino_later;
 typedef struct {
     javino_event event; /**< The message in hand: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
     uint8_t length;     /**< Bytes of its text. */
-    uint8_t version;    /**< 1 or 2: that of the last frame, 1 without a session. */
+    uint8_t version;    /**< 1 or 2: the message's; without one, 2 in a session. */
     const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
     javino_vocabulary vocabulary; /**< NULL, as at first: the actions have no numbers. */
     bool answered;
@@ -65,6 +66,8 @@ typedef struct {
     javino_later later; /* the newest */
     uint8_t command;    /* number of the next command in the row */
     uint8_t row_length; /* bytes of the row that are left */
+    uint8_t rules;      /* how many are set */
+    uint8_t rules_max;  /* how many the board holds */
     const uint8_t *row; /* commands of the frame in hand; NULL: it holds none */
 #endif
     javino_encoder encoder;

@@ -22,7 +22,7 @@ void setMotor(uint8_t value) {
 
 bool speed(const JavinoArguments &arguments) {
   long wanted = arguments.number(0, -1);
-  if (arguments.count() != 1 || wanted < 0 || wanted > 255)
+  if (wanted < 0 || wanted > 255)
     return false;
   setMotor(static_cast<uint8_t>(wanted));
   return true;
@@ -42,7 +42,7 @@ void look() {
 
 void setup() {
   pinMode(MOTOR, OUTPUT);
-  javino.onAction("speed", speed);
+  javino.onAction("speed", speed, 1);
   javino.onLinkLost(300, linkLost);
   javino.perceive(look);
   javino.start(9600);

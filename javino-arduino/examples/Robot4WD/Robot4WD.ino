@@ -4,7 +4,8 @@
 //   actions   front  back  left  right  stop  speed(0..255)
 //             ledLightOn  ledLightOff  ledTempOn  ledTempOff
 //
-// It stops by itself when the computer has been silent for a second.
+// It stops by itself when the computer has been silent for a second, and watches critical rules that the computer sets, such as
+// "stop when dist(f,_) is less than 40".
 //
 // Wiring for an Uno:
 //   A0-A3   analogue outputs of four LV-MaxSonar-EZ: Vcc/512 an inch, which is half an inch a step
@@ -57,7 +58,7 @@ void stop() { drive(0, 0); }
 
 bool speed(const JavinoArguments &arguments) {
   long wanted = arguments.number(0, -1);
-  if (arguments.count() != 1 || wanted < 0 || wanted > 255)
+  if (wanted < 0 || wanted > 255)
     return false;
   power = static_cast<uint8_t>(wanted);
   return true;
@@ -109,9 +110,10 @@ void setup() {
   javino.act["ledLightOff"] = ledLightOff;
   javino.act["ledTempOn"] = ledTempOn;
   javino.act["ledTempOff"] = ledTempOff;
-  javino.onAction("speed", speed);
+  javino.onAction("speed", speed, 1);
   javino.onLinkLost(SILENCE_MS, stop);
   javino.perceive(look);
+  javino.watchRules();
   javino.start(BAUD);
 }
 

@@ -36,15 +36,18 @@ class Line:
 
     def listen(self, timeout):
         """Forgets what has been read, and gives up what is silent for so many ms from now on."""
-        self.decoder1 = version1.Decoder(timeout=timeout)
-        self.decoder2 = frames.Receiver(frames.FROM_BOARD, timeout, self._outside)
+        self.decoder1 = version1.Decoder(timeout, frames.START)
+        self.decoder2 = frames.Receiver(frames.FROM_BOARD, timeout)
         self.taken = 0
 
-    def _outside(self, byte, now):
-        if byte == frames.START and not self.decoder1.in_payload():
-            return False
-        self.decoder1.receive(bytes([byte]), now)
-        return True
+    def _take(self, data, now):
+        self.decoder1.idle(now)
+        for byte in data:
+            # What version 1 does not take begins a frame of version 2.
+            rest = bytes([byte]) if self.decoder2.body is not None else self.decoder1.put(byte)
+            if rest:
+                self.decoder2.receive(rest, now)
+        self.decoder1.last = now
 
     def close(self):
         os.close(self.fd)
@@ -69,7 +72,7 @@ class Line:
         ready = select.select([self.fd], [], [], max(0.0, end - time.monotonic()))[0]
         now = time.monotonic() * 1000
         if ready:
-            self.decoder2.receive(self.damage(os.read(self.fd, 4096)), now)
+            self._take(self.damage(os.read(self.fd, 4096)), now)
         else:
             self.decoder1.idle(now)
 

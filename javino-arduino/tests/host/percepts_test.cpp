@@ -133,7 +133,7 @@ TEST_CASE("percepts too many for one frame: version 2 sends parts") {
 }
 
 TEST_CASE("a percept longer than a frame: version 1 leaves it out and keeps the others, version 2 sends it") {
-  for (size_t size : {60, 100, 240, 250, 251, 252, 253, 254, 255, 256, 400, 600, 1000}) {
+  for (size_t size : {30, 60, 100, 240, 250, 251, 252, 253, 254, 255, 256, 400, 600, 1000}) {
     std::string huge = "say(\"" + std::string(size, '7') + "\")";
     for (uint16_t bytes : {JAVINO_MEMORY_MIN, JAVINO_MEMORY, JAVINO_MEMORY + 255}) {
       INFO(size, " ", bytes);
@@ -149,6 +149,11 @@ TEST_CASE("a percept longer than a frame: version 1 leaves it out and keeps the 
       for (const std::string &payload : payloads1(c.sent()))
         together += payload;
       CHECK(together == (fits ? "a;" + huge + ";b;" : "a;b;"));
+#if JAVINO_TEXT_MAX == 255
+      // There a percept is as long as the memory holds.
+      if (size > 30)
+        continue;
+#endif
       c.begin();
       for (unsigned round = 1; round < 4; round++) {
         c.hear(ask(round, c.percepts.known()));
@@ -305,6 +310,10 @@ TEST_CASE("what has waited for version 2 goes with an answer of version 1 too, u
   c.poll();
   c.hear(frame1("getPercepts"));
   std::string all;
+#if JAVINO_TEXT_MAX == 255
+  for (int i = 0; i < 20; i++)
+    all += "event;";
+#endif
   for (int i = 0; i < 100; i++) {
     CHECK(c.percept("dist(f,1)"));
     all += "dist(f,1);";

@@ -59,6 +59,7 @@ public:
   virtual int available() = 0;
   virtual int read() = 0;
   virtual size_t write(uint8_t byte) = 0;
+  virtual int availableForWrite() { return 0; }
 };
 
 /** A port of which a test holds the far end. */

@@ -1,0 +1,395 @@
+#include "javino_rules.h"
+
+#ifndef JAVINO_VERSION_1_ONLY
+
+#include <string.h>
+
+#include "javino_items.h"
+#include "javino_literal.h"
+
+#define MARK 1   /* begins the command that sets a rule */
+#define REFLEX 2 /* stands in front of a reflex */
+
+#define ALIGNMENT sizeof(void *)
+
+/* What became of a reflex. */
+enum { NO_REFLEX, CARRIED_OUT, NOT_CARRIED_OUT };
+
+/* Bytes of a percept that CRITICAL holds. */
+#define PERCEPT_MAX (JAVINO_MAX_PAYLOAD - 2)
+
+/* Bytes of an answer in a part while rules are set, so that what is critical waits for little. */
+#define SHORT_PART 12
+
+/* ---- Numbers ---- */
+
+static uint8_t digits(const char *text, uint8_t length)
+{
+    uint8_t n = 0;
+    while (n < length && text[n] >= '0' && text[n] <= '9')
+        n++;
+    return n;
+}
+
+static bool is_number(const char *text, uint8_t length)
+{
+    uint8_t sign = length && (*text == '-' || *text == '+');
+    uint8_t n = sign + digits(text + sign, length - sign);
+    if (n > sign && n < length && text[n] == '.') {
+        uint8_t decimals = digits(text + n + 1, length - n - 1);
+        n += decimals ? decimals + 1 : 0;
+    }
+    return n > sign && n == length;
+}
+
+/* A number without its sign. */
+typedef struct {
+    const char *text;
+    uint8_t length;
+    uint8_t whole; /* digits in front of the point, without zeros at the beginning */
+    bool negative;
+} decimal;
+
+static decimal read_decimal(const char *text, uint8_t length)
+{
+    decimal d = {text, length, 0, *text == '-'};
+    if (*text == '-' || *text == '+') {
+        d.text++;
+        d.length--;
+    }
+    while (d.length && *d.text == '0') {
+        d.text++;
+        d.length--;
+    }
+    d.whole = digits(d.text, d.length);
+    return d;
+}
+
+static char digit_at(const decimal *d, uint8_t i)
+{
+    return i < d->length ? d->text[i] : '0';
+}
+
+/* Less than, equal to or more than 0, as a is than b. */
+static int8_t compare(decimal a, decimal b)
+{
+    bool zero = true;
+    int8_t order = 0;
+    uint8_t i;
+    if (a.whole != b.whole) {
+        order = a.whole < b.whole ? -1 : 1;
+        zero = false;
+    } else {
+        for (i = 0; i < a.length || i < b.length; i++) {
+            char x = digit_at(&a, i);
+            char y = digit_at(&b, i);
+            if (i == a.whole)
+                continue; /* the point */
+            if (x != '0' || y != '0')
+                zero = false;
+            if (x != y && !order)
+                order = x < y ? -1 : 1;
+        }
+    }
+    if (zero || !(a.negative || b.negative))
+        return order;
+    if (a.negative && b.negative)
+        return -order;
+    return a.negative ? -1 : 1;
+}
+
+/* ---- One rule: its number, functor 00, { place operator value 00 }, [ 02 reflex ] ---- */
+
+static bool is_operator(char c, bool number)
+{
+    return c == '=' || c == '!' || (number && (c == '<' || c == '>' || c == '{' || c == '}'));
+}
+
+/* The bytes of a word that ends with 00; none if it does not end. */
+static uint8_t word(const char *text, const char *end)
+{
+    const char *p = text;
+    while (p < end && *p)
+        p++;
+    return p < end ? (uint8_t)(p - text) : 0;
+}
+
+static bool is_rule(const char *text, const char *end)
+{
+    uint8_t n = word(++text, end);
+    if (!n)
+        return false;
+    for (text += n + 1; text < end && *text != REFLEX; text += n + 3) {
+        if (end - text < 4 || *text < '1' || *text > '9')
+            return false;
+        n = word(text + 2, end);
+        if (!n || !is_operator(text[1], is_number(text + 2, n)))
+            return false;
+    }
+    return text == end || text + 1 < end;
+}
+
+static bool holds(const char *condition, uint8_t length, const char *text, uint8_t text_length)
+{
+    char how = condition[1];
+    const char *value = condition + 2;
+    const char *argument;
+    uint8_t n = javino_argument(text, text_length, (uint8_t)(*condition - '1'), &argument);
+    bool number = n && is_number(argument, n);
+    int8_t order;
+    if (!n || number != is_number(value, length))
+        return how == '!';
+    if (number)
+        order = compare(read_decimal(argument, n), read_decimal(value, length));
+    else
+        order = n != length || memcmp(argument, value, n) != 0;
+    switch (how) {
+    case '<': return order < 0;
+    case '>': return order > 0;
+    case '{': return order <= 0;
+    case '}': return order >= 0;
+    case '=': return order == 0;
+    default: return order != 0;
+    }
+}
+
+/* Whether a percept meets a rule; reflex is set to where its reflex begins, the rule's end without one. */
+static bool meets(const char *rule, const char *end, const char *text, uint8_t length, const char **reflex)
+{
+    uint8_t n = (uint8_t)strlen(++rule);
+    if (n != javino_word(text, length) || memcmp(rule, text, n) != 0)
+        return false;
+    for (rule += n + 1; rule < end && *rule != REFLEX; rule += n + 3) {
+        n = (uint8_t)strlen(rule + 2);
+        if (!holds(rule, n, text, length))
+            return false;
+    }
+    *reflex = rule < end ? rule + 1 : end;
+    return true;
+}
+
+/* ---- All rules ---- */
+
+/* The bits below this one stay; those above it move down. */
+static uint8_t without_bit(uint8_t bits, uint8_t bit)
+{
+    uint8_t below = bits & (uint8_t)(bit - 1);
+    return below | ((bits >> 1) & (uint8_t)~(bit - 1));
+}
+
+/* Removes the rule of this number, if there is one. */
+static void remove_rule(javino_board *b, uint8_t number)
+{
+    struct javino_rules *r = b->rules;
+    uint8_t *p = r->texts;
+    uint8_t *end = p + r->used;
+    uint8_t bit = 1;
+    for (; p < end; p += *p + 1, bit = (uint8_t)(bit << 1)) {
+        uint8_t n = *p + 1;
+        if (p[1] != number)
+            continue;
+        memmove(p, p + n, (size_t)(end - p - n));
+        r->used -= n;
+        r->met = without_bit(r->met, bit);
+        b->link.rules--;
+        return;
+    }
+}
+
+/* Bytes that the rule of this number takes. */
+static uint16_t bytes_of(const struct javino_rules *r, uint8_t number)
+{
+    uint16_t at;
+    for (at = 0; at < r->used; at += r->texts[at] + 1u)
+        if (r->texts[at + 1] == number)
+            return r->texts[at] + 1u;
+    return 0;
+}
+
+bool javino_rules_is(const javino_board *board)
+{
+    const javino_link *l = &board->link;
+    return board->rules && l->event == JAVINO_ACTION && l->version == 2 && l->length && *l->text == MARK;
+}
+
+static void forget(struct javino_rules *r)
+{
+    r->used = r->met = 0;
+}
+
+bool javino_rules_set(javino_board *board)
+{
+    struct javino_rules *r = board->rules;
+    javino_link *l = &board->link;
+    const char *text = l->text + 1;
+    uint8_t length = l->length - 1;
+    uint8_t number;
+    uint16_t before;
+    if (l->rules == 0)
+        forget(r); /* A session has begun since. */
+    if (length == 0) {
+        l->rules = 0;
+        forget(r);
+        return true;
+    }
+    number = (uint8_t)*text;
+    if (number == 0 || (length > 1 && !is_rule(text, text + length)))
+        return false;
+    before = bytes_of(r, number);
+    if (length > 1 && (r->used - before + length + 1u > r->size || l->rules - (before != 0) >= JAVINO_RULES_MAX))
+        return false;
+    remove_rule(board, number);
+    if (length > 1) {
+        r->texts[r->used] = length;
+        memcpy(r->texts + r->used + 1, text, length);
+        r->used += length + 1u;
+        l->rules++;
+    }
+    return true;
+}
+
+/* ---- Looking ---- */
+
+static bool wants(const javino_board *b, const char *functor, size_t length)
+{
+    const struct javino_rules *r = b->rules;
+    uint16_t at;
+    for (at = 0; at < r->used; at += r->texts[at] + 1u) {
+        const char *name = (const char *)r->texts + at + 2;
+        if (*name == '~')
+            name++;
+        if (strlen(name) == length && memcmp(name, functor, length) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Carries a reflex out. What the program writes meanwhile waits, as if nobody asked. */
+static uint8_t react(javino_board *b, const char *reflex, const char *end)
+{
+    bool done;
+    if (reflex == end)
+        return NO_REFLEX;
+    b->link.event = JAVINO_NOTHING;
+    done = b->rules->act(b->link.encoder.context, reflex, (uint8_t)(end - reflex));
+    b->link.event = JAVINO_WATCH;
+    return done ? CARRIED_OUT : NOT_CARRIED_OUT;
+}
+
+static void report(javino_board *b, uint8_t number, uint8_t outcome, const char *text, uint8_t length)
+{
+    javino_encoder *e = &b->link.encoder;
+    javino_link_begin(&b->link, JAVINO_CRITICAL, (uint8_t)(length + 2));
+    javino_encoder_put(e, number);
+    javino_encoder_put(e, outcome);
+    while (length--)
+        javino_encoder_put(e, (uint8_t)*text++);
+    javino_encoder_end(e);
+}
+
+/* Compares the percept behind the whole ones with all rules. */
+static void watch(javino_board *b)
+{
+    struct javino_rules *r = b->rules;
+    javino_room begin = b->whole;
+    javino_room end = b->length;
+    uint16_t at = 0;
+    uint8_t bit;
+    if (end - begin > PERCEPT_MAX)
+        return;
+    b->whole = end; /* It stays in place until it has been compared. */
+    for (bit = 1; at < r->used; at += r->texts[at] + 1u, bit = (uint8_t)(bit << 1)) {
+        const char *rule = (const char *)r->texts + at + 1;
+        const char *rule_end = rule + r->texts[at];
+        const char *text = b->text + begin + JAVINO_ITEM_HEADER;
+        uint8_t length = (uint8_t)(end - begin - JAVINO_ITEM_HEADER);
+        const char *reflex;
+        if (r->seen & bit || !meets(rule, rule_end, text, length - 1, &reflex))
+            continue;
+        r->seen |= bit;
+        if (!(r->met & bit)) {
+            uint8_t outcome = react(b, reflex, rule_end);
+            report(b, (uint8_t)*rule, outcome, b->text + begin + JAVINO_ITEM_HEADER, length);
+        }
+    }
+    if (b->length < end)
+        return; /* The program has cleared the percepts. */
+    memmove(b->text + begin, b->text + end, b->length - end);
+    b->length -= end - begin;
+    b->whole -= end - begin;
+}
+
+void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t now_ms)
+{
+    struct javino_rules *r = board->rules;
+    javino_link *l = &board->link;
+    javino_event event = l->event;
+    if (!r || !l->rules || (uint16_t)(now_ms - r->looked_ms) < JAVINO_RULES_MS)
+        return;
+    r->looked_ms = now_ms;
+    r->seen = 0;
+    l->event = JAVINO_WATCH;
+    perceive(l->encoder.context);
+    l->event = event;
+    r->met = r->seen;
+    if (board->length == 0 && event != JAVINO_REQUEST)
+        javino_board_clear(board);
+}
+
+/* ---- Answers part by part ---- */
+
+/* Sends the next part of an answer. */
+static void send_next(javino_board *b)
+{
+    bool last = b->whole <= SHORT_PART;
+    b->length = b->whole;
+    javino_board_send_text(b, last, last ? b->whole : SHORT_PART);
+    if (last)
+        javino_board_clear(b);
+}
+
+/* Whether the answer goes out part by part from now on, or what is sent unasked goes with one that does. */
+static bool answer(javino_board *b)
+{
+    javino_link *l = &b->link;
+    if (l->event == JAVINO_REQUEST && l->version == 2 && l->rules && !b->part && b->length > SHORT_PART) {
+        b->answering = l->request;
+        l->event = JAVINO_NOTHING;
+    }
+    return b->answering != 0;
+}
+
+/* Sends the next part if the line is free, or all that are left. False if no answer goes out so. */
+static bool go_on(javino_board *b, bool all)
+{
+    const struct javino_rules *r = b->rules;
+    if (!b->answering)
+        return false;
+    if (all || !r->is_free || r->is_free(b->link.encoder.context))
+        do
+            send_next(b);
+        while (all && b->answering);
+    return true;
+}
+
+bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (*is_free)(void *context))
+{
+    static const javino_watch watcher = {wants, watch, answer, go_on};
+    struct javino_rules *r;
+    uint16_t bytes = (uint16_t)(sizeof *r + size + 2 * ALIGNMENT - 2);
+    uint8_t *memory = javino_board_take(board, (uint16_t)(bytes - bytes % ALIGNMENT));
+    if (!memory)
+        return false;
+    r = (struct javino_rules *)(memory + (ALIGNMENT - (uintptr_t)memory % ALIGNMENT) % ALIGNMENT);
+    memset(r, 0, sizeof *r);
+    r->act = act;
+    r->is_free = is_free;
+    r->texts = (uint8_t *)(r + 1);
+    r->size = size;
+    board->rules = r;
+    board->watch = &watcher;
+    board->link.rules_max = JAVINO_RULES_MAX;
+    return true;
+}
+
+#endif

@@ -1,0 +1,256 @@
+// Critical rules on the board, as sketches and programs use them.
+
+#include <Javino.h>
+
+#include <vector>
+
+#include "conversation.h"
+#include "javino_rules.h"
+
+namespace {
+
+std::string rule(unsigned number, const std::string &functor, const std::vector<std::string> &conditions = {}, const std::string &reflex = "") {
+  std::string text = std::string{1, octet(number)} + functor + '\0';
+  for (const std::string &condition : conditions)
+    text += condition + '\0';
+  return reflex.empty() ? text : text + '\x02' + reflex;
+}
+
+std::string critical(unsigned due, unsigned number, unsigned outcome, const std::string &percept) {
+  return frame2(0x85, due, std::string{octet(number), octet(outcome)} + percept);
+}
+
+Javino *robot;
+int distance, looks, stops;
+
+void look() {
+  looks++;
+  if (robot->wants("light"))
+    robot->percept("light", 512);
+  if (robot->wants("dist"))
+    robot->percept("dist", "f", distance);
+}
+
+void stop() {
+  stops++;
+  robot->addPercept("stopped");
+}
+
+/** A robot that watches rules, in a session. */
+struct Robot {
+  Javino javino;
+  unsigned due = 0;
+
+  Robot() {
+    robot = &javino;
+    distance = 100;
+    looks = stops = 0;
+    Serial.in.clear();
+    Serial.meanwhile.clear();
+    Serial.sent();
+    javino.act["stop"] = stop;
+    javino.perceive(look);
+    REQUIRE(javino.watchRules());
+    javino.start(9600);
+    javino.run();
+    CHECK(run(hello()) == frame2(0x80, 0, std::string{7, JAVINO_CREDIT, octet(255), JAVINO_RULES_MAX}));
+  }
+
+  std::string run(const std::string &bytes, unsigned long ms = 0) {
+    stub_millis += ms;
+    Serial.receive(bytes);
+    javino.run();
+    return Serial.sent();
+  }
+
+  std::string set(const std::string &text) { return run(command(due++, text)); }
+
+  bool takes(const std::string &text) {
+    std::string said = set(text);
+    return said == ack(due);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a reflex is carried out and told once, each time that its rule begins to be met") {
+  Robot r;
+  CHECK(r.run("", 100) == "");
+  CHECK(looks == 0);
+  CHECK(r.set(rule(3, "dist", {"1=f", "2<40"}, "stop")) == ack(1));
+  CHECK(r.run("", 5) == "");
+  CHECK(looks >= 1);
+  for (int turn = 0; turn < 3; turn++) {
+    distance = 39;
+    CHECK(r.run("", 5) == critical(1, 3, 1, "dist(f,39);"));
+    CHECK(stops == turn + 1);
+    CHECK(r.run("", 5) == "");
+    distance = 40;
+    CHECK(r.run("", 5) == "");
+  }
+  distance = 10;
+  CHECK(r.run("", 4) == "");
+  CHECK(r.run("", 1) == critical(1, 3, 1, "dist(f,10);"));
+  // What the reflex has written goes with the next answer.
+  Percepts percepts;
+  std::string answer = r.run(ask(1, 0, "(light)"));
+  for (int i = 0; i < 9; i++)
+    answer += r.run("");
+  CHECK(percepts.read(answer, 1) == "stopped;stopped;stopped;stopped;light(512);");
+}
+
+TEST_CASE("a new session forgets the rules") {
+  Robot r;
+  r.set(rule(3, "dist", {"2<40"}, "stop"));
+  r.run(hello(9));
+  distance = 1;
+  CHECK(r.run("", 100) == "");
+  CHECK(stops == 0);
+  r.due = 0;
+  CHECK(r.set(rule(3, "dist", {"2<40"}, "stop")) == critical(1, 3, 1, "dist(f,1);") + ack(1));
+}
+
+TEST_CASE("an unknown reflex and none are told") {
+  Robot r;
+  r.set(rule(1, "dist", {"2<40"}, "fly"));
+  r.set(rule(2, "dist", {"2<30"}));
+  distance = 35;
+  CHECK(r.run("", 5) == critical(2, 1, 2, "dist(f,35);"));
+  distance = 25;
+  CHECK(r.run("", 5) == critical(2, 2, 0, "dist(f,25);"));
+}
+
+TEST_CASE("rules find room as far as there is memory, and replace those of their number") {
+  Robot r;
+  unsigned number = 1;
+  while (number < 20 && r.takes(rule(number, "dist", {"2<40"}, "stop")))
+    number++;
+  CHECK(number > 4);
+  CHECK(number <= JAVINO_RULES_MAX + 1);
+  r.run(frame2(0x31, r.due, item(rule(1, "dist", {"2<99"}, "stop"))));
+  r.due++;
+  CHECK(r.takes("\x01\x02"));
+  CHECK(r.takes(rule(2, "dist", {"2<40"}, "stop")));
+  CHECK(r.takes("\x01"));
+  distance = 1;
+  CHECK(r.run("", 5) == "");
+}
+
+TEST_CASE("a board that does not watch rules refuses them") {
+  Javino javino;
+  Serial.in.clear();
+  Serial.receive(hello() + command(0, rule(1, "dist")));
+  Serial.sent();
+  javino.run();
+  CHECK(Serial.sent() == frame2(0x80, 0, std::string{7, JAVINO_CREDIT, octet(255), 0}) + ack(1, REFUSED));
+}
+
+namespace {
+
+/** A board without Arduino whose line is free when a test says so. */
+struct Watcher : Conversation {
+  std::vector<std::string> readings, carried;
+  bool free = true;
+
+  explicit Watcher(uint16_t bytes = JAVINO_MEMORY + 255) : Conversation(bytes / 8 * 8) {
+    REQUIRE(javino_rules_init(&board, 96, react, is_free));
+    begin();
+  }
+
+  static Watcher *of(void *self) { return static_cast<Watcher *>(static_cast<Conversation *>(self)); }
+  static bool is_free(void *self) { return of(self)->free; }
+  static bool react(void *self, const char *text, uint8_t length) {
+    of(self)->carried.push_back(std::string(text, length));
+    return true;
+  }
+  static void perceive(void *self) {
+    for (const std::string &reading : of(self)->readings)
+      of(self)->percept(reading);
+  }
+
+  void set(const std::string &text) {
+    REQUIRE(hear(command(board.link.due, text)) == JAVINO_ACTION);
+    REQUIRE(javino_rules_is(&board));
+    finish(javino_rules_set(&board));
+    poll();
+    sent();
+  }
+
+  std::string look() {
+    now += JAVINO_RULES_MS;
+    javino_rules_look(&board, perceive, now);
+    return sent();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("while rules are set an answer goes out in short parts, and what is critical between them") {
+  Watcher w;
+  w.set(rule(1, "dist", {"1<40"}, "stop"));
+  w.hear(ask(1));
+  std::string all;
+  for (int i = 0; i < 12; i++) {
+    w.percept("light(" + std::to_string(i) + "00)");
+    all += "light(" + std::to_string(i) + "00);";
+  }
+  javino_board_answer(&w.board);
+  std::string answer = w.sent();
+  CHECK(answer == "");
+  for (int turn = 0; w.board.answering; turn++) {
+    w.free = false;
+    w.poll();
+    CHECK(w.sent() == "");
+    w.readings = {turn % 2 ? "dist(50)" : "dist(3)"};
+    CHECK(w.look() == (turn % 2 ? "" : critical(1, 1, 1, "dist(3);")));
+    w.free = true;
+    w.poll();
+    std::string part = w.sent();
+    CHECK(frames2(part)[0].payload.size() <= 14);
+    answer += part;
+    REQUIRE(turn < 50);
+  }
+  CHECK(w.percepts.read(answer, 1) == all);
+}
+
+TEST_CASE("commands are carried out while an answer goes out, and another request ends it") {
+  Watcher w;
+  w.set(rule(1, "dist", {"1<40"}));
+  w.hear(ask(1));
+  w.percept("light(100,200,300,400)");
+  w.percept("temp(100,200,300,400,500,600)");
+  javino_board_answer(&w.board);
+  CHECK(w.hear(command(1, "front")) == JAVINO_ACTION);
+  CHECK(w.poll() == JAVINO_NOTHING);
+  w.now += 30;
+  w.poll();
+  // Unasked percepts go with what is on its way.
+  CHECK(w.percept("bumped"));
+  CHECK(w.hear(ask(2)) == JAVINO_REQUEST);
+  std::string answer;
+  for (const Frame2 &frame : frames2(w.sent()))
+    if (frame.kind != 0x81)
+      answer += frame2(frame.kind, frame.number, frame.payload);
+  CHECK(w.percepts.read(answer, 1) == "light(100,200,300,400);temp(100,200,300,400,500,600);bumped;");
+  w.percept("light(1,2,3,4)");
+  javino_board_answer(&w.board);
+  while (w.board.answering)
+    w.poll();
+  CHECK(w.percepts.read(w.sent(), 2) == "light(1,2,3,4);");
+}
+
+TEST_CASE("percepts that wait are not disturbed by looking at the rules") {
+  Watcher w;
+  w.set(rule(1, "dist", {"1<40"}));
+  w.percept("bumped(1)");
+  w.readings = {"dist(3)", "dist(4)", "dist(90)"};
+  CHECK(w.look() == critical(1, 1, 0, "dist(3);"));
+  w.percept("bumped(2)");
+  CHECK(w.look() == "");
+  w.hear(ask(1));
+  javino_board_answer(&w.board);
+  while (w.board.answering)
+    w.poll();
+  CHECK(w.percepts.read(w.sent(), 1) == "bumped(1);bumped(2);");
+  CHECK(w.board.link.decoder.size == w.board.memory - JAVINO_TEXT_MIN);
+}
