@@ -7,10 +7,9 @@ import jason.asSemantics.DefaultInternalAction
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
-import jason.asSyntax.ListTerm
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
-import jason.asSyntax.VarTerm
+import jason.asSyntax.UnnamedVar
 import javino.wire.BoardAction.ANY
 import javino.wire.BoardAction as RegisteredAction
 
@@ -34,13 +33,12 @@ open class can : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         checkArguments(args)
         val action = args[0] as? Literal
-        if (action == null || action is ListTerm) throw wrongArgument("an action is a literal such as speed(V), not ${args[0]}").of(call(args))
+        if (action == null || action.isList) throw wrongArgument("an action is a literal such as speed(V), not ${args[0]}").of(call(args))
         val arch = archOf(ts) ?: throw notArgo(ts).of(call(args))
         val vocabulary = arch.io.vocabulary() ?: return if (isStepOf<can>(ts, un)) throw noVocabulary(arch).of(call(args)) else false
-        if (!action.isVar) return vocabulary.any { it.name == action.functor && (it.arguments == ANY || it.arguments == action.arity) }
-        return vocabulary.mapNotNull(::literalOf).distinctBy { it.predicateIndicator }.mapNotNull { known ->
-            un.clone().takeIf { it.unifies(action, known) }
-        }.iterator()
+        val actions = vocabulary.associateBy { it.name } // the newest of a name counts
+        if (!action.isVar) return actions[action.functor]?.let { it.arguments == ANY || it.arguments == action.arity } ?: false
+        return actions.values.mapNotNull(::literalOf).mapNotNull { known -> un.clone().takeIf { it.unifies(action, known) } }.iterator()
     }
 
     private fun call(args: Array<Term>) = "argo.can(${args.joinToString(",")})"
@@ -58,7 +56,7 @@ open class can : DefaultInternalAction() {
 /** A literal that the agent can act by; null: the board's name for the action is no atom. */
 private fun literalOf(action: RegisteredAction): Literal? = action.name.takeIf(ATOM::matches)?.let { name ->
     val arguments = if (action.arguments == ANY) 0 else action.arguments
-    ASSyntax.createLiteral(name, *Array<Term>(arguments) { VarTerm("_") })
+    ASSyntax.createLiteral(name, *Array<Term>(arguments) { UnnamedVar() })
 }
 
 private val ATOM = Regex("[a-z][A-Za-z0-9_]*")

@@ -77,7 +77,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     /** Whether something is to come from the board, answers to requests aside. */
     public boolean isExpecting() {
-        return state == State.OPENING || window.size() > 0;
+        return state == State.OPENING || window.size() > 0 || state == State.OPEN && vocabulary.isAwaited();
     }
 
     /** Whether the board has acknowledged and answered all that was sent. */

@@ -62,6 +62,11 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
+    /** Whether a page was asked for that may come soon; one that has stayed out comes while the line is read for another reason. */
+    boolean isAwaited() {
+        return asks() && doublings == 1;
+    }
+
     /** Nanoseconds until the next page is asked for. */
     long nanosUntilDue(long now) {
         return asks() ? Math.max(0, dueAt - now) : Long.MAX_VALUE;
