@@ -25,7 +25,10 @@ import java.util.OptionalInt
 /** `ports`: lists the serial ports. */
 @Command(
     name = "ports",
-    description = ["Lists the serial ports with their devices and owners, and with --probe whether a Javino board answers there."],
+    description = [
+        "Lists the serial ports with their devices and owners, with --probe whether a Javino board answers there, and with --describe",
+        "what it can do.",
+    ],
 )
 internal class PortsCommand : DataCommand() {
     @Parameters(arity = "0..*", paramLabel = "PORT", description = ["these ports in place of all; also pseudo-terminals by their path"])
@@ -34,14 +37,24 @@ internal class PortsCommand : DataCommand() {
     @Option(names = ["--probe"], description = ["requests percepts at each free port. Opening it resets most boards; motors may jerk"])
     private var probe = false
 
+    @Option(
+        names = ["--describe"],
+        description = ["as --probe, and asks each board for its actions; prints them with its percepts and how many critical rules it holds"],
+    )
+    private var describe = false
+
     @Option(names = ["--baud"], paramLabel = "RATE", defaultValue = "9600", description = ["the rate to probe at (\${DEFAULT-VALUE})"])
     private var baud = 0
 
     override fun call(): Int {
         spec.requireWithin("--baud", baud, LineOptions.BAUDS)
         val rows = ports().map { Row(it, SerialPorts.holders(it.name())) }
-        val probed = rows.map { if (probe) it.copy(board = board(it)) else it }
-        if (json) out.println(jsonArrayOf(probed.map(Row::json))) else print(probed)
+        val probed = rows.map { if (probe || describe) it.copy(board = board(it)) else it }
+        when {
+            json -> out.println(jsonArrayOf(probed.map(Row::json)))
+            describe && rows.isNotEmpty() -> probed.forEach(::describe)
+            else -> print(probed)
+        }
         return if (probed.any { it.board?.isMissing == true }) ExitStatus.FAILED else ExitStatus.DONE
     }
 
@@ -60,6 +73,7 @@ internal class PortsCommand : DataCommand() {
         val settings = LinkSettings.defaults().withBaud(baud).withProtocol(Protocol.AUTO)
         return try {
             Link.open(row.info.name(), settings, "argo ports").use { link ->
+                if (describe) return BoardDescription.of(link).let { Board(it.lines().first(), answers = true, description = it) }
                 link.request(PerceptsRequest.ALL, PROBE_MS).text()
                 Board("a Javino board of ${versionSpoken(link.protocol())}", answers = true)
             }
@@ -70,6 +84,12 @@ internal class PortsCommand : DataCommand() {
         } catch (trouble: PortException) {
             Board(trouble.message.orEmpty(), answers = null)
         }
+    }
+
+    private fun describe(row: Row) {
+        val lines = row.board?.description?.lines() ?: listOf(printable(row.board?.result.orEmpty()))
+        out.println("${printable(row.info.name())}: ${lines.first()}")
+        lines.drop(1).forEach { out.println("  $it") }
     }
 
     private fun print(rows: List<Row>) {
@@ -89,8 +109,14 @@ internal class PortsCommand : DataCommand() {
  * The result of probing a port, in words.
  *
  * @property answers null: unknown
+ * @property description null: none was asked for, or there is none
  */
-private data class Board(val result: String, val answers: Boolean?, val isMissing: Boolean = false)
+private data class Board(
+    val result: String,
+    val answers: Boolean?,
+    val isMissing: Boolean = false,
+    val description: BoardDescription? = null,
+)
 
 private data class Row(val info: SerialPortInfo, val holders: List<String>, val board: Board? = null) {
     private val usb: String? = if (info.vendorId().isEmpty || info.productId().isEmpty) null
@@ -109,6 +135,6 @@ private data class Row(val info: SerialPortInfo, val holders: List<String>, val 
             "product" to info.product().orElse(null), "manufacturer" to info.manufacturer().orElse(null), "heldBy" to holders,
         )
         val probed = board?.let { mapOf("board" to it.result, "answers" to it.answers) }.orEmpty()
-        return jsonOf(*(members + probed).toList().toTypedArray())
+        return jsonOf(*(members + probed + board?.description?.members().orEmpty()).toList().toTypedArray())
     }
 }

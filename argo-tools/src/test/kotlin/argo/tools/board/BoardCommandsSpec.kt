@@ -151,6 +151,39 @@ class BoardCommandsSpec : FunSpec({
         missing.out shouldContain "there is no simulated board"
     }
 
+    test("ports --describe prints what a board of version 2 can do") {
+        val actions = arrayOf("ledOn", "speed/1", "say/*")
+        board { it.version2().knows(*actions).holdsRules(4).whenAsked("getPercepts").answer("dist(f,3);light(4);") }.with { port ->
+            argo("ports", port, "--describe").out shouldBe """
+                $port: a Javino board of version 2
+                  actions: ledOn, speed/1, say/*
+                  percepts: dist(f,3); light(4)
+                  critical rules: up to 4 on the board
+            """.trimIndent() + "\n"
+            val json = Json.parseToJsonElement(argo("ports", port, "--describe", "--json").out).jsonArray.single().jsonObject
+            json.getValue("actions").jsonArray.map { it.jsonPrimitive.content } shouldBe actions.toList()
+            json.getValue("percepts").jsonArray.map { it.jsonPrimitive.content } shouldBe listOf("dist(f,3)", "light(4)")
+            json.getValue("rules").jsonPrimitive.content shouldBe "4"
+        }
+    }
+
+    test("ports --describe says of a board without a table, of one of version 1, and of none, what is not known") {
+        board { it.version2().whenAsked("getPercepts").answer("a;") }.with { port ->
+            val said = argo("ports", port, "--describe").out
+            said shouldContain "actions: unknown; its sketch has no table of actions"
+            said shouldContain "critical rules: none on the board; the computer watches them"
+        }
+        board { it.whenAsked("getPercepts").answer("") }.with { port ->
+            val said = argo("ports", port, "--describe").out
+            said shouldContain "a Javino board of version 1"
+            said shouldContain "actions: unknown; a board of version 1 does not describe itself"
+            said shouldContain "percepts: none now"
+        }
+        val missing = argo("ports", "sim:tools-missing", "--describe")
+        missing.status shouldBe 1
+        missing.out shouldContain "sim:tools-missing: there is no simulated board"
+    }
+
     test("ports tells who holds a port, and does not probe it").config(enabledOrReasonIf = pairs) {
         PseudoTerminals.open().use { pair ->
             val holder = ProcessBuilder("sleep", "600").redirectInput(pair.computer()).start()

@@ -1,0 +1,78 @@
+package argo.tools.board
+
+import argo.filters.matching.perceptsOf
+import argo.tools.command.printable
+import javino.BoardListener
+import javino.Link
+import javino.PerceptsRequest
+import javino.Protocol
+import javino.wire.BoardAction
+import javino.wire.ReflexOutcome
+import java.util.concurrent.TimeUnit
+
+/**
+ * What a board is known to be.
+ *
+ * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not say
+ * @property percepts what it has answered to one request
+ * @property rules how many critical rules it holds; null: it is of version 1
+ */
+internal class BoardDescription(
+    private val protocol: Protocol,
+    private val actions: List<String>?,
+    private val percepts: List<String>,
+    private val rules: Int?,
+) {
+    /** A line for each subject. */
+    fun lines(): List<String> = listOf(
+        "a Javino board of ${versionSpoken(protocol)}",
+        "actions: " + when {
+            protocol != Protocol.V2 -> "unknown; a board of version 1 does not describe itself"
+            actions == null -> "unknown; the board did not describe them in time"
+            actions.isEmpty() -> "unknown; its sketch has no table of actions"
+            else -> actions.joinToString()
+        },
+        "percepts: " + percepts.joinToString("; ").ifEmpty { "none now" },
+        "critical rules: " +
+            if (rules == null || rules == 0) "none on the board; the computer watches them" else "up to $rules on the board",
+    ).map(::printable)
+
+    /** The members of its JSON object. */
+    fun members(): Map<String, Any?> =
+        mapOf("board" to "a Javino board of ${versionSpoken(protocol)}", "actions" to actions, "percepts" to percepts, "rules" to rules)
+
+    companion object {
+        private const val ANSWER_MS = 1_000
+        private const val SLICE_MS = 20
+        private val VOCABULARY_NANOS = TimeUnit.SECONDS.toNanos(3)
+
+        /** Asks the board on [link] for its percepts once, and for its description. Throws what [Link.request] throws. */
+        fun of(link: Link): BoardDescription {
+            val welcome = Welcome()
+            link.onBoardEvents(welcome)
+            val answer = link.request(PerceptsRequest.ALL, ANSWER_MS).text()
+            val isDescribing = link.protocol() == Protocol.V2
+            val end = System.nanoTime() + VOCABULARY_NANOS
+            while (isDescribing && link.vocabulary().isEmpty && System.nanoTime() - end < 0) link.watch(SLICE_MS)
+            val actions = link.vocabulary().orElse(null)?.map(::written)
+            return BoardDescription(link.protocol(), actions, perceptsOf(answer), welcome.rules.takeIf { isDescribing })
+        }
+
+        private fun written(action: BoardAction) = action.name + when (action.arguments) {
+            0 -> ""
+            BoardAction.ANY -> "/*"
+            else -> "/${action.arguments}"
+        }
+    }
+
+    private class Welcome : BoardListener {
+        @Volatile
+        var rules = 0
+
+        override fun sessionBegan(rules: Int) {
+            this.rules = rules
+        }
+
+        override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) = Unit
+    }
+}
