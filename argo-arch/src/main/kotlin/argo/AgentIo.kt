@@ -1,12 +1,16 @@
 package argo
 
+import argo.acting.BoardRules
 import argo.acting.CommandLedger
 import argo.acting.CommandOptions
 import argo.acting.CommandSender
 import argo.acting.Reflexes
 import argo.calls.Failure
+import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.observing.Observers
+import argo.observing.RuleWatcher
+import argo.observing.WatchedRule
 import argo.perception.BeliefReader
 import argo.perception.BoardPercepts
 import argo.perception.EveryHandOver
@@ -35,9 +39,11 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
 import javino.PerceptsRequest
+import javino.BoardListener
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
+import javino.wire.ReflexOutcome
 import javino.wire.BoardAction as RegisteredAction
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
@@ -85,8 +91,9 @@ internal class AgentIo(
         if (options.policy == SensingPolicy.FRESH) FreshHandOver(ledger, events) else EveryHandOver { log.warning(it) }
     private val lastSeen = LastSeen { sensed }
     private val stale = StaleBeliefs(platform.nowMs, { portInUse()?.takeIf { isPerceiving } }, ::intervalMs)
-    private val percepts = BoardPercepts(
-        platform.clock.newLock(false), ::isPerceived, handOver, Reflexes(::sendReflex, rateLimitedWarning()),
+    private val reflexes: Reflexes = Reflexes(::sendReflex, ::isWatchedBy, ::reflexEnded, rateLimitedWarning())
+    private val percepts: BoardPercepts = BoardPercepts(
+        platform.clock.newLock(false), ::isPerceived, handOver, reflexes,
         { observers().messageFiltered(it) }, BeliefReader { log.warning(it) }, log,
         PerceptLimit(options.maxPercepts, rateLimitedWarning()), lastSeen, platform.nowMs,
     )
@@ -113,10 +120,35 @@ internal class AgentIo(
     fun closePorts(closed: () -> Unit) = ports.closeAll(closed)
 
     /** Perceives through [filter] from the next perception on; null: everything. */
-    fun perceiveThrough(filter: PerceptionFilter?) = percepts.switchTo(filter)
+    fun perceiveThrough(filter: PerceptionFilter?) {
+        percepts.switchTo(filter)
+        renewRules()
+    }
 
-    /** Why the active filter keeps or drops [percept]. Any thread. */
-    fun explain(percept: String): String = percepts.explain(percept)
+    /** Why the active filter keeps or drops [percept], and who watches the critical rule that decides. Any thread. */
+    fun explain(percept: String): String {
+        val explanation = percepts.explain(percept)
+        val critical = criticalRules().find { it.rule.rule === explanation.rule } ?: return "$explanation"
+        return "$explanation; ${critical.watcher.word} watches it"
+    }
+
+    /** The critical rules of the active filter, and who watches each. Any thread. */
+    fun criticalRules(): List<WatchedRule> {
+        val port = portInUse()
+        return percepts.critical.map {
+            WatchedRule(it, if (port != null && isWatchedBy(port, it)) RuleWatcher.BOARD else RuleWatcher.COMPUTER)
+        }
+    }
+
+    /** Whether the board on [port] watches [rule] itself. */
+    private fun isWatchedBy(port: OpenPort, rule: CriticalRule) = activities[port]?.rules?.isWatching(rule) == true
+
+    private fun renewRules() = activities.values.forEach { it.rules.renew() }
+
+    private fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
+        observers().reflexEnded(rule, watcher, failure)
+        waker.wake { !reflexes.hasNews() }
+    }
 
     /** The youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null if there is none. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier): Pair<Literal, Long>? {
@@ -124,7 +156,7 @@ internal class AgentIo(
         return lastSeen.youngest(beliefs, percept, un, now)?.let { (belief, seen) -> belief to TimeUnit.NANOSECONDS.toMillis(now - seen) }
     }
 
-    /** Starts or stops perceiving. When it has stopped no further reflex is sent. */
+    /** Starts or stops perceiving. When it has stopped no further reflex is sent; a board carries its own out until that is removed. */
     fun perceive(open: Boolean) {
         if (isPerceiving == open) return
         isPerceiving = open
@@ -172,7 +204,7 @@ internal class AgentIo(
         snapshot?.let(::handOver)
         newlyCritical = snapshot?.critical.orEmpty().map { it.percept }
         val isStaleNews = stale.update()
-        return snapshot != null || isStaleNews || states.hasNews()
+        return snapshot != null || isStaleNews || states.hasNews() || reflexes.hasNews()
     }
 
     private fun handOver(snapshot: Snapshot) {
@@ -183,14 +215,14 @@ internal class AgentIo(
     /** What is critical in the snapshot that the last [update] handed over; empty when asked again. */
     fun takeNewlyCritical(): List<Literal> = newlyCritical.also { newlyCritical = emptyList() }
 
-    /** The beliefs about the board in use and about the ports. */
-    fun beliefs(): List<Literal> = sensed + states.beliefs() + stale.beliefs()
+    /** The beliefs about the board in use, about the ports, and about the outcomes of reflexes. */
+    fun beliefs(): List<Literal> = sensed + states.beliefs() + stale.beliefs() + reflexes.beliefs()
 
     /** The time in ms until [update] has something to do without news from a board; null: it will not have. */
     fun dueInMs(): Long? = listOfNotNull(percepts.dueInMs().takeIf { isPerceiving }, stale.dueInMs().takeIf { it != 0L }).minOrNull()
 
     /** Whether [update] has something to do now. Any thread. */
-    fun hasNews(): Boolean = handOver.isReady() || states.hasNews() || stale.hasNews() || isPerceiving && percepts.dueInMs() == 0L
+    fun hasNews(): Boolean = handOver.isReady() || states.hasNews() || stale.hasNews() || reflexes.hasNews() || isPerceiving && percepts.dueInMs() == 0L
 
     /** Whether the agent believes that [port] is stale. Any thread. */
     fun isStale(port: Term): Boolean = stale.isStale(port)
@@ -206,6 +238,7 @@ internal class AgentIo(
     /** What was sensed so far and has not been perceived is of another time or place. Any thread. */
     private fun beginAnew() {
         percepts.forget()
+        renewRules()
         wakeSensing()
     }
 
@@ -217,7 +250,23 @@ internal class AgentIo(
     }
 
     /** What works through one open port. */
-    private inner class Activity(private val port: OpenPort, val commands: CommandSender, val sensing: Sensing) : AutoCloseable {
+    private inner class Activity(
+        private val port: OpenPort,
+        val commands: CommandSender,
+        val sensing: Sensing,
+    ) : BoardListener, AutoCloseable {
+        val rules = BoardRules(
+            { percepts.critical.takeIf { coupling.isPaced && isPerceived(port) }.orEmpty() },
+            { command, outcome -> commands.submit(command, CommandOptions(urgent = true), outcome) },
+        )
+
+        override fun sessionBegan(room: Int) = rules.began(room)
+
+        override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
+            val critical = rules.ruleOf(rule) ?: return
+            if (percepts.reported(port, critical, outcome, percept, receivedNanos)) waker.wake { !handOver.isReady() }
+        }
+
         override fun close() {
             sensing.close()
             activities -= port
@@ -227,7 +276,10 @@ internal class AgentIo(
     private inner class User(private val owner: String) : PortUser, SensingListener {
         override fun use(port: OpenPort): AutoCloseable {
             val commands = CommandSender(port.link, owner, platform) { lost(port, it) }
-            return Activity(port, commands, Sensing(port, owner, this, platform)).also { activities[port] = it }
+            return Activity(port, commands, Sensing(port, owner, this, platform)).also {
+                activities[port] = it
+                port.link.onBoardEvents(it)
+            }
         }
 
         override fun opened(port: OpenPort) {
@@ -251,8 +303,10 @@ internal class AgentIo(
 
         override fun request(port: OpenPort) = if (port.link.protocol() == Protocol.V2) percepts.request else PerceptsRequest.ALL
 
-        override fun received(port: OpenPort, message: String, receivedNanos: Long) {
-            if (!percepts.received(port, message, receivedNanos)) return
+        override fun mayReport(port: OpenPort) = activities[port]?.rules?.isEmpty == false
+
+        override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) {
+            if (!percepts.received(port, message, askedNanos, receivedNanos)) return
             stale.renew()
             waker.wake { !handOver.isReady() && stale.isEmpty() }
         }

@@ -32,6 +32,7 @@ internal class ObservedArch(
     override fun filterNames() = filterNames(arch.ts.ag)
     override fun filter(name: String) = filterOf(arch.ts.ag, name)
     override fun explain(percept: String) = arch.io.explain(percept)
+    override fun criticalRules() = arch.io.criticalRules()
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = later(done) { arch.perceiveThrough(filter) }
     override fun perceive(open: Boolean, done: () -> Unit) = later(done) { arch.io.perceive(open) }
     override fun wake() = waker.wake { true }

@@ -3,45 +3,104 @@ package argo.acting
 import argo.calls.Failure
 import argo.calls.failureOf
 import argo.filters.CriticalRule
+import argo.filters.jason.PerceptReader
+import argo.filters.jason.PerceptSyntaxException
+import argo.observing.RuleWatcher
 import argo.platform.RateLimitedWarning
 import argo.ports.OpenPort
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.InternalActionLiteral
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+import javino.wire.ReflexOutcome
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Sends the reflexes of critical rules: once when a rule begins to be met, and again with each message that meets it until the command has
- * gone out or, in version 2, the board has acted or refuses it. Not again while the rule stays met. Safe for use by several threads.
+ * The reflexes of critical rules, and the beliefs about their outcomes. Safe for use by several threads.
+ *
+ * A rule that the computer watches has its reflex sent when it begins to be met, and again with each message that meets it until the
+ * command has gone out or, in version 2, the board has acted or refuses it. Not again while the rule stays met.
+ *
+ * A rule that the board watches has its reflex carried out by the board, which reports that. A report can be lost, and a board can read a
+ * strange percept otherwise; so if a second message meets the rule without a report, the computer sends the reflex.
  *
  * @param send sends a command to the board on a port before all that waits; calls its last argument once with the outcome, on any thread
+ * @param isBoards whether the board on a port watches a rule
+ * @param ended takes each outcome, and the reason if the reflex has failed; on any thread
  * @param warning takes the failures of reflexes
  */
-internal class Reflexes(private val send: (OpenPort, String, (Failure?) -> Unit) -> Unit, private val warning: RateLimitedWarning) {
-    private enum class Phase { UNDER_WAY, FAILED, DONE }
+internal class Reflexes(
+    private val send: (OpenPort, String, (Failure?) -> Unit) -> Unit,
+    private val isBoards: (OpenPort, CriticalRule) -> Boolean,
+    private val ended: (CriticalRule, RuleWatcher, Failure?) -> Unit,
+    private val warning: RateLimitedWarning,
+) {
+    private enum class Phase { BEGUN, LEFT_TO_BOARD, UNDER_WAY, FAILED, DONE }
 
     /** One reflex from when its rule begins to be met until it ends to be. */
     private class Run {
-        var phase = Phase.UNDER_WAY
+        var phase = Phase.BEGUN
+
+        /** The last outcome; null: none is known yet. */
+        var isDone: Boolean? = null
     }
 
     private val lock = ReentrantLock()
-    private val runs = HashMap<CriticalRule, Run>()
+    private val runs = LinkedHashMap<CriticalRule, Run>()
+    private var version = 0L
+    private var believedVersion = 0L
 
-    /** The newest message of the board on [port] meets the rules [met], and no others. */
-    fun perceived(port: OpenPort, met: Collection<CriticalRule>) {
+    /**
+     * What was perceived last of the board on [port] meets the rules [met], and no others.
+     *
+     * @param isMessage whether it is a message, in which a rule that begins to be met may be seen before its report; else it is a report
+     */
+    fun perceived(port: OpenPort, met: Collection<CriticalRule>, isMessage: Boolean = true) {
         val due = lock.withLock {
-            runs.keys.retainAll(met.toSet())
-            met.distinct().filter { it.reflex != null }.mapNotNull { rule -> dueRun(rule)?.let { rule to it } }
+            keep(met)
+            met.distinct().filter { it.reflex != null && isDue(runs.getOrPut(it, ::Run), isMessage, isBoards(port, it)) }
+                .map { it to runs.getValue(it) }
         }
         due.forEach { (rule, run) -> start(port, rule, run) }
     }
 
-    /** What was met is of another time, place or filter. */
-    fun forget() = lock.withLock { runs.clear() }
+    /** A board has reported that [rule] has begun to be met, and what became of its reflex. */
+    fun reported(rule: CriticalRule, outcome: ReflexOutcome) {
+        if (rule.reflex == null || outcome == ReflexOutcome.NONE) return
+        val isDone = outcome == ReflexOutcome.CARRIED_OUT
+        lock.withLock { note(runs.getOrPut(rule, ::Run), Phase.DONE, isDone) }
+        tell(rule, RuleWatcher.BOARD, if (isDone) null else Failure("act_refused", "the board, which watches the rule, refuses it"))
+    }
 
-    /** The run of [rule] if its command is to be sent now. */
-    private fun dueRun(rule: CriticalRule): Run? = when (runs[rule]?.phase) {
-        null, Phase.FAILED -> Run().also { runs[rule] = it }
-        Phase.UNDER_WAY, Phase.DONE -> null
+    /** What was met is of another time or place. */
+    fun forget() = keepOnly(emptyList())
+
+    /** Only [rules] are watched from now on. Those of them that are met stay met. */
+    fun keepOnly(rules: Collection<CriticalRule>) = lock.withLock { keep(rules) }
+
+    private fun keep(rules: Collection<CriticalRule>) {
+        if (runs.keys.retainAll(rules.toSet())) version++
+    }
+
+    /** Whether the beliefs have changed since [beliefs] was asked last. */
+    fun hasNews(): Boolean = lock.withLock { version != believedVersion }
+
+    /** The outcomes of the reflexes whose rules are met, as `reflex(stop,done)` or `reflex(stop,failed)`. */
+    fun beliefs(): List<Literal> = lock.withLock {
+        believedVersion = version
+        runs.mapNotNull { (rule, run) -> run.isDone?.let { belief(rule, it) } }.distinct()
+    }
+
+    /** Whether the command of [run] is to be sent now, whose rule is met. */
+    private fun isDue(run: Run, isMessage: Boolean, isBoards: Boolean): Boolean {
+        val isDue = when (run.phase) {
+            Phase.BEGUN, Phase.FAILED -> !isBoards
+            Phase.LEFT_TO_BOARD -> !isBoards || isMessage
+            Phase.UNDER_WAY, Phase.DONE -> return false
+        }
+        if (isDue) run.phase = Phase.UNDER_WAY else if (isMessage) run.phase = Phase.LEFT_TO_BOARD
+        return isDue
     }
 
     private fun start(port: OpenPort, rule: CriticalRule, run: Run) {
@@ -55,9 +114,40 @@ internal class Reflexes(private val send: (OpenPort, String, (Failure?) -> Unit)
 
     private fun end(rule: CriticalRule, run: Run, failure: Failure?) {
         val isFinal = failure == null || failure.error == "act_refused" // asking again would be refused again
-        lock.withLock { run.phase = if (isFinal) Phase.DONE else Phase.FAILED }
+        lock.withLock { if (run.phase == Phase.UNDER_WAY) note(run, if (isFinal) Phase.DONE else Phase.FAILED, failure == null) }
+        tell(rule, RuleWatcher.COMPUTER, failure)
+    }
+
+    private fun note(run: Run, phase: Phase, isDone: Boolean) {
+        run.phase = phase
+        if (run.isDone != isDone) version++
+        run.isDone = isDone
+    }
+
+    private fun tell(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
         if (failure != null) warning.report("$rule ${failure.error}") {
             "the reflex ${rule.reflex} of the critical rule on ${rule.rule} has failed: ${failure.cause}"
+        }
+        ended(rule, watcher, failure)
+    }
+
+    companion object {
+        /** The functor of the beliefs. */
+        const val FUNCTOR = "reflex"
+        private const val DONE = "done"
+        private const val FAILED = "failed"
+
+        /** The atoms that can be an outcome. */
+        val OUTCOMES = setOf(DONE, FAILED)
+
+        private fun belief(rule: CriticalRule, isDone: Boolean): Literal =
+            ASSyntax.createLiteral(FUNCTOR, commandOf(rule.reflex.orEmpty()), ASSyntax.createAtom(if (isDone) DONE else FAILED))
+
+        /** The command as a literal, or as a string where it is none. */
+        private fun commandOf(text: String): Term = try {
+            PerceptReader.read(text).takeIf { it.isGround && it.isLiteral && it !is InternalActionLiteral } ?: ASSyntax.createString(text)
+        } catch (_: PerceptSyntaxException) {
+            ASSyntax.createString(text)
         }
     }
 }

@@ -1,5 +1,6 @@
 package argo.observing
 
+import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 
 /**
@@ -24,6 +25,12 @@ interface AgentObserver : AutoCloseable {
 
     /** [command] has been sent, or the board has acted; else [failure] is the reason. Called once for each [commandIssued]. */
     fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = Unit
+
+    /**
+     * The outcome of [reflex] is known, which the agent believes as `reflex(Command,done)` or `reflex(Command,failed)`. Reflexes that the
+     * computer sends are reported as commands too.
+     */
+    fun reflexEnded(reflex: EndedReflex) = Unit
 
     /**
      * A port has changed its state.
@@ -71,6 +78,22 @@ interface PerceivedMessage {
  * @property issuedNanos when it was issued, in ns of [ObservedAgent.nanos]
  */
 data class IssuedCommand(val number: Long, val port: String, val text: String, val issuedNanos: Long)
+
+/** Who watches a critical rule, and has its reflex carried out. The [word] is for people. */
+enum class RuleWatcher(val word: String) {
+    BOARD("the board"),
+    COMPUTER("the computer"),
+}
+
+/**
+ * The reflex of a critical rule, and what became of it.
+ *
+ * @property rule the critical rule
+ * @property watcher who had it carried out
+ * @property failure why it was not carried out; null: it was
+ * @property nanos when the outcome was known, in ns of [ObservedAgent.nanos]
+ */
+data class EndedReflex(val rule: CriticalRule, val watcher: RuleWatcher, val failure: CommandFailure?, val nanos: Long)
 
 /** Why a command was not carried out, as far as is known. */
 interface CommandFailure {

@@ -1,5 +1,6 @@
 package argo.observing
 
+import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import jason.bb.BeliefBase
 
@@ -39,6 +40,9 @@ interface ObservedAgent {
     /** Why the active filter keeps or drops the percept [percept], in words. */
     fun explain(percept: String): String
 
+    /** The critical rules of the active filter, in its order, and who watches each. */
+    fun criticalRules(): List<WatchedRule>
+
     /** Has it perceive through [filter], null being none, before its next cycle; then its thread calls [done]. */
     fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit)
 
@@ -48,6 +52,9 @@ interface ObservedAgent {
     /** Has it run a reasoning cycle soon. */
     fun wake()
 }
+
+/** A critical rule of an agent's filter, and who watches it now. */
+data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
 
 /**
  * A port that an agent has asked for.

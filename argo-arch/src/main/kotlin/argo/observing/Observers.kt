@@ -1,5 +1,6 @@
 package argo.observing
 
+import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicLong
@@ -30,6 +31,12 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
             each { it.commandEnded(command, failure) }
             outcome(failure)
         }
+    }
+
+    fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: CommandFailure?) {
+        if (guarded.isEmpty()) return
+        val reflex = EndedReflex(rule, watcher, failure, nanos())
+        each { it.reflexEnded(reflex) }
     }
 
     fun portChanged(port: String, status: String, reason: String?) = each { it.portChanged(port, status, reason) }

@@ -1,5 +1,6 @@
 package argo.perception
 
+import argo.acting.Reflexes
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
 import argo.filters.matching.piecesOf
@@ -52,6 +53,8 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
                 Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
             literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 ->
                 Reading.Unreadable("stale/1 is the belief that a port is silent, which no board can claim")
+            literal.functor == Reflexes.FUNCTOR && literal.arity == 2 && isOneOf(Reflexes.OUTCOMES, literal.getTerm(1)) ->
+                Reading.Unreadable("reflex/2 with done or failed is the belief about a reflex's outcome, which no board can claim")
             claimsToBeAPort(literal) ->
                 Reading.Unreadable("port/2 with on, off or timeout is the belief about a port's state, which no board can claim")
             else -> Reading.Belief(ownSource(literal))
@@ -87,7 +90,9 @@ private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term 
     term is Literal && ((0 until term.arity).any { isComputed(term.getTerm(it)) } || term.hasAnnot() && term.annots.any(::isComputed))
 
 private fun claimsToBeAPort(literal: Literal) =
-    literal.functor == "port" && literal.arity == 2 && (literal.getTerm(1) as? Literal)?.functor in PortStatus.WORDS // off[x] matches off
+    literal.functor == "port" && literal.arity == 2 && isOneOf(PortStatus.WORDS, literal.getTerm(1))
+
+private fun isOneOf(words: Set<String>, term: Term) = (term as? Literal)?.functor in words // off[x] matches off
 
 /** [literal] without the sources it claims: what a board sends is a percept and nothing else. */
 private fun ownSource(literal: Literal): Literal {

@@ -1,13 +1,16 @@
 package argo.perception
 
 import argo.acting.Reflexes
+import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.filters.jason.MessagePerception
 import argo.filters.jason.MessageSession
 import argo.filters.matching.Explanation
 import argo.filters.matching.perceptsOf
 import argo.ports.OpenPort
+import jason.asSyntax.Literal
 import javino.PerceptsRequest
+import javino.wire.ReflexOutcome
 import java.util.concurrent.locks.Lock
 import java.util.logging.Level
 import java.util.logging.Logger
@@ -42,7 +45,14 @@ internal class BoardPercepts(
     private val nowMs: () -> Long,
 ) {
     private val session = MessageSession(reader::read, limit::limited)
+    private val reports = ReportedPercepts()
+    private var message: List<String> = emptyList() // the newest one, without reports
     private var newest: Snapshot? = null
+
+    /** The critical rules of the active filter. */
+    @Volatile
+    var critical: List<CriticalRule> = emptyList()
+        private set
 
     @Volatile
     private var dueMs: Long? = null
@@ -57,18 +67,56 @@ internal class BoardPercepts(
         request = perceptsRequest(filter)
         session.switchTo(filter)
         dueMs = null
-        reflexes.forget()
-        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos) }
+        critical = filter?.critical.orEmpty()
+        reflexes.keepOnly(critical)
+        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.isSeen) }
     }
 
     /**
-     * Makes and leaves the snapshot of a [message] from [port], whose last byte came at [receivedNanos] by the platform's clock.
+     * Makes and leaves the snapshot of a [message] from [port], whose last byte came at [receivedNanos] by the platform's clock. What the
+     * board has [reported] since it was asked for the message, at [askedNanos], stays.
      * @return whether the message was wanted
      */
-    fun received(port: OpenPort, message: String, receivedNanos: Long): Boolean {
+    fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long): Boolean {
         val texts = perceptsOf(message)
-        return lock.withLock { isWanted(port).also { if (it) perceive(port, texts, receivedNanos) } }
+        return lock.withLock {
+            isWanted(port).also {
+                if (it) {
+                    reports.dropBefore(askedNanos)
+                    this.message = texts
+                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, besides(reports.texts))
+                }
+            }
+        }
     }
+
+    /**
+     * Makes and leaves the snapshot of the newest message from [port] with [percept] in it, which the board has reported at [receivedNanos]
+     * because it meets [rule].
+     *
+     * @param outcome what became of the rule's reflex
+     * @return whether the report was wanted
+     */
+    fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long): Boolean {
+        val text = perceptsOf(percept).firstOrNull()
+        return lock.withLock {
+            isWanted(port).also {
+                if (it) {
+                    reflexes.reported(rule, outcome)
+                    if (text != null) place(port, rule, text, receivedNanos)
+                }
+            }
+        }
+    }
+
+    private fun place(port: OpenPort, rule: CriticalRule, text: String, receivedNanos: Long) {
+        reports.add(rule, text, receivedNanos)
+        val news = reader.read(text).toSet()
+        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false) { it in news }
+    }
+
+    private fun besides(texts: List<String>): ((Literal) -> Boolean)? =
+        if (texts.isEmpty()) null else texts.flatMap(reader::read).toSet().let { older -> { it !in older } }
 
     /**
      * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait for the sensing
@@ -78,7 +126,7 @@ internal class BoardPercepts(
         if (dueInMs() != 0L || !lock.tryLock()) return
         try {
             val last = newest ?: return
-            session.due(nowMs())?.let { leave(last.port, it, last.receivedNanos) }
+            session.due(nowMs())?.let { leave(last.port, it, last.receivedNanos, last.isSeen) }
         } finally {
             lock.unlock()
         }
@@ -90,28 +138,37 @@ internal class BoardPercepts(
     /** Forgets what has not been handed over, what is held back and which rules are met: it is of another time or place. */
     fun forget() = lock.withLock {
         newest = null
+        message = emptyList()
         dueMs = null
+        reports.clear()
         handOver.clear()
         reflexes.forget()
     }
 
     /** Why the active filter keeps or drops the text [percept]. */
-    fun explain(percept: String): String = lock.withLock { session.explain(percept, nowMs()).toString() }
+    fun explain(percept: String): Explanation = lock.withLock { session.explain(percept, nowMs()) }
 
-    private fun perceive(port: OpenPort?, texts: List<String>, receivedNanos: Long) {
+    private fun perceive(
+        port: OpenPort?,
+        texts: List<String>,
+        receivedNanos: Long,
+        isMessage: Boolean,
+        isSeen: ((Literal) -> Boolean)?,
+    ) {
         reader.expect(texts.size)
         explainTo(log, texts)
         val perception = session.perceive(texts, nowMs())
-        if (port != null) reflexes.perceived(port, perception.critical.map { it.rule })
-        leave(port, perception, receivedNanos)
+        if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
+        leave(port, perception, receivedNanos, isSeen)
     }
 
-    private fun leave(port: OpenPort?, perception: MessagePerception, receivedNanos: Long) {
+    private fun leave(port: OpenPort?, perception: MessagePerception, receivedNanos: Long, isSeen: ((Literal) -> Boolean)?) {
         val texts = perception.texts
-        lastSeen.seen(perception.seen, perception.percepts, receivedNanos)
+        lastSeen.seen(if (isSeen == null) perception.seen else perception.seen.filter(isSeen), perception.percepts, receivedNanos)
         dueMs = texts.nextDueMs
         val snapshot = Snapshot(
             port, texts.received, texts.kept, perception.percepts, receivedNanos, perception.critical, perception.unreadable,
+            isSeen,
         )
         newest = snapshot
         observer(snapshot)

@@ -15,6 +15,7 @@ import jason.asSyntax.Literal
  * @property receivedNanos when the message's last byte came, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable those of [kept] that cannot be believed
+ * @property isSeen which of [percepts] came at [receivedNanos]; null: all. The others are of an older message
  */
 internal class Snapshot(
     val port: OpenPort?,
@@ -24,6 +25,7 @@ internal class Snapshot(
     override val receivedNanos: Long,
     val critical: List<CriticalPercept<Literal>> = emptyList(),
     override val unreadable: Set<String> = emptySet(),
+    val isSeen: ((Literal) -> Boolean)? = null,
 ) : PerceivedMessage {
     override val portName: String get() = port?.link?.port().orEmpty()
 }

@@ -22,8 +22,11 @@ internal interface SensingListener {
     /** The request that the board is to answer. */
     fun request(port: OpenPort): String
 
-    /** A message came; its last byte at [receivedNanos] by the platform's clock. */
-    fun received(port: OpenPort, message: String, receivedNanos: Long)
+    /** Whether the board on [port] may report critical percepts between two messages. Any thread. */
+    fun mayReport(port: OpenPort): Boolean
+
+    /** A message came that was asked for at [askedNanos], by the platform's clock; its last byte came at [receivedNanos]. */
+    fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long)
 
     /** The board did not answer in time. */
     fun unanswered(port: OpenPort, trouble: PortTimeoutException)
@@ -52,6 +55,7 @@ internal class Sensing(
     private val changed = lock.newCondition()
     private var closed = false
     private var lastStart: Long? = null
+    private var askedNanos = clock.nanos()
     private val unanswered = UnansweredRequests()
     private var isTimedOut = false
     private val isPaced = port.link.settings().paced()
@@ -86,6 +90,7 @@ internal class Sensing(
     /** Waits until the next request is due; false if it is time to look at the line before. */
     private fun awaitTurn(): Boolean = lock.withLock {
         var wait = nanosUntilDue()
+        if (wait >= SLICE_NANOS && mayReport()) return false // the line is read instead
         if (wait > WATCH_NANOS) {
             clock.await(changed, WATCH_NANOS)
             wait = nanosUntilDue()
@@ -104,10 +109,19 @@ internal class Sensing(
         else -> lastStart?.let { it + TimeUnit.MILLISECONDS.toNanos(listener.intervalMs.toLong()) - clock.nanos() } ?: 0
     }
 
+    private fun mayReport() = isPaced && !port.options.listens && listener.mayReport(port)
+
     /** Looks at the line. Messages that nobody wants now are dropped, but where the agent's own thread takes them. */
     private fun watch(): Boolean = using {
-        if (isPaced) port.link.heard(LOOK_MS)?.let { port.hasSpoken = true } else port.link.check()
+        when {
+            !isPaced -> port.link.check()
+            mayReport() -> port.link.watch(sliceMs())
+            else -> port.link.heard(LOOK_MS)?.let { port.hasSpoken = true }
+        }
     }
+
+    /** How long the line is read at once: not beyond the next request, and so short that a change of what the agent wants waits little. */
+    private fun sliceMs(): Int = lock.withLock { TimeUnit.NANOSECONDS.toMillis(nanosUntilDue()) }.coerceIn(1, MAX_SLICE_MS).toInt()
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
     fun exchange(): Boolean = using {
@@ -117,13 +131,19 @@ internal class Sensing(
             lock.withLock { unanswered.clear() }
             if (isTimedOut) listener.answeredAgain(port)
             isTimedOut = false
-            listener.received(port, reply.text(), reply.receivedNanos())
+            listener.received(port, reply.text(), askedNanos, reply.receivedNanos())
+            if (port.options.listens) askedNanos = reply.receivedNanos() // the next message may have been begun since
         }
     }
 
     private fun ask(): Reply =
-        if (isPaced) port.link.request({ listener.request(port) }, port.options.timeoutMs, listener.intervalMs)
-        else port.link.request(listener.request(port), port.options.timeoutMs)
+        if (isPaced) port.link.request(::requestNow, port.options.timeoutMs, listener.intervalMs)
+        else port.link.request(requestNow(), port.options.timeoutMs)
+
+    private fun requestNow(): String {
+        askedNanos = clock.nanos()
+        return listener.request(port)
+    }
 
     /** Does [work] with the line; false when the port is lost. */
     private fun using(work: () -> Unit): Boolean = try {
@@ -168,6 +188,8 @@ internal class Sensing(
         /** How long a device may be gone before it is noticed, while nothing is asked of it. */
         val WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(100)
         const val LOOK_MS = 1
+        const val MAX_SLICE_MS = 10L
+        val SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(1)
     }
 }
 

@@ -13,6 +13,7 @@ import jason.asSyntax.ASSyntax
 import javino.Link
 import javino.LinkSettings
 import javino.sim.FakeBoard
+import javino.wire.ReflexOutcome
 import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Logger
 
@@ -29,13 +30,13 @@ private class Perceiving(private val port: OpenPort) {
     private val warning = RateLimitedWarning({ 0 }) { error(it) }
     private val handOver = FreshHandOver(CommandLedger { null }, PerceptEvents({ false }, { 0 }) { emptyList() })
     val board = BoardPercepts(
-        ReentrantLock(), { wants }, handOver, Reflexes({ _, _, _ -> reflexes++ }, warning), { },
+        ReentrantLock(), { wants }, handOver, Reflexes({ _, _, _ -> reflexes++ }, { _, _ -> false }, { _, _, _ -> }, warning), { },
         BeliefReader { error(it) }, Logger.getLogger("test"), PerceptLimit(1000, warning), LastSeen { emptyList() }, { nowMs },
     )
     private var perceived = ""
 
     /** The sensing thread has read [message]. */
-    fun hears(message: String) = board.received(port, message, nowMs)
+    fun hears(message: String) = board.received(port, message, nowMs, nowMs)
 
     /** The agent's thread begins a reasoning cycle; returns what it believes of the board in it. */
     fun perceive(): String {
@@ -91,6 +92,20 @@ class BoardPerceptsInterleavingsSpec : FunSpec({
             check(agent.reflexes == sent) { "a reflex is sent" }
             val perceived = agent.perceive()
             check(perceived == "") { "perceived: $perceived" }
+        }
+    }
+
+    test("a report of the board's is not lost in an answer that was asked for before it") {
+        val rule = careful.critical.single()
+        inEachInterleaving {
+            val agent = Perceiving(port)
+            agent.board.switchTo(careful)
+            concurrently(
+                { agent.board.received(port, "near(1);light(3);", 1, 3) },
+                { agent.board.reported(port, rule, ReflexOutcome.CARRIED_OUT, "near(2);", 2) },
+            )
+            val perceived = generateSequence { agent.perceive().takeIf { it != "" } }.take(3).last()
+            check("near(2)" in perceived) { "perceived: $perceived" }
         }
     }
 })

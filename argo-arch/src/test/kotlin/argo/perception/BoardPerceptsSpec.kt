@@ -2,16 +2,26 @@ package argo.perception
 
 import argo.acting.CommandLedger
 import argo.acting.Reflexes
+import argo.filters.Condition
+import argo.filters.CriticalRule
+import argo.filters.GroundTerm
+import argo.filters.Operator
+import argo.filters.PerceptionFilter
+import argo.filters.Rule
+import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.platform.RateLimitedWarning
 import argo.ports.OpenPort
 import argo.ports.PortOptions
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax
 import javino.Link
 import javino.LinkSettings
 import javino.sim.FakeBoard
+import javino.wire.ReflexOutcome
 import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Logger
 
@@ -23,12 +33,27 @@ private class PerceptsBench(port: OpenPort) {
     private val sent = ArrayList<String>()
     private val handOver = FreshHandOver(CommandLedger { null }, PerceptEvents { emptyList() })
     private val port = port
+    var isBoards = false
+    private val lastSeen = LastSeen { emptyList() }
+    private val unreadable = ArrayList<String>()
+    val beliefs: List<String> get() = reflexBeliefs.beliefs().map { "$it" }
+    private val reflexBeliefs = Reflexes({ _, command, _ -> sent += command }, { _, _ -> isBoards }, { _, _, _ -> }, warning)
     val board = BoardPercepts(
-        ReentrantLock(), { wants }, handOver, Reflexes({ _, command, _ -> sent += command }, warning), { },
-        BeliefReader { error(it) }, Logger.getLogger("test"), PerceptLimit(1000, warning), LastSeen { emptyList() }, { nowMs },
+        ReentrantLock(), { wants }, handOver, reflexBeliefs, { },
+        BeliefReader { unreadable += it }, Logger.getLogger("test"), PerceptLimit(1000, warning), lastSeen, { nowMs },
     )
 
-    fun hears(message: String) = board.received(port, message, nowMs)
+    fun hears(message: String, askedMs: Long = nowMs) = board.received(port, message, askedMs, nowMs)
+
+    /** The board reports a percept that meets [rule]. */
+    fun isTold(percept: String, rule: CriticalRule, outcome: ReflexOutcome = ReflexOutcome.CARRIED_OUT) =
+        board.reported(port, rule, outcome, percept, nowMs)
+
+    /** When a percept was seen last. */
+    fun seenMs(percept: String) = lastSeen.lastSeenNanos(ASSyntax.parseLiteral(percept))
+
+    /** Warnings about percepts since the last call. */
+    fun refused(): List<String> = unreadable.toList().also { unreadable.clear() }
 
     /** What the agent perceives now. */
     fun perceived() = handOver.take()?.percepts?.map { "$it" }
@@ -107,6 +132,132 @@ class BoardPerceptsSpec : FunSpec({
             board.switchTo(careful)
             reflexes() shouldBe listOf("stop")
             perceived() shouldBe listOf("near")
+        }
+    }
+
+    context("a percept that the board reports by itself") {
+        val rule = CriticalRule(Rule("dist", Condition.Argument(1, TermTest.Compare(Operator.LT, GroundTerm.of("15")))), "stop")
+        val near = PerceptionFilter("near", emptyList(), critical = listOf(rule))
+
+        fun reporting(work: PerceptsBench.() -> Unit) = perceiving {
+            isBoards = true
+            board.switchTo(near)
+            hears("dist(f,90);dist(b,80);light(4);")
+            perceived()
+            nowMs = 10
+            work()
+        }
+
+        test("takes the place of its sensor's in the newest message, and its age alone is new") {
+            reporting {
+                isTold("dist(b,9);", rule) shouldBe true
+                perceived() shouldBe listOf("dist(f,90)", "dist(b,9)", "light(4)")
+                seenMs("dist(b,9)") shouldBe 10
+                seenMs("dist(f,90)") shouldBe 0
+                beliefs shouldBe listOf("reflex(stop,done)")
+                reflexes().shouldBeEmpty()
+            }
+        }
+
+        test("stands behind the others if no sensor had it, and alone before the first message") {
+            reporting {
+                isTold("dist(left,9);", rule)
+                perceived() shouldBe listOf("dist(f,90)", "dist(b,80)", "light(4)", "dist(left,9)")
+                board.forget()
+                isTold("dist(left,9);", rule)
+                perceived() shouldBe listOf("dist(left,9)")
+            }
+        }
+
+        test("among sensors with numbers for names it is the one that it shares most with") {
+            reporting {
+                hears("dist(1,90);dist(2,80);dist(3,70);")
+                perceived()
+                nowMs = 20
+                isTold("dist(2,9);", rule)
+                perceived() shouldBe listOf("dist(1,90)", "dist(2,9)", "dist(3,70)")
+            }
+        }
+
+        test("stays in an answer that was asked for before it, and is gone with the next one") {
+            reporting {
+                isTold("dist(b,9);", rule)
+                perceived()
+                nowMs = 30
+                hears("dist(f,89);dist(b,79);light(5);", askedMs = 5)
+                perceived() shouldBe listOf("dist(f,89)", "dist(b,9)", "light(5)")
+                beliefs shouldBe listOf("reflex(stop,done)")
+                seenMs("dist(b,9)") shouldBe 10
+                seenMs("light(5)") shouldBe 30
+                nowMs = 50
+                hears("dist(f,88);dist(b,78);light(6);", askedMs = 35)
+                perceived() shouldBe listOf("dist(f,88)", "dist(b,78)", "light(6)")
+                beliefs.shouldBeEmpty()
+                reflexes().shouldBeEmpty()
+            }
+        }
+
+        test("is nothing to an agent that does not perceive any more") {
+            reporting {
+                wants = false
+                board.forget()
+                isTold("dist(b,9);", rule) shouldBe false
+                perceived() shouldBe null
+                beliefs.shouldBeEmpty()
+            }
+        }
+
+        test("goes through the filter as any other") {
+            perceiving {
+                isBoards = true
+                board.switchTo(PerceptionFilter("noDist", listOf(Rule("dist")), critical = listOf(rule)))
+                hears("dist(f,90);light(4);")
+                perceived() shouldBe listOf("light(4)")
+                isTold("dist(f,9);", rule)
+                perceived() shouldBe listOf("dist(f,9)", "light(4)")
+                isTold("dist(f,20);", rule) // which does not meet it
+                perceived() shouldBe listOf("light(4)")
+                beliefs.shouldBeEmpty()
+            }
+        }
+
+        test("may hold anything: it costs itself alone") {
+            val claims = listOf("X;", "port(ttyACM0,off);", "reflex(stop,done);", "stale(p);")
+            for (text in claims + listOf("", ";", ";;;", "dist(;", "dist(b,9", "\u0000\u0001;", "A".repeat(250))) {
+                reporting {
+                    isTold(text, rule) shouldBe true
+                    nowMs = 20
+                    hears("dist(f,90);light(4);")
+                    perceived() shouldBe listOf("dist(f,90)", "light(4)")
+                }
+            }
+        }
+
+        test("stays once for each rule, whatever the board reports") {
+            reporting {
+                repeat(1_000) { isTold("p${"x".repeat(it % 97)}y${"z".repeat(it % 89)};", rule) }
+                perceived()!!.size shouldBe 4
+                isTold("q;", CriticalRule(Rule("q")))
+                perceived()!!.size shouldBe 5
+                nowMs = 20
+                hears("light(4);")
+                perceived() shouldBe listOf("light(4)")
+            }
+        }
+
+        test("of several in one report the first counts") {
+            reporting {
+                isTold("dist(f,9);dist(b,8);", rule)
+                perceived() shouldBe listOf("dist(f,9)", "dist(b,80)", "light(4)")
+            }
+        }
+    }
+
+    test("a board claims no outcome of a reflex") {
+        perceiving {
+            hears("reflex(stop,done);reflex(stop,failed);reflex(stop,soon);reflex(stop);")
+            perceived() shouldBe listOf("reflex(stop,soon)", "reflex(stop)")
+            refused().first() shouldContain "reflex/2 with done or failed is the belief about a reflex's outcome"
         }
     }
 })

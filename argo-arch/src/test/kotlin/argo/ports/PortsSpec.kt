@@ -45,7 +45,8 @@ private class PortsBench : AutoCloseable {
         override val intervalMs get() = 50
         override fun isSensed(port: OpenPort) = false
         override fun request(port: OpenPort) = PerceptsRequest.ALL
-        override fun received(port: OpenPort, message: String, receivedNanos: Long) = Unit
+        override fun mayReport(port: OpenPort) = false
+        override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) = Unit
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = Unit
         override fun answeredAgain(port: OpenPort) = Unit
         override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)

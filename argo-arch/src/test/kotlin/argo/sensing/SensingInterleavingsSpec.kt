@@ -79,7 +79,9 @@ private class Wishes : SensingListener {
 
     override fun request(port: OpenPort) = "getPercepts"
 
-    override fun received(port: OpenPort, message: String, receivedNanos: Long) = error("the board is silent")
+    override fun mayReport(port: OpenPort) = false
+
+    override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) = error("the board is silent")
 
     override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = error("unanswered")
 

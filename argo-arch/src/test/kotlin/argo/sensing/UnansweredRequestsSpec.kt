@@ -26,7 +26,8 @@ class UnansweredRequestsSpec : FunSpec({
         override val intervalMs get() = 50
         override fun isSensed(port: OpenPort) = true
         override fun request(port: OpenPort) = PerceptsRequest.ALL
-        override fun received(port: OpenPort, message: String, receivedNanos: Long) = events.plusAssign("received")
+        override fun mayReport(port: OpenPort) = false
+        override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) = events.plusAssign("received")
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = events.plusAssign("unanswered")
         override fun answeredAgain(port: OpenPort) = Unit
         override fun lost(port: OpenPort, trouble: PortException) = events.plusAssign("lost: ${trouble.message}")

@@ -4,6 +4,7 @@ import argo.filters.PerceptionFilter
 import argo.observing.AgentObserver
 import argo.observing.AgentObserverProvider
 import argo.observing.CommandFailure
+import argo.observing.EndedReflex
 import argo.observing.IssuedCommand
 import argo.observing.ObservedAgent
 import argo.observing.PerceivedMessage
@@ -21,6 +22,8 @@ internal class Diary(val agent: ObservedAgent) : AgentObserver {
     override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = note("ended ${command.number} ${failure?.error ?: "well"}")
     override fun portChanged(port: String, status: String, reason: String?) = note("port $port $status")
     override fun filterChanged(filter: PerceptionFilter?) = note("filter ${filter?.name}")
+    override fun reflexEnded(reflex: EndedReflex) =
+        note("reflex ${reflex.rule.reflex} by ${reflex.watcher.word} ${reflex.failure?.error ?: "well"}")
     override fun close() = note("closed")
 
     private fun words(message: PerceivedMessage) = "${message.texts} kept ${message.kept} unreadable ${message.unreadable} of ${message.portName}"
@@ -38,6 +41,7 @@ internal class Broken : AgentObserver {
     override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = error("broken")
     override fun portChanged(port: String, status: String, reason: String?) = error("broken")
     override fun filterChanged(filter: PerceptionFilter?) = error("broken")
+    override fun reflexEnded(reflex: EndedReflex) = error("broken")
     override fun cycleFinished() = error("broken")
     override fun close() = error("broken")
     override fun toString() = "an observer that throws"

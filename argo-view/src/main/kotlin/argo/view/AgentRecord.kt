@@ -1,8 +1,10 @@
 package argo.view
 
+import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
+import argo.observing.EndedReflex
 import argo.observing.IssuedCommand
 import argo.observing.ObservedAgent
 import argo.observing.PerceivedMessage
@@ -25,6 +27,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     private val unseen = ArrayDeque<PerceivedMessage>()
     private var lastReceived: Long? = null
     private var filter: PerceptionFilter? = null
+    private val reflexes = HashMap<CriticalRule, EndedReflex>()
     private var lastPerception: Perception? = null
     private var counts = Counts(0, 0, 0, 0)
     private var changes = 0L
@@ -35,7 +38,8 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     /** All that is recorded at [now]. [Recorded.unseen] are the messages since the last call. */
     fun take(now: Long): Recorded = lock.withLock {
         val counted = counts.copy(commands = commands.count)
-        Recorded(counted, filter, lastPerception, unseen.toList(), portChanges.toMap(), commands.state(now)).also { unseen.clear() }
+        Recorded(counted, filter, lastPerception, unseen.toList(), portChanges.toMap(), commands.state(now), reflexes.toMap())
+            .also { unseen.clear() }
     }
 
     override fun messageFiltered(message: PerceivedMessage) = changing {
@@ -60,7 +64,14 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
         if (portChanges.size < MAX_PORTS) portChanges[port] = PortChange(status, reason?.let(::shown), agent.nanos())
     }
 
-    override fun filterChanged(filter: PerceptionFilter?) = changing { this.filter = filter }
+    override fun filterChanged(filter: PerceptionFilter?) = changing {
+        this.filter = filter
+        reflexes.keys.retainAll(filter?.critical.orEmpty().toSet())
+    }
+
+    override fun reflexEnded(reflex: EndedReflex) = changing {
+        if (reflex.rule in filter?.critical.orEmpty()) reflexes[reflex.rule] = reflex
+    }
 
     override fun cycleFinished() {
         lock.withLock { counts = counts.copy(cycles = counts.cycles + 1) }
@@ -89,6 +100,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
  * What a record holds.
  *
  * @property ports how the ports came into their states, by their names
+ * @property reflexes the last outcome of the reflexes of the active filter
  */
 internal class Recorded(
     val counts: Counts,
@@ -97,6 +109,7 @@ internal class Recorded(
     val unseen: List<PerceivedMessage>,
     val ports: Map<String, PortChange>,
     val commands: CommandsState,
+    val reflexes: Map<CriticalRule, EndedReflex>,
 )
 
 /** A port came into the state [status] at [nanos]. */

@@ -1,7 +1,10 @@
 package argo.view
 
+import argo.observing.EndedReflex
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
+import argo.observing.RuleWatcher
+import argo.observing.WatchedRule
 import java.util.logging.Level
 import java.util.logging.Logger
 
@@ -12,13 +15,15 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
     private var shownVersion = -1L
     private var shownBeliefs: BeliefWatch.Picture? = null
     private var shownPicture: Picture? = null
+    private var shownRules: List<WatchedRule> = emptyList()
 
     /** Gives the project's picture. */
     @Volatile
     var picture: () -> Picture? = { null }
 
     /** Whether something has happened since the last [state]; the project's picture may change at any time. */
-    fun hasNews(): Boolean = record.version != shownVersion || record.beliefs.newest !== shownBeliefs || currentPicture() != shownPicture
+    fun hasNews(): Boolean = record.version != shownVersion || record.beliefs.newest !== shownBeliefs || currentPicture() != shownPicture ||
+        agent.criticalRules() != shownRules
 
     /** All there is to show now; [isLast] when the agent has ended. */
     fun state(isLast: Boolean): ViewState {
@@ -26,6 +31,7 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
         shownVersion = record.version
         shownBeliefs = record.beliefs.newest
         shownPicture = currentPicture()
+        shownRules = agent.criticalRules()
         val recorded = record.take(now)
         recorded.unseen.forEach(rows::add)
         return ViewState(
@@ -36,6 +42,7 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
             waitingToStart = recorded.counts.cycles == 0L,
             ended = isLast,
             filter = recorded.filter?.let { FilterState(it.name, shown("$it")) },
+            critical = shownRules.take(MAX_RULES).map { criticalState(it, recorded.reflexes[it.rule], now) },
             ports = agent.ports().map { portState(it, recorded.ports[it.name], now) },
             sensors = sensors(recorded.lastPerception, now),
             beliefs = BeliefsState(shownBeliefs?.let { ms(now - it.nanos) }, shownBeliefs?.total ?: 0, shownBeliefs?.beliefs.orEmpty()),
@@ -53,6 +60,17 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
         null
     }
 
+    private fun criticalState(watched: WatchedRule, reflex: EndedReflex?, now: Long) = CriticalState(
+        rule = shown("${watched.rule}"),
+        watcher = watched.watcher.key,
+        reflex = reflex?.let { if (it.failure == null) "done" else "failed" },
+        by = reflex?.watcher?.key,
+        ageMs = reflex?.let { ms(now - it.nanos) },
+        error = reflex?.failure?.let { shown("${it.error}: ${it.cause}") },
+    )
+
+    private val RuleWatcher.key get() = name.lowercase()
+
     private fun portState(port: ObservedPort, last: PortChange?, now: Long): PortState {
         val change = last?.takeIf { it.status == port.status }
         return PortState(shown(port.name), port.status, port.isInUse, port.isStale, change?.reason, change?.let { ms(now - it.nanos) })
@@ -67,5 +85,9 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
             percepts = percepts,
             more = more,
         )
+    }
+
+    private companion object {
+        const val MAX_RULES = 50
     }
 }

@@ -16,6 +16,7 @@ internal data class ViewState(
     val waitingToStart: Boolean,
     val ended: Boolean,
     val filter: FilterState?,
+    val critical: List<CriticalState>,
     val ports: List<PortState>,
     val sensors: SensorState,
     val beliefs: BeliefsState,
@@ -27,6 +28,26 @@ internal data class ViewState(
 /** The active filter. */
 @Serializable
 internal data class FilterState(val name: String, val words: String)
+
+/**
+ * A critical rule of the active filter.
+ *
+ * @property rule the rule and its reflex in words
+ * @property watcher `board` or `computer`
+ * @property reflex the last outcome of its reflex, `done` or `failed`; null: there was none
+ * @property by who had that reflex carried out, as [watcher]
+ * @property ageMs when that was known
+ * @property error why it failed
+ */
+@Serializable
+internal data class CriticalState(
+    val rule: String,
+    val watcher: String,
+    val reflex: String?,
+    val by: String?,
+    val ageMs: Long?,
+    val error: String?,
+)
 
 /**
  * A port.

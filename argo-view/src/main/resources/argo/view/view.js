@@ -139,6 +139,15 @@ function showFilters(shown) {
   text($('filter-words'), shown.filter ? shown.filter.words : 'Everything that the board sends reaches the agent.');
 }
 
+function showCritical(shown, since) {
+  $('critical').hidden = !shown.critical.length;
+  rows($('critical'), shown.critical.map((rule, i) => [String(i), rule]), ([key]) => key, () => row(), (line, [, rule]) => fill(
+    line, rule.rule, `the ${rule.watcher} watches`, rule.watcher === 'board' ? 'good' : '',
+    rule.ageMs === null ? '' : age(rule.ageMs + since),
+    joined(rule.reflex && `reflex ${rule.reflex} by the ${rule.by}`, rule.error),
+  ));
+}
+
 function showPorts(shown, since) {
   rows($('ports'), shown.ports, port => port.name, () => row(), (line, port) => fill(
     line, port.name, port.status, PORTS[port.status] || '', port.ageMs === null ? '' : age(port.ageMs + since),
@@ -248,6 +257,7 @@ function show() {
   showPicture(shown.picture);
   showFigures(shown, since);
   showFilters(shown);
+  showCritical(shown, since);
   showPorts(shown, since);
   showSensors(shown, since);
   showBeliefs(shown);

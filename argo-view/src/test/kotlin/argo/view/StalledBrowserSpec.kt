@@ -3,6 +3,7 @@ package argo.view
 import argo.filters.PerceptionFilter
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
+import argo.observing.WatchedRule
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import jason.bb.BeliefBase
@@ -69,6 +70,7 @@ internal object Nobody : ObservedAgent {
     override fun filterNames() = emptyList<String>()
     override fun filter(name: String): PerceptionFilter = throw UnsupportedOperationException()
     override fun explain(percept: String) = percept
+    override fun criticalRules() = emptyList<WatchedRule>()
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = done()
     override fun perceive(open: Boolean, done: () -> Unit) = done()
     override fun wake() = Unit

@@ -1,0 +1,62 @@
+package argo.acting
+
+import argo.filters.Condition.Argument
+import argo.filters.CriticalRule
+import argo.filters.GroundTerm
+import argo.filters.Operator
+import argo.filters.Predicate
+import argo.filters.TermTest
+import javino.Frame
+import javino.wire.BoardRule
+import javino.wire.BoardRule.Condition
+import java.math.BigDecimal
+
+/**
+ * [critical] as a rule that a board can watch; null: there is none that decides alike.
+ *
+ * A board compares texts and decimal numbers, so this holds for percepts as boards write them: no namespaces, comments, variables or
+ * expressions, and numbers of at most 15 digits without an exponent.
+ */
+internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
+    val rule = critical.rule
+    if (rule.arity != null || rule.predicate.namespace != Predicate.DEFAULT_NAMESPACE || !WORD.matches(rule.predicate.functor)) return null
+    val conditions = rule.conditions.map { (it as? Argument)?.let(::conditionOf) ?: return null }
+    if (!conditions.all { it.isExact(conditions) }) return null
+    return BoardRule("${rule.predicate}", conditions, critical.reflex).takeIf { it.text(ANY_NUMBER).length <= Frame.MAX_PAYLOAD }
+}
+
+private fun conditionOf(condition: Argument): Condition? {
+    val test = condition.test as? TermTest.Compare ?: return null
+    val value = valueOf(test.value) ?: return null
+    val place = (condition.index + 1).takeIf { it <= Condition.MAX_PLACE } ?: return null
+    return Condition(place, operatorOf(test.operator), value)
+}
+
+/** Of a missing argument a filter's `NE` is false and a board's is true, so another condition must need the argument, or one behind it. */
+private fun Condition.isExact(all: List<Condition>) =
+    operator() != BoardRule.Operator.DIFFERENT || all.any { it.operator() != BoardRule.Operator.DIFFERENT && it.place() >= place() }
+
+private fun operatorOf(operator: Operator): BoardRule.Operator = when (operator) {
+    Operator.EQ -> BoardRule.Operator.EQUAL
+    Operator.NE -> BoardRule.Operator.DIFFERENT
+    Operator.LT -> BoardRule.Operator.LESS
+    Operator.LE -> BoardRule.Operator.AT_MOST
+    Operator.GT -> BoardRule.Operator.GREATER
+    Operator.GE -> BoardRule.Operator.AT_LEAST
+}
+
+private fun valueOf(value: GroundTerm): String? = when (value) {
+    is GroundTerm.Number -> decimalOf(value.value)
+    is GroundTerm.Structure -> value.predicate.functor.takeIf { value == GroundTerm.Structure(Predicate(it)) && PRINTABLE.matches(it) }
+    is GroundTerm.Text, is GroundTerm.Sequence -> null
+}
+
+/** Two decimals of so few digits are equal, or in the same order, as the doubles that they are read into. */
+private fun decimalOf(value: Double): String? =
+    if (value.isInfinite()) null
+    else BigDecimal(value.toString()).stripTrailingZeros().takeIf { it.precision() <= EXACT_DIGITS }?.toPlainString()
+
+private const val ANY_NUMBER = 1
+private const val EXACT_DIGITS = 15
+private val WORD = Regex("[a-z][A-Za-z0-9_]*")
+private val PRINTABLE = Regex("[ -~]+")

@@ -1,0 +1,99 @@
+package argo.acting
+
+import argo.calls.Failure
+import argo.calls.failureOf
+import argo.filters.CriticalRule
+import javino.wire.BoardRule
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * The critical rules that one board watches itself. Keeps them as the agent wishes: those that it wants and a board can watch, in their
+ * order, until the board has no more room. Rules that stay are not sent again. Safe for use by several threads.
+ *
+ * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change a reflex may be
+ * carried out twice, by the board and by the computer, but no percept is missed by both.
+ *
+ * @param wanted the critical rules that the agent wants to be watched now; evaluated under the lock of this object, by any thread
+ * @param submit queues a command to the board, and does not wait; calls its last argument once with the outcome, on any thread
+ */
+internal class BoardRules(
+    private val wanted: () -> List<CriticalRule>,
+    private val submit: (command: String, outcome: (Failure?) -> Unit) -> Unit,
+) {
+    /** A rule that was sent to the board in this session. */
+    private class Held(val number: Int, val rule: CriticalRule) {
+        var isAcknowledged = false
+    }
+
+    private val lock = ReentrantLock()
+    private val held = LinkedHashMap<CriticalRule, Held>()
+    private val refused = HashSet<CriticalRule>()
+    private var wishes: List<CriticalRule> = emptyList()
+    private var room = 0
+    private var lastNumber = 0
+
+    /** Whether the board has been sent rules that it may report. */
+    val isEmpty: Boolean get() = lock.withLock { held.isEmpty() }
+
+    /** A session has begun: the board holds no rule, and has room for as many as [room]. */
+    fun began(room: Int) = lock.withLock {
+        this.room = room
+        held.clear()
+        refused.clear()
+        adjust()
+    }
+
+    /** Sends the board what has changed: the agent may want other rules. */
+    fun renew() = lock.withLock { if (room > 0) adjust() }
+
+    /** Whether the board watches [rule]. */
+    fun isWatching(rule: CriticalRule): Boolean = lock.withLock { held[rule]?.isAcknowledged == true }
+
+    /** The rule that the board knows by [number]; null: there is none. */
+    fun ruleOf(number: Int): CriticalRule? = lock.withLock { held.values.find { it.number == number }?.rule }
+
+    private fun adjust() {
+        val now = wanted().distinct()
+        if (now != wishes) refused.clear() // there may be room now
+        wishes = now
+        val next = now.asSequence().filter { it !in refused }
+            .mapNotNull { rule -> boardRuleOf(rule)?.let { rule to it } }.take(room).toMap()
+        val leaving = held.values.filter { it.rule !in next }
+        leaving.forEach { held -= it.rule }
+        if (held.isEmpty() && leaving.isNotEmpty()) submit(BoardRule.removal(ALL)) { }
+        else leaving.forEach { submit(BoardRule.removal(it.number)) { } }
+        for ((rule, boardRule) in next) if (rule !in held) set(rule, boardRule)
+    }
+
+    private fun set(rule: CriticalRule, boardRule: BoardRule) {
+        val new = Held(freeNumber(), rule)
+        held[rule] = new
+        try {
+            submit(boardRule.text(new.number)) { ended(new, it) }
+        } catch (unsendable: IllegalArgumentException) {
+            ended(new, failureOf(unsendable))
+        }
+    }
+
+    /** The number that was not used for longest, so that a report that is under way is not taken for one of another rule. */
+    private fun freeNumber(): Int {
+        do lastNumber = lastNumber % MAX_NUMBER + 1 while (ruleOf(lastNumber) != null)
+        return lastNumber
+    }
+
+    /** What was not acknowledged stays with the computer. If it was not refused the board may have it all the same. */
+    private fun ended(entry: Held, failure: Failure?) = lock.withLock {
+        if (held[entry.rule] !== entry) return@withLock
+        entry.isAcknowledged = failure == null
+        if (failure?.error != "act_refused") return@withLock
+        held -= entry.rule
+        refused += entry.rule
+        adjust()
+    }
+
+    private companion object {
+        const val ALL = 0
+        const val MAX_NUMBER = 255
+    }
+}

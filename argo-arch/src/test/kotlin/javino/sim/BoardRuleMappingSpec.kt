@@ -1,0 +1,66 @@
+package javino.sim
+
+import argo.acting.boardRuleOf
+import argo.filters.Condition
+import argo.filters.CriticalRule
+import argo.filters.GroundTerm
+import argo.filters.Operator
+import argo.filters.PerceptionFilter
+import argo.filters.Rule
+import argo.filters.TermTest
+import argo.filters.matching.matcher
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+
+/** A board decides over percepts as a filter does, for every rule that is mapped. Here to see how the simulated board decides. */
+class BoardRuleMappingSpec : FunSpec({
+    val words = Arb.element("front", "back", "f", "'a b'", "true", "x1")
+    val numbers = arbitrary { rs ->
+        val digits = listOf("0", "00", "7", "14", "15", "15.0", "15.00", "0015", "15.5", "123456789012.125", "0.1", "14.999999999999")
+        Arb.element("", "", "-", "+").bind() + Arb.element(digits).bind()
+    }
+    val others = Arb.element("\"front\"", "\"a,b)\"", "pos(15,front)", "[1,2]", "f(\"(\")", "\"\"")
+    val blanks = Arb.element("", "", "", " ", "  ")
+
+    val arguments = arbitrary { blanks.bind() + Arb.element(words, words, numbers, numbers, others).bind().bind() + blanks.bind() }
+    val percepts = arbitrary {
+        val functor = Arb.element("dist", "dist", "dist", "distance", "~dist", "d").bind()
+        val given = Arb.list(arguments, 0..4).bind()
+        val annotations = Arb.element("", "", "", "[q(15)]", "[a,b(\"]\")]").bind()
+        functor + (if (given.isEmpty()) "" else given.joinToString(",", "(", ")")) + annotations
+    }
+    val conditions = arbitrary {
+        val operator = Arb.element(Operator.entries).bind()
+        val isWord = operator in listOf(Operator.EQ, Operator.NE) && Arb.element(true, false).bind()
+        val value = if (isWord) words.bind() else numbers.bind()
+        Condition.Argument(Arb.int(0..3).bind(), TermTest.Compare(operator, GroundTerm.of(value)))
+    }
+    val rules = arbitrary {
+        Rule(argo.filters.Predicate.of(Arb.element("dist", "dist", "~dist").bind()), Arb.list(conditions, 0..3).bind())
+    }
+
+    test("a rule that is mapped to a board decides as the filter does") {
+        var mapped = 0
+        var met = 0
+        checkAll(20_000, rules, percepts) { rule, percept ->
+            val critical = CriticalRule(rule, "stop")
+            val boardRule = boardRuleOf(critical) ?: return@checkAll
+            mapped++
+            val byFilter = PerceptionFilter("f", emptyList(), critical = listOf(critical)).matcher().criticalRules(percept).isNotEmpty()
+            if (byFilter) met++
+            withClue("$rule, which the board has as $boardRule, and $percept") {
+                BoardRules.isMet(boardRule, PerceptTerm.of("$percept;")) shouldBe byFilter
+            }
+        }
+        mapped shouldBeGreaterThan 5_000
+        met shouldBeGreaterThan 500
+    }
+})
