@@ -207,6 +207,11 @@ public final class BoardLoop {
         }
     }
 
+    /** The session that computers of version 2 have with the board. */
+    BoardSession session() {
+        return session;
+    }
+
     /** How many times the line has been silent while this waited for a byte; safe on any thread. */
     int silences() {
         return silences;

@@ -262,6 +262,7 @@ public final class FakeBoard implements AutoCloseable {
     public static final class Rule {
         volatile int delayMillis;
         volatile boolean refused;
+        volatile int outcomeMillis; // 0: the outcome is known at once
         volatile UnaryOperator<String> answer = message -> null;
         volatile Supplier<String> sensors = () -> "";
         volatile byte[] raw; // in place of an answer; null: none
@@ -306,6 +307,15 @@ public final class FakeBoard implements AutoCloseable {
         /** Answers with bytes as they are: a damaged frame, half of one, two at once. Characters are bytes (ISO-8859-1). */
         public Rule answerRaw(String bytes) {
             raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
+            return this;
+        }
+
+        /**
+         * Lets the board of version 2 begin the command at once and report its outcome {@code millis} milliseconds later. Meanwhile it
+         * answers requests, and carries out no other command.
+         */
+        public Rule outcomeAfter(int millis) {
+            outcomeMillis = millis;
             return this;
         }
 

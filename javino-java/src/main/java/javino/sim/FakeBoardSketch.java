@@ -46,13 +46,14 @@ final class FakeBoardSketch implements SimulatedBoard {
 
     @Override
     public void run(Transport line) throws PortException, InterruptedException {
-        BoardLoop loop = new Run(line).loop;
+        Run run = new Run(line);
+        BoardLoop loop = run.loop;
         monitor.locked(() -> open = loop);
         try {
             boot(loop);
             while (true) {
                 monitor.awaitWhile(() -> stalled);
-                loop.receive(READ_MILLIS);
+                loop.receive(run.millisToRead());
                 if (monitor.awaitWhile(() -> stalled)) {
                     loop.receive(0);
                 }
@@ -60,6 +61,7 @@ final class FakeBoardSketch implements SimulatedBoard {
                     loop.overwrite().ifPresent(lost -> record.overwritten(lost.text()));
                 }
                 loop.handleNext();
+                run.report();
                 loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
@@ -77,6 +79,9 @@ final class FakeBoardSketch implements SimulatedBoard {
     /** One use of the port. */
     private final class Run implements BoardProgram {
         private final BoardLoop loop;
+        private FakeBoard.Rule begun; // whose outcome is reported later; null: none
+        private long action; // of that rule; 0: it is not known yet
+        private long dueNanos;
 
         Run(Transport line) {
             loop = new BoardLoop(line, this, protocol, BoardSession.Capacity.FULL.withRules(rules), clock);
@@ -94,7 +99,34 @@ final class FakeBoardSketch implements SimulatedBoard {
             if (answer != null) {
                 loop.say(answer);
             }
+            if (rule != null && rule.outcomeMillis > 0 && begun == null) { // a reflex may be carried out while an action is open
+                begun = rule;
+                action = 0;
+                dueNanos = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(rule.outcomeMillis);
+                return Outcome.LATER;
+            }
             return rule != null && rule.refused ? Outcome.REFUSED : Outcome.DONE;
+        }
+
+        /** Reports the outcome of the action that was begun, if its time has come. */
+        void report() throws PortException, InterruptedException {
+            if (begun == null) {
+                return;
+            }
+            action = action == 0 ? loop.session().openAction() : action;
+            if (clock.nanos() - dueNanos >= 0) {
+                FakeBoard.Rule rule = begun;
+                begun = null;
+                loop.session().report(action, !rule.refused);
+            }
+        }
+
+        int millisToRead() {
+            if (begun == null) {
+                return READ_MILLIS;
+            }
+            long nanos = Math.max(0, dueNanos - clock.nanos());
+            return (int) Math.min(READ_MILLIS, TimeUnit.NANOSECONDS.toMillis(nanos) + 1);
         }
 
         @Override

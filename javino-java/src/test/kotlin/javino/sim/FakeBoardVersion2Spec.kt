@@ -59,6 +59,17 @@ class FakeBoardVersion2Spec : FunSpec({
         }
     }
 
+    test("an outcome may be reported later, and requests are answered meanwhile") {
+        withBoard({ whenAsked("grip").outcomeAfter(30); whenAsked("lift").outcomeAfter(1).refuse() }) { board, computer ->
+            computer.hello().command("grip") shouldBe WireFrame(FrameKind.ACK, false, true, 0, "")
+            computer.ask() shouldBe ""
+            computer.next() shouldBe WireFrame.of(FrameKind.ACK, 1, "")
+            computer.command("lift") shouldBe WireFrame(FrameKind.ACK, false, true, 1, "")
+            computer.next() shouldBe WireFrame(FrameKind.ACK, true, false, 2, "")
+            board.received() shouldContainExactly listOf("grip", "getPercepts", "lift")
+        }
+    }
+
     test("a row of commands is verified as one by one, also those behind one that takes its time") {
         shouldThrow<AssertionError> {
             withBoard({ whenAsked("a").after(20) }) { _, computer ->
@@ -91,7 +102,7 @@ class FakeBoardVersion2Spec : FunSpec({
             computer.exchange(FrameKind.COMMANDS, 0, row) shouldBe WireFrame(FrameKind.ACK, true, false, 3, "")
             board.received() shouldContainExactly listOf("ledOn", "say")
         }
-        shouldThrow<IllegalArgumentException> { FakeBoard.plugIn("bad").use { it.knows("speed(1)/x") } }.message shouldContain "NAME/ARGUMENTS"
+        shouldThrow<IllegalArgumentException> { FakeBoard.plugIn("bad").use { it.knows("speed/x") } }.message shouldContain "NAME/ARGUMENTS"
     }
 
     test("a message that nobody asked for goes in the session, and so does the answer to a command") {

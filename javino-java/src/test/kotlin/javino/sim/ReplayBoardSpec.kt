@@ -17,8 +17,10 @@ import javino.LinkSettings
 import javino.NoSuchPortException
 import javino.PortFaultException
 import javino.Protocol
+import javino.sim.Recording.Direction.CRITICAL
 import javino.sim.Recording.Direction.IN
 import javino.sim.Recording.Direction.OUT
+import javino.sim.Recording.Direction.REFLEX
 
 class ReplayBoardSpec : FunSpec({
     val asked = Recording(listOf(entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);"), entry(150, IN, "dist(8);"), entry(250, IN, "dist(7);")))
@@ -29,6 +31,16 @@ class ReplayBoardSpec : FunSpec({
             fun percepts(atMillis: Long) = link.also { clock.millis.set(1_000 + atMillis) }.request("getPercepts", LIMIT_MS).text()
             listOf(0L, 99, 100, 199, 200, 100_000).map(::percepts) shouldContainExactly
                 listOf("dist(9);", "dist(9);", "dist(8);", "dist(8);", "dist(7);", "dist(7);")
+        }
+    }
+
+    test("what the board reported and did of its own accord is no answer") {
+        val recording = Recording(listOf(entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);light(3);"), entry(60, CRITICAL, "dist(2);"),
+            entry(60, REFLEX, "stop")))
+        val clock = HandClock()
+        plugged(ReplayBoard.of(recording, clock)) { link ->
+            clock.millis.set(100_000)
+            List(2) { link.request("getPercepts", LIMIT_MS).text() } shouldContainExactly List(2) { "dist(9);light(3);" }
         }
     }
 
