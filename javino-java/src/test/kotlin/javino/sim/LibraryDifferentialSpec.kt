@@ -226,7 +226,8 @@ class LibraryDifferentialSpec : FunSpec({
                     output = LibraryOutput()
                     since = i
                 }
-                withClue({ "the library, at the end of\n" + played.subList(since, i + 1).joinToString("\n") { (op, named) -> "$op -> $named" } }) {
+                fun history() = played.subList(since, i + 1).joinToString("\n") { (operation, named) -> "$operation -> $named" }
+                withClue({ "the library, at the end of\n${history()}" }) {
                     output.named(lines) shouldBe expected
                 }
             }
