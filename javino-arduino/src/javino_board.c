@@ -301,7 +301,11 @@ static JAVINO_OUTLINE void end_item(javino_board *b)
 static JAVINO_OUTLINE void code_waiting(javino_board *b)
 {
     char *from = b->text;
-    char *end = from + b->whole;
+    char *end;
+    b->length = b->whole;
+    if (!b->length)
+        return;
+    end = from + b->whole;
     b->whole = 0;
     while (from < end) {
         uint8_t n = (uint8_t)from[1];
@@ -317,7 +321,6 @@ static JAVINO_OUTLINE void code_waiting(javino_board *b)
             javino_item_end(b);
         b->whole = b->length;
     }
-    b->length = b->whole;
 }
 
 #endif

@@ -102,13 +102,6 @@ static bool is_intact(const uint8_t *frame, uint16_t length)
     return crc == 0; /* Over a checksum, too, it is none. */
 }
 
-/* Ends the frame of version 2 at the front, of which there are so many bytes. */
-static javino_follows end_frame2(javino_decoder *d, uint16_t length, bool intact)
-{
-    d->position = length;
-    return intact ? JAVINO_FOLLOWS_HEADER : JAVINO_FOLLOWS_OTHER;
-}
-
 /**
  * Reads on in the frame of version 2 at the front, as far as the bytes go, and takes the escapes out of them.
  *
@@ -117,31 +110,50 @@ static javino_follows end_frame2(javino_decoder *d, uint16_t length, bool intact
  */
 static javino_follows read_frame2(javino_decoder *d, uint8_t *p, uint16_t stop)
 {
-    uint16_t in = d->position;
-    uint16_t out = in;
-    for (; in < stop; in++) {
-        uint8_t c = p[in];
-        if (c == START && in)
-            return end_frame2(d, in, false);
+    const uint8_t *end = p + stop;
+    const uint8_t *in = p + d->position;
+    uint8_t *out = p + d->position;
+    bool intact = false;
+    while (in < end) {
+        uint8_t c = *in;
+        uint16_t place = (uint16_t)(out - p);
+        if (c == START && place)
+            goto ended;
         if (c == ESCAPE) {
-            if (in + 1 == stop)
+            if (in + 1 == end)
                 break;
-            c = p[++in] ^ ESCAPED;
+            if (*++in == START)
+                goto ended;
+            c = *in ^ ESCAPED;
+            in++;
             if (c != START && c != ESCAPE)
-                return end_frame2(d, p[in] == START ? in : in + 1, false);
+                goto ended;
+        } else {
+            in++;
         }
-        p[out++] = c;
-        if ((out == LENGTH_AT + 1 && c >= d->size - JAVINO_OVERHEAD) || (out == KIND_AT + 1 && !is_kind(c)))
-            return end_frame2(d, in + 1, false);
-        if (out > KIND_AT && out == (uint16_t)(JAVINO_OVERHEAD + p[LENGTH_AT]))
-            return end_frame2(d, in + 1, is_intact(p, out));
+        *out++ = c;
+        if (place == LENGTH_AT) {
+            if (c >= d->size - JAVINO_OVERHEAD)
+                goto ended;
+            d->length = c;
+        } else if (place == KIND_AT) {
+            if (!is_kind(c))
+                goto ended;
+        } else if (place == (uint16_t)(d->length + JAVINO_OVERHEAD - 1) && place > KIND_AT) {
+            intact = is_intact(p, place + 1);
+            goto ended;
+        }
     }
-    if (d->gap)
-        return end_frame2(d, stop, false);
-    memmove(p + out, p + in, d->end - in);
-    d->end -= in - out;
-    d->position = out;
-    return JAVINO_FOLLOWS_UNKNOWN;
+    if (!d->gap) {
+        memmove(out, in, (size_t)(p + d->end - in));
+        d->end -= (uint16_t)(in - out);
+        d->position = (uint16_t)(out - p);
+        return JAVINO_FOLLOWS_UNKNOWN;
+    }
+    in = end;
+ended:
+    d->position = (uint16_t)(in - p);
+    return intact ? JAVINO_FOLLOWS_HEADER : JAVINO_FOLLOWS_OTHER;
 }
 #endif
 

@@ -4,6 +4,7 @@
 
 #include "javino_board.h"
 #include "javino_literal.h"
+#include "javino_rules.h"
 
 static void discard(void *context, uint8_t byte)
 {
@@ -46,6 +47,27 @@ static void answer(javino_board *board, uint8_t seed)
             javino_percept_end(board);
         }
     javino_board_answer(board);
+}
+
+/* The board is the context of what is called back. */
+static void perceive(void *context)
+{
+    javino_board *board = context;
+    javino_percept_text(board, "dist(f,39)");
+    javino_percept_end(board);
+    if (javino_percept_begin(board, "light")) {
+        javino_percept_text(board, "(-1.50,\"a,b\")");
+        javino_percept_end(board);
+    }
+}
+
+static bool react(void *context, const char *text, uint8_t length)
+{
+    javino_board *board = context;
+    if (length && text[length - 1] == 'c')
+        javino_board_clear(board);
+    javino_percept_text(board, "reacted");
+    return javino_percept_end(board);
 }
 
 typedef struct {
@@ -91,8 +113,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     bytes = (uint16_t)(JAVINO_MEMORY_MIN + 3 * data[0]);
     memory = malloc(bytes);
-    javino_board_init(&board, memory, bytes, discard, NULL);
+    javino_board_init(&board, memory, bytes, discard, &board);
     board.link.vocabulary = name_action;
+    if (data[0] & 1)
+        javino_rules_init(&board, data[0] / 2, react, NULL);
     for (i = 1; i < size; i++) {
         javino_event event;
         if (data[i] == 0xFF && i + 1 < size) {
@@ -107,6 +131,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         while ((event = javino_board_poll(&board, now)) != JAVINO_NOTHING) {
             if (event == JAVINO_REQUEST) {
                 answer(&board, data[i]);
+            } else if (javino_rules_is(&board)) {
+                javino_link_finish(&board.link, javino_rules_set(&board));
             } else {
                 read_action(&board.link);
                 if (data[i] & 2)
@@ -115,6 +141,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                     later = javino_link_later(&board.link);
             }
         }
+        javino_rules_look(&board, perceive, now);
         if (data[i] == 'd')
             javino_link_done(&board.link, later, i & 1);
         if (data[i] == 'p') {
