@@ -6,7 +6,8 @@
 static const uint8_t MESSAGES_PER_RUN = 8;
 
 JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size)
-    : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), rules_(NULL), waiting_(false), busy_(false), mute_(false) {
+    : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), rules_(NULL), waiting_(false), busy_(false),
+      mute_(false) {
   javino_board_init(&board_, memory, size, write, this);
   board_.link.vocabulary = describe;
 }

@@ -14,7 +14,13 @@ extern "C" {
 
 /** Bytes of version 2 that the receive buffer holds while the program is busy; at most 255. */
 #ifndef JAVINO_CREDIT
+#if !defined(SERIAL_RX_BUFFER_SIZE) /* which Arduino builds may set for all files */
 #define JAVINO_CREDIT 63
+#elif SERIAL_RX_BUFFER_SIZE > 255
+#define JAVINO_CREDIT 255
+#else
+#define JAVINO_CREDIT (SERIAL_RX_BUFFER_SIZE - 1)
+#endif
 #endif
 
 /** What javino_link_poll has found. */

@@ -194,7 +194,8 @@ void damage(std::string &bytes, std::mt19937 &random, int kind) {
 TEST_CASE("a frame behind damage is never lost: of version 2 behind any, of version 1 behind its own or a silence") {
   int ambiguous = 0;
   std::mt19937 random(1);
-  const std::string damaged[] = {frame1("speed(120)"), frame1(frame1("a") + "fff"), command(7, "speed(120)"), command(7, frame1("x") + "\xA5\xA4")};
+  const std::string damaged[] = {frame1("speed(120)"), frame1(frame1("a") + "fff"), command(7, "speed(120)"),
+                                 command(7, frame1("x") + "\xA5\xA4")};
   for (int first = 0; first < 4; first++)
     for (int version = 1; version <= 2; version++)
       for (uint16_t gap : {0, 200})
@@ -250,7 +251,8 @@ TEST_CASE("an intact stream of nasty payloads yields exactly its frames") {
 }
 
 TEST_CASE("every single damage to a frame of version 2 is found, and in a session nothing inside it counts") {
-  const std::string inside[] = {"front", frame1("front"), frame1("x") + frame1("front"), "\xA5\xA4" + command(5, "front"), "fffeFF" + frame1("front")};
+  const std::string inside[] = {"front", frame1("front"), frame1("x") + frame1("front"), "\xA5\xA4" + command(5, "front"),
+                                "fffeFF" + frame1("front")};
   for (const std::string &text : inside) {
     const std::string whole = command(4, "say(\"" + text + "\")");
     for (size_t at = 0; at < whole.size(); at++)

@@ -333,7 +333,8 @@ TEST_CASE("what has waited while the program was busy is not fresh") {
 
 TEST_CASE("random bytes through the whole conversation do no harm") {
   std::mt19937 random(5);
-  const std::string pieces[] = {"fffe", "getPercepts", "0B", "(", ")", "ledOn", "05", ";", "\"", "\xA5", "\xA4", frame1("getPercepts"), hello(), ask(3, 2), command(0, "x"), describe(1, 1)};
+  const std::string pieces[] = {"fffe", "getPercepts", "0B", "(", ")", "ledOn", "05", ";", "\"", "\xA5", "\xA4",
+                                frame1("getPercepts"), hello(), ask(3, 2), command(0, "x"), describe(1, 1)};
   for (uint16_t bytes : {JAVINO_MEMORY_MIN, JAVINO_MEMORY + 255}) {
     Conversation c(bytes);
     c.actions = {{"front", 0}, {"speed", 1}};

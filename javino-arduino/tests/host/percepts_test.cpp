@@ -21,7 +21,8 @@ TEST_CASE("each text crosses the line once, and digits alone from then on") {
 
 TEST_CASE("what a computer reads is what the program has written, whatever it knows") {
   std::mt19937 random(11);
-  const std::string shapes[] = {"dist(f,#)", "dist(b,#)", "light(f,-#.#)", "door(open)", "say(\"#;#\")", "p(#)", "t(\xA4,#,\xA5)", "~x(#,#,#)", "z"};
+  const std::string shapes[] = {"dist(f,#)", "dist(b,#)", "light(f,-#.#)", "door(open)", "say(\"#;#\")", "p(#)",
+                                "t(\xA4,#,\xA5)", "~x(#,#,#)", "z"};
   for (uint16_t bytes : {JAVINO_MEMORY_MIN, JAVINO_MEMORY, JAVINO_MEMORY + 255}) {
     Conversation c(bytes);
     c.begin();
@@ -335,7 +336,8 @@ TEST_CASE("a message that was begun and not sent makes no board deaf") {
         if (version == 2)
           c.begin();
         auto request = [&](unsigned n) { return version == 1 ? frame1("getPercepts") : ask(n + 1); };
-        auto action = [&](unsigned n) { return version == 1 ? frame1("say(" + std::string(80, 'x') + ")") : command(n - 1, "say(" + std::string(80, 'x') + ")"); };
+        const std::string say = "say(" + std::string(80, 'x') + ")";
+        auto action = [&](unsigned n) { return version == 1 ? frame1(say) : command(n - 1, say); };
         INFO(bytes, " bytes, version ", version, ", ", percepts, " percepts");
         CHECK(c.hear(request(0)) == JAVINO_REQUEST);
         for (int i = 0; i < percepts; i++)

@@ -9,7 +9,8 @@
 
 namespace {
 
-std::string rule(unsigned number, const std::string &functor, const std::vector<std::string> &conditions = {}, const std::string &reflex = "") {
+std::string rule(unsigned number, const std::string &functor, const std::vector<std::string> &conditions = {},
+                 const std::string &reflex = "") {
   std::string text = std::string{1, octet(number)} + functor + '\0';
   for (const std::string &condition : conditions)
     text += condition + '\0';
