@@ -36,6 +36,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private final Inbox inbox;
     private final ComputerSession<Command> session;
     private final Protocol wanted;
+    private final int answerLimit;
     private final Deque<Runnable> reports = new ArrayDeque<>(); // what is passed on when the lock is free
     private final Deque<Reply> heard = new ArrayDeque<>(); // percepts that came unasked
     private volatile Protocol protocol;
@@ -44,6 +45,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private boolean hasLapsed;
     private int rules; // that the board can hold, in this session
     private Reply answer;
+    private boolean hasDropped; // an answer, and none has come since
     private Throwable failure; // of commands that are out while the session is closed; null: they are unconfirmed
     private int followers;
 
@@ -54,10 +56,11 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         this.clock = clock;
         this.writer = writer;
         wanted = settings.protocol();
+        answerLimit = settings.messageLimit();
         protocol = wanted;
         heardNanos = clock.nanos();
         inbox = new Inbox(monitor, transport, clock, writer::received, wanted, this);
-        session = new ComputerSession<>(settings.line().byteNanos(), settings.messageLimit(), new SplittableRandom(clock.nanos()), this);
+        session = new ComputerSession<>(settings.line().byteNanos(), answerLimit, new SplittableRandom(clock.nanos()), this);
         if (wanted == Protocol.V2) {
             session.open(clock.nanos());
         }
@@ -308,6 +311,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     @Override
     public void answered(String percepts) {
+        hasDropped = false;
         answer = new Reply(percepts, Protocol.V2, inbox.lastByteNanos());
     }
 
@@ -321,8 +325,11 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     @Override
     public void dropped(int bytes) {
-        LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent percepts of " + bytes
-                + " bytes, which are dropped: more than the link's limit for messages");
+        if (!hasDropped) {
+            LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent percepts of " + bytes + " bytes, more than "
+                    + answerLimit + ", which are dropped; others are dropped without a warning until an answer comes that is not too long");
+        }
+        hasDropped = true;
     }
 
     @Override

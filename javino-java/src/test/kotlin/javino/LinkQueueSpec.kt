@@ -23,7 +23,12 @@ class LinkQueueSpec : FunSpec({
     fun robot(name: String, protocol: Protocol, work: suspend (FakeBoard, Link) -> Unit) =
         test("$name: $protocol").config(timeout = 60.seconds, blockingTest = true) {
             FakeBoard.plugIn("queue${boards.incrementAndGet()}").lenient().apply { if (protocol == Protocol.V2) version2() }.use { board ->
-                Link.open(board.port(), Bench.FAST.withBootMillis(0).withProtocol(protocol), "the test").use { work(board, it) }
+                val settings = Bench.FAST.withBootMillis(0).withProtocol(protocol)
+                val line = Transports.open(board.port(), settings.line())
+                val slow = object : Transport by line {
+                    override fun isWritableNow() = false // all commands wait for who writes
+                }
+                Link.over(slow, settings, LineClock.system()).use { work(board, it) }
             }
         }
 

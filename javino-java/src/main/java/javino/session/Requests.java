@@ -128,17 +128,17 @@ final class Requests {
             return;
         }
         Optional<String> text = answer.items() == null ? Optional.empty() : reader.read(answer.items());
-        boolean isTooLong = text.isPresent() && text.get().length() > limit;
-        if (isTooLong) {
+        if (text.isPresent() && text.get().length() > limit) {
             listener.dropped(text.get().length());
+            return;
         }
         if (answer.request() == 0) {
-            text.filter(heard -> !isTooLong).ifPresent(listener::heard);
-        } else {
-            long behind = Math.floorMod((asked - 1) % NUMBERS + 1 - answer.request(), (long) NUMBERS);
-            if (behind < asked - answered) { // none from this request on has been answered
-                answered(asked - behind, text.filter(whole -> !isTooLong), now, listener);
-            }
+            text.ifPresent(listener::heard);
+            return;
+        }
+        long behind = Math.floorMod((asked - 1) % NUMBERS + 1 - answer.request(), (long) NUMBERS);
+        if (behind < asked - answered) { // none from this request on has been answered
+            answered(asked - behind, text, now, listener);
         }
     }
 
