@@ -2,11 +2,13 @@
  * The board's library behind standard input and output, for comparison with another implementation. A line is an operation:
  *
  *   n             a new board
+ *   N             a new board that holds rules
  *   w MS          nothing arrives for so long
  *   b HEX         bytes arrive
  *   p HEX ...     the sensors show these percepts, each without its ;
  *   u             the percepts are sent unasked
  *   r 0|1         the outcome of the newest action that is open
+ *   l             the board looks whether rules are met
  *
  * It writes "> HEX" for bytes that the board sends, "! HEX" for a command that it carries out, and "." behind each operation. The program
  * refuses commands that begin with no or the byte 01, and speed without arguments; the outcome of one that begins with later is open.
@@ -16,6 +18,7 @@
 #include <string.h>
 
 #include "javino_board.h"
+#include "javino_rules.h"
 
 #define MEMORY 4096
 #define MAX_PERCEPTS 64
@@ -63,33 +66,57 @@ static bool begins(const javino_link *link, const char *text)
     return link->length >= strlen(text) && memcmp(link->text, text, strlen(text)) == 0;
 }
 
+static void print_command(const char *text, uint8_t length)
+{
+    end_bytes();
+    printf("! ");
+    while (length--)
+        printf("%02x", (uint8_t)*text++);
+    putchar('\n');
+}
+
+static bool act_on_reflex(void *context, const char *text, uint8_t length)
+{
+    (void)context;
+    if (length >= 2 && memcmp(text, "no", 2) == 0)
+        return false;
+    print_command(text, length);
+    return true;
+}
+
 static void act(void)
 {
     javino_link *link = &board.link;
-    int i;
+    if (javino_rules_is(&board)) {
+        javino_link_finish(link, javino_rules_set(&board));
+        return;
+    }
     if (begins(link, "no") || begins(link, "\1") || (begins(link, "speed") && link->length == 5)) {
         javino_link_finish(link, false);
         return;
     }
-    end_bytes();
-    printf("! ");
-    for (i = 0; i < link->length; i++)
-        printf("%02x", (uint8_t)link->text[i]);
-    putchar('\n');
+    print_command(link->text, link->length);
     if (begins(link, "later") && link->version == 2)
         later = javino_link_later(link);
 }
 
-static void show(void)
+static void perceive(void *context)
 {
     int i;
+    (void)context;
     for (i = 0; i < percept_count; i++) {
         const char *p = percepts[i];
-        if (!javino_board_wants(&board, p, strcspn(p, "(")))
+        const char *name = *p == '~' ? p + 1 : p;
+        if (!javino_board_wants(&board, name, strcspn(name, "(")))
             continue;
         javino_percept_text(&board, p);
         javino_percept_end(&board);
     }
+}
+
+static void show(void)
+{
+    perceive(NULL);
     javino_board_answer(&board);
 }
 
@@ -158,6 +185,15 @@ int main(void)
         line[strcspn(line, "\n")] = 0;
         switch (line[0]) {
         case 'n': start(); break;
+        case 'N':
+            start();
+            if (!javino_rules_init(&board, 255, act_on_reflex, NULL))
+                return 1;
+            break;
+        case 'l':
+            now += JAVINO_RULES_MS;
+            javino_rules_look(&board, perceive, now);
+            break;
         case 'w': now += (uint16_t)atoi(argument); run(); break;
         case 'b': receive(argument); break;
         case 'p': set_percepts(argument); break;

@@ -68,11 +68,11 @@ private class Observer {
 }
 
 /** The board of this package, played as the library is. */
-private class SessionBoard {
+private class SessionBoard(rules: Int = 0) {
     private val named = mutableListOf<String>()
     private val observer = Observer()
     private val program = DriverProgram { named += "! $it" }
-    val session = BoardSession(program, BoardSession.Capacity(63, 255, 0, 64)) { frame ->
+    val session = BoardSession(program, BoardSession.Capacity(63, 255, rules, 64)) { frame ->
         due = frame.number()
         observer.name(frame)?.let { named += it }
     }
@@ -95,6 +95,7 @@ private class SessionBoard {
             'p' -> program.percepts = argument.split(' ').filter { it.isNotEmpty() }.map { textOf(HEX.parseHex(it)) }
             'u' -> session.sendPercepts(program.percepts(PerceptsRequest.ALL))
             'r' -> session.report(open, argument == "1")
+            'l' -> session.look(program.percepts(PerceptsRequest.ALL))
         }
         return named.toList()
     }
@@ -205,6 +206,36 @@ private class Generator(private val random: Random, private val due: () -> Int, 
     }
 }
 
+/** Operations with a board that holds rules: some are set or removed, the sensors show other percepts, the board looks. */
+private class RuleGenerator(private val random: Random) {
+    private var number = 0
+
+    private fun <T> one(vararg choices: T): T = choices[random.nextInt(choices.size)]
+
+    private fun value() = one("40", "-1.5", "+007", "0.0", "-0", "00.50", "f", "\"x,y\"", "[1,2]", "p(1,2)", "1e3", "4.", ".5", "39.999")
+
+    fun operations(): List<String> {
+        val percepts = List(random.nextInt(4)) { one("d", "~d", "e") + arguments() }
+        val set = WireFrame.of(FrameKind.COMMANDS_WITH_RESUME, number++ % 256, rule().let { "" + it.length.toChar() + it }).toBytes()
+        return listOf("b " + HEX.formatHex(set), "p " + percepts.joinToString(" ") { HEX.formatHex(bytesOf(it)) }, "l")
+    }
+
+    private fun arguments() = one("", List(1 + random.nextInt(2)) { argument() }.joinToString(",", "(", ")"))
+
+    private fun argument() = one("", "", " ") + value() + one("", "", " ")
+
+    private fun rule(): String {
+        val conditions = List(random.nextInt(3)) { "${one(1, 1, 2, 3, 9, 0)}${one("<", ">", "{", "}", "=", "!", "?")}${value()}\u0000" }
+        val rule = "\u0001" + one('\u0001', '\u0002', '\u0003') + one("d", "d", "~d", "e") + '\u0000' + conditions.joinToString("") +
+            one("", "\u0002stop", "\u0002no", "\u0002")
+        return when (random.nextInt(8)) {
+            0 -> rule.take(1 + random.nextInt(rule.length))
+            1 -> rule.take(2)
+            else -> rule
+        }
+    }
+}
+
 /** The board in Java and the board's library in C, in the same conversations. */
 class LibraryDifferentialSpec : FunSpec({
     test("both send the same frames and carry out the same commands, whatever arrives")
@@ -233,5 +264,22 @@ class LibraryDifferentialSpec : FunSpec({
             }
             played.count { (_, named) -> named.any { it.startsWith("!") } } shouldBeGreaterThan CONVERSATIONS
             played.count { (_, named) -> named.any { it.startsWith("PERCEPTS") } } shouldBeGreaterThan CONVERSATIONS
+        }
+
+    test("both refuse the same rules, and find the same ones met")
+        .config(enabledOrReasonIf = { LibraryBoards.available }, timeout = 10.minutes) {
+            val board = SessionBoard(rules = 8)
+            val generator = RuleGenerator(Random(5))
+            val operations = listOf("b " + HEX.formatHex(WireFrame.of(FrameKind.HELLO, 7, "").toBytes())) +
+                List(10 * CONVERSATIONS) { generator.operations() }.flatten()
+            val expected = operations.map { board.play(it).sorted() } // of rules that begin to be met at once any may come first
+            val output = LibraryOutput()
+            val found = LibraryBoards.play(listOf("N") + operations).drop(1).map { output.named(it).sorted() }
+            for ((i, operation) in operations.withIndex()) {
+                withClue({ "the library at $operation, behind\n" + operations.subList(maxOf(0, i - 9), i).joinToString("\n") }) {
+                    found[i] shouldBe expected[i]
+                }
+            }
+            expected.count { named -> named.any { it.startsWith("85") } } shouldBeGreaterThan CONVERSATIONS
         }
 })
