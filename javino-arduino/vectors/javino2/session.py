@@ -41,7 +41,7 @@ class Session:
     def ask(self, functors=b""):
         self.requests = self.requests % 255 + 1
         self.asked.append(self.requests)
-        return Frame(ASK, self.requests, bytes([0 if self.requests == 1 else self.reader.known()]) + functors)
+        return Frame(ASK, self.requests, bytes([self.reader.known()]) + functors)
 
     def repeat(self):
         """The frame that is sent when the time for an answer is over, or None."""

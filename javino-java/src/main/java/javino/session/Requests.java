@@ -99,7 +99,7 @@ final class Requests {
         isOut = true;
         isDamaged = false;
         String functors = wanted.length() < longestPayload ? wanted : ""; // a board may send others, so it may send all
-        WireFrame frame = WireFrame.of(FrameKind.ASK, number, (char) (number == 1 ? 0 : reader.known()) + functors);
+        WireFrame frame = WireFrame.of(FrameKind.ASK, number, (char) reader.known() + functors);
         bytes = frame.toBytes().length;
         return frame;
     }
