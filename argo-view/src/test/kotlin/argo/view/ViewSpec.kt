@@ -62,6 +62,29 @@ class ViewSpec : FunSpec({
         }
     }
 
+    test("a page is told who watches each critical rule, and what became of its reflex") {
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient().version2().holdsRules(1).whenAsked("getPercepts").answer("dist(f,9);temp(99);")
+            ViewedMas().use { mas ->
+                val near = """<critical reflex="stop"><predicate>dist</predicate><parameter id="1" operator="LT">15</parameter></critical>"""
+                val hot = """<critical reflex="fan"><predicate>temp</predicate><parameter id="0" operator="GT">80</parameter></critical>"""
+                mas.file("front.xml", "<PerceptionFilter>$near$hot</PerceptionFilter>")
+                mas.agent("bob", LOOKS)
+                Watcher(mas.viewOf("bob")).use { watcher ->
+                    val rules = watcher.await { state ->
+                        state.critical.map { it.watcher to it.reflex } == listOf("board" to "done", "computer" to "done")
+                    }.critical
+                    rules.map { it.rule } shouldBe listOf(
+                        "dist where argument 1 is less than 15, with the reflex stop",
+                        "temp where argument 0 is greater than 80, with the reflex fan",
+                    )
+                    rules.last().by shouldBe "computer"
+                    rules.map { it.error } shouldBe listOf(null, null)
+                }
+            }
+        }
+    }
+
     test("a page that is opened later is told what an idle agent believes") {
         watched("likes(tea).\n!start.\n+!start <- +ready.") { mas, _, address ->
             eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
