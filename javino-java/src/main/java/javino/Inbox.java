@@ -191,7 +191,8 @@ final class Inbox {
         long now = clock.nanos();
         if (count > 0) {
             lastByteNanos = now;
-            decoder.acceptUnbroken(buffer, 0, count, now); // a read that finds nothing shows a silence, a late one does not
+            // a read that finds nothing shows a silence, a late one does not
+            decoder.acceptUnbroken(buffer, 0, count, now);
             received.received(count, now);
         } else {
             decoder.idle(now);

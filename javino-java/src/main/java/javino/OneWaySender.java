@@ -25,7 +25,8 @@ final class OneWaySender implements CommandSender {
             channel.awaitGap();
             inbox.sends(command.frame());
         });
-        while (!command.isOver() && left - clock.nanos() > WATCH_NANOS) { // who would read the line may be waiting for its turn
+        // who would read the line may be waiting for its turn
+        while (!command.isOver() && left - clock.nanos() > WATCH_NANOS) {
             writer.awaitTime(clock.nanos() + WATCH_NANOS);
             inbox.look();
         }

@@ -46,11 +46,14 @@ private class Outcomes(private val exchanges: Int, toBoard: LineFaults, toComput
             }
             corruptFrames = line.link.corruptFrames()
         }
-        for (i in confirmed.indices) if (confirmed[i] && carriedOut[i].toInt() == 0) wrong += "speed($i) is confirmed and was not carried out"
+        for (i in confirmed.indices) {
+            if (confirmed[i] && carriedOut[i].toInt() == 0) wrong += "speed($i) is confirmed and was not carried out"
+        }
     }
 
     private fun note(handled: String) {
-        if (REQUEST in handled || !handled.startsWith(ACTION, 2)) return // another name, in version 1 without a checksum: the board knows none
+        // another name, in version 1 without a checksum: the board knows none
+        if (REQUEST in handled || !handled.startsWith(ACTION, 2)) return
         val action = Regex("2:speed\\((\\d+)\\)").matchEntire(handled)?.groupValues?.get(1)?.toInt()
         if (action == null || action !in carriedOut.indices || action < last) wrong += "the board did $handled after speed($last)"
         else last = action.also { carriedOut[it]++ }
@@ -118,7 +121,8 @@ private fun report(words: String, outcomes: Outcomes, exchanges: Int) = println(
 
 class LinkFaultSpec : FunSpec({
     for (rate in listOf(1e-5, 1e-4, 1e-3)) {
-        test("with one bit in ${(1 / rate).roundToInt()} wrong no action is carried out twice or wrongly, and no percept is").config(timeout = 30.minutes) {
+        val wrong = "one bit in ${(1 / rate).roundToInt()} wrong"
+        test("with $wrong no action is carried out twice or wrongly, and no percept is").config(timeout = 30.minutes) {
             val outcomes = Outcomes(EXCHANGES, RandomFaults(rate, seed = 2026), RandomFaults(rate, seed = 7))
             val half = EXCHANGES / 2
             val middle = half / 2
@@ -126,12 +130,19 @@ class LinkFaultSpec : FunSpec({
             val requests = inThreeTries(rate, 0.0, REQUEST, percepts(middle))
             val answer = Frame.version2(percepts(middle).toByteArray(), 0, 0).length()
             val missed = missed(rate, 3.0 * half, answer)
-            report("one bit in ${(1 / rate).roundToInt()} wrong", outcomes, EXCHANGES)
-            println("measured: confirmed %.4f, answered %.4f; three tries leave possible %.4f and %.4f; %d corrupted percepts believed, %.3g expected of a 16-bit checksum"
-                .format(outcomes.confirmations / half.toDouble(), outcomes.answered / half.toDouble(), actions, requests, outcomes.corruptBelieved.size, missed))
+            report(wrong, outcomes, EXCHANGES)
+            val confirmed = outcomes.confirmations / half.toDouble()
+            val answered = outcomes.answered / half.toDouble()
+            println(
+                "measured: confirmed %.4f, answered %.4f; ".format(confirmed, answered) +
+                    "three tries leave possible %.4f and %.4f; ".format(actions, requests) +
+                    "%d corrupted percepts believed, %.3g expected of a 16-bit checksum".format(outcomes.corruptBelieved.size, missed),
+            )
             outcomes.wrong.shouldBeEmpty()
             outcomes.twice shouldBe 0
-            withClue(outcomes.corruptBelieved) { outcomes.corruptBelieved.size shouldBeLessThanOrEqual if (rate < 5e-4) 0 else most(missed) }
+            withClue(outcomes.corruptBelieved) {
+                outcomes.corruptBelieved.size shouldBeLessThanOrEqual if (rate < 5e-4) 0 else most(missed)
+            }
             outcomes.confirmations / half.toDouble() shouldBeGreaterThan actions - 0.01
             outcomes.answered / half.toDouble() shouldBeGreaterThan requests - 0.01
         }
@@ -141,7 +152,8 @@ class LinkFaultSpec : FunSpec({
         Triple("lost", 0.0) { RandomFaults(lost = 1e-3, seed = it) },
         Triple("doubled", 0.0) { RandomFaults(doubled = 1e-3, seed = it) },
         Triple("up to 30 ms late", 0.0) { RandomFaults(late = 1e-3, latestNanos = 30_000_000, seed = it) },
-        Triple("up to 400 ms late", 0.1) { RandomFaults(late = 1e-3, latestNanos = 400_000_000, seed = it) }, // 500 ms have no room for three tries
+        // 500 ms have no room for three tries
+        Triple("up to 400 ms late", 0.1) { RandomFaults(late = 1e-3, latestNanos = 400_000_000, seed = it) },
     )) {
         test("with one byte in 1000 $words no action is carried out twice or wrongly, and no percept is").config(timeout = 30.minutes) {
             val exchanges = maxOf(2_000, EXCHANGES / 10)
@@ -164,7 +176,8 @@ class LinkFaultSpec : FunSpec({
                     line.link.protocol() == Protocol.V2
                 }
             }
-            println("measured: one bit in ${(1 / rate).roundToInt()} wrong: $found of $LINKS version 2 boards are found to be that with the first request")
+            println("measured: one bit in ${(1 / rate).roundToInt()} wrong: " +
+                "$found of $LINKS version 2 boards are found to be that with the first request")
             found / LINKS.toDouble() shouldBeGreaterThan least
         }
     }
@@ -175,7 +188,9 @@ class LinkFaultSpec : FunSpec({
             "lost" to { bytes, at -> listOf(Piece(bytes.copyOf(at) + bytes.drop(at + 1))) },
             "doubled" to { bytes, at -> listOf(Piece(bytes.copyOf(at + 1) + bytes.drop(at))) },
         ) + listOf(5L, 60, 150, 400).associate { late ->
-            "$late ms late" to { bytes: ByteArray, at: Int -> listOf(Piece(bytes.copyOf(at)), Piece(bytes.copyOfRange(at, bytes.size), late * 1_000_000)) }
+            "$late ms late" to { bytes: ByteArray, at: Int ->
+                listOf(Piece(bytes.copyOf(at)), Piece(bytes.copyOfRange(at, bytes.size), late * 1_000_000))
+            }
         }
         var tried = 0
         for ((name, fault) in faults) for (toBoard in listOf(true, false)) for (turn in 2..3) {
@@ -185,9 +200,12 @@ class LinkFaultSpec : FunSpec({
                 val one = OneFault(turn) { bytes -> length = bytes.size; fault(bytes, at) }
                 val board = VirtualBoard2().apply { answer = { percepts(it) } }
                 withClue("$name at byte $at of write $turn, to the board: $toBoard") {
-                    EventLine(FAST.withProtocol(Protocol.V2), board, if (toBoard) one else FAULTLESS, if (toBoard) FAULTLESS else one).use { line ->
+                    EventLine(
+                        FAST.withProtocol(Protocol.V2), board, if (toBoard) one else FAULTLESS, if (toBoard) FAULTLESS else one,
+                    ).use { line ->
                         for (i in 1..3) {
-                            line.link.request(REQUEST, 1_000).text().let { it shouldBe percepts(it.substringAfter('(').substringBefore(',').toInt()) }
+                            line.link.request(REQUEST, 1_000).text()
+                                .let { it shouldBe percepts(it.substringAfter('(').substringBefore(',').toInt()) }
                             line.link.sendAndAwait("speed($i)", 1_000)
                         }
                     }
@@ -197,7 +215,8 @@ class LinkFaultSpec : FunSpec({
                 tried++
             }
         }
-        println("measured: a frame of version 2 cut, or short of a byte, or with one doubled or late, $tried ways: all actions carried out once, all requests answered")
+        println("measured: a frame of version 2 cut, or short of a byte, or with one doubled or late, $tried ways: " +
+            "all actions carried out once, all requests answered")
     }
 
     test("when the plug is pulled every action has been carried out at most once, and each that was confirmed has") {
@@ -223,7 +242,8 @@ class LinkFaultSpec : FunSpec({
             }
         }
         val done = board.handled.filter { REQUEST !in it }.map { it.drop(2) }
-        println("measured: $DISCONNECTIONS disconnections: $number actions, ${confirmed.size} confirmed, ${done.size} carried out, ${done.size - done.toSet().size} twice")
+        println("measured: $DISCONNECTIONS disconnections: $number actions, ${confirmed.size} confirmed, " +
+            "${done.size} carried out, ${done.size - done.toSet().size} twice")
         done.toSet().size shouldBe done.size
         (confirmed - done.toSet()).shouldBeEmpty()
     }

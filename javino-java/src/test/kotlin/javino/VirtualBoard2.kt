@@ -1,8 +1,8 @@
 package javino
 
 /**
- * A board of version 2, in virtual time: it answers each request in the version it was asked in, carries an action out once however often it
- * comes, acknowledges it, and refuses those that begin with `bad`.
+ * A board of version 2, in virtual time: it answers each request in the version it was asked in, carries an action out once however often
+ * it comes, acknowledges it, and refuses those that begin with `bad`.
  *
  * @param startsAt the time in ms until which what comes is lost
  * @param damage what the line makes of bytes, in either direction
@@ -74,7 +74,8 @@ internal class VirtualBoard2(
             val percepts = answer(++answers)
             post(if (frame.version() == 1) listOf(Frame.of(percepts)) else message(percepts))
         } else if (frame.version() == 1) {
-            if (!text.take(1).all(Char::isDigit)) onHandled("1:$text") // no action: what is left of a version 2 frame with a damaged preamble
+            // no action: what is left of a version 2 frame with a damaged preamble
+            if (!text.take(1).all(Char::isDigit)) onHandled("1:$text")
         } else {
             if (!(frame == last && now - lastAt < 3_000)) act(frame)
             if (frame.flags() and Frame.ACK_WANTED != 0) post(listOf(Frame.version2(ByteArray(0), lastFlags, frame.sequence())))

@@ -25,10 +25,13 @@ class ReflexesSpec : FunSpec({
     val outcomes = ArrayList<(Failure?) -> Unit>()
     val warnings = ArrayList<String>()
     var nowMs = 0L
-    fun reflexes() = Reflexes({ _, command, outcome -> sent += command; outcomes += outcome }, RateLimitedWarning({ nowMs }) { warnings += it })
+    fun reflexes() =
+        Reflexes({ _, command, outcome -> sent += command; outcomes += outcome }, RateLimitedWarning({ nowMs }) { warnings += it })
     val board = FakeBoard.plugIn("reflexes").lenient()
     val port = OpenPort(
-        mapOf(ASSyntax.createAtom("reflexes") to "sim:reflexes"), Link.open("sim:reflexes", LinkSettings.defaults(), "test"), PortOptions(), 0, 0,
+        mapOf(ASSyntax.createAtom("reflexes") to "sim:reflexes"),
+        Link.open("sim:reflexes", LinkSettings.defaults(), "test"),
+        PortOptions(), 0, 0,
     ) { AutoCloseable { } }
     afterSpec {
         port.close()

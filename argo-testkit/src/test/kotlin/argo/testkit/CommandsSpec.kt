@@ -40,7 +40,8 @@ class CommandsSpec : FunSpec({
     test("commands fail, whatever their options, while the board hangs, and arrive again when it recovers") {
         worker("protocol(2)") { board.version2() }.use { agent ->
             agent.board.hangs()
-            agent.isTo("do(a)", "do(b,[timeout(200)])").shouldPrint("failed(b,act_timeout)").shouldPrint("failed(a,act_unconfirmed)", within = 20.seconds)
+            agent.isTo("do(a)", "do(b,[timeout(200)])").shouldPrint("failed(b,act_timeout)")
+                .shouldPrint("failed(a,act_unconfirmed)", within = 20.seconds)
             agent.board.recovers()
             agent.after(5.seconds).isTo("do(c)").shouldPrint("done(c)")
         }
@@ -63,7 +64,8 @@ class CommandsSpec : FunSpec({
                 listOf("failed(one,port_gone)", "failed(three,port_gone)", "failed(two,port_gone)")
             agent.isTo("do(four)").shouldPrint("failed(four,port_gone)")
             agent.board.reconnects()
-            agent.shouldBelieve("port(ttyACM0,on)", within = 3.seconds).isTo("do(five)").after(300.milliseconds).sent.shouldBeEmpty() // still at 300 baud
+            // still at 300 baud
+            agent.shouldBelieve("port(ttyACM0,on)", within = 3.seconds).isTo("do(five)").after(300.milliseconds).sent.shouldBeEmpty()
             agent.after(300.milliseconds).sent shouldBe listOf("five")
         }
     }

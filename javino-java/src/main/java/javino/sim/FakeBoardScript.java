@@ -40,7 +40,8 @@ final class FakeBoardScript {
     static UnaryOperator<String> inTurn(String first, String... next) {
         List<String> answers = new ArrayList<>(List.of(first));
         answers.addAll(List.of(next));
-        answers.stream().filter(text -> text.length() <= Frame.MAX_PAYLOAD).forEach(Frame::of); // else the test would learn too late
+        // else the test would learn too late
+        answers.stream().filter(text -> text.length() <= Frame.MAX_PAYLOAD).forEach(Frame::of);
         AtomicInteger turn = new AtomicInteger();
         return message -> answers.get(turn.getAndUpdate(i -> Math.min(i + 1, answers.size() - 1)));
     }
