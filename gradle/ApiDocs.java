@@ -1,3 +1,5 @@
+import static java.util.Map.entry;
+
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.File;
 import java.util.List;
@@ -23,21 +25,21 @@ final class ApiDocs {
         if (arguments.length != 4) {
             throw new IllegalArgumentException("usage: ApiDocs MODULE OUTPUT SOURCES CLASSPATH");
         }
-        Map<String, Object> sources = Map.of(
-                "displayName", "JVM",
-                "sourceSetID", Map.of("scopeId", arguments[0], "sourceSetName", "main"),
-                "analysisPlatform", "jvm",
-                "jdkVersion", 17,
-                "noStdlibLink", true,
-                "noJdkLink", true,
-                "sourceRoots", paths(arguments[2]),
-                "classpath", paths(arguments[3]));
-        Map<String, Object> configuration = Map.of(
-                "moduleName", arguments[0],
-                "outputDir", arguments[1],
-                "offlineMode", true,
-                "failOnWarning", false,
-                "sourceSets", List.of(sources));
+        Map<String, Object> sources = Map.ofEntries(
+                entry("displayName", "JVM"),
+                entry("sourceSetID", Map.of("scopeId", arguments[0], "sourceSetName", "main")),
+                entry("analysisPlatform", "jvm"),
+                entry("jdkVersion", 17),
+                entry("noStdlibLink", true),
+                entry("noJdkLink", true),
+                entry("sourceRoots", paths(arguments[2])),
+                entry("classpath", paths(arguments[3])));
+        Map<String, Object> configuration = Map.ofEntries(
+                entry("moduleName", arguments[0]),
+                entry("outputDir", arguments[1]),
+                entry("offlineMode", true),
+                entry("failOnWarning", false),
+                entry("sourceSets", List.of(sources)));
         String json = new ObjectMapper().writeValueAsString(configuration);
         new DokkaGenerator(
                         ConfigurationJsonUtilsKt.DokkaConfigurationImpl(json),

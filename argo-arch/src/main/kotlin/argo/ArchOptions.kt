@@ -38,7 +38,9 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
             log.severe("$SENSING=$word: a policy is one of ${SensingPolicy.words}; ${it.word} is used")
         }).also {
             if (it == SensingPolicy.IN_CYCLE) {
-                log.warning("$SENSING=$word: each reasoning cycle waits for the board, so the agent falls behind the world; for comparison only")
+                log.warning(
+                    "$SENSING=$word: each reasoning cycle waits for the board, so the agent falls behind the world; for comparison only",
+                )
             }
         }
     }

@@ -340,7 +340,8 @@ public final class Link implements AutoCloseable {
     private void awaitStart() throws PortException {
         try {
             if (!reading.tryLock(Math.max(channel.nanosUntilStarted(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
-                return; // another call waited for it meanwhile, or listens for so long that the action must not wait for it
+                // another call waited for it meanwhile, or listens for so long that the action must not wait for it
+                return;
             }
         } catch (InterruptedException e) {
             throw interrupted();

@@ -74,8 +74,8 @@ public final class Transports {
         TransportProvider provider = providers.get(name.scheme());
         if (providers.isEmpty()) {
             throw new NoSuchPortException(port, "port " + port + " cannot be opened: no " + TransportProvider.class.getName()
-                    + " was found, not even one for serial devices; does the program's jar hold META-INF/services, merged from all it was"
-                    + " made of?");
+                    + " was found, not even one for serial devices; does the program's jar hold META-INF/services,"
+                    + " merged from all it was made of?");
         }
         if (provider == null) {
             throw new NoSuchPortException(port, "port " + port + " asks for the scheme \"" + name.scheme() + "\", but there are only: "
@@ -86,7 +86,8 @@ public final class Transports {
 
     private static Map<String, TransportProvider> providers() {
         List<ServiceLoader.Provider<TransportProvider>> services = Services.providers(TransportProvider.class);
-        services.sort(Comparator.comparing(service -> !service.type().getName().startsWith(OWN_PACKAGES))); // this library's come first
+        // this library's come first
+        services.sort(Comparator.comparing(service -> !service.type().getName().startsWith(OWN_PACKAGES)));
         Map<String, TransportProvider> providers = new LinkedHashMap<>();
         for (ServiceLoader.Provider<TransportProvider> service : services) {
             TransportProvider found = Services.make(service);

@@ -51,7 +51,8 @@ private class Talker(private val frames: Int, private val gapMillis: Double, pri
 
 class FieldFaultSpec : FunSpec({
     for (rate in listOf(1e-5, 1e-4, 1e-3)) for (gap in listOf(13.8, 20.0)) {
-        test("every intact frame of version 1 is delivered: one bit in ${(1 / rate).roundToInt()} wrong, bytes lost, doubled and late, one frame every $gap ms")
+        val wrong = "one bit in ${(1 / rate).roundToInt()} wrong"
+        test("every intact frame of version 1 is delivered: $wrong, bytes lost, doubled and late, one frame every $gap ms")
             .config(timeout = 30.minutes) {
                 val faults = RandomFaults(rate, lost = rate, doubled = rate, late = rate, latestNanos = 90_000_000, seed = 2026)
                 val intact = mutableListOf<Int>()
@@ -66,13 +67,13 @@ class FieldFaultSpec : FunSpec({
                     }
                 }
                 val missing = intact.filter { it !in whole }
-                println("measured: one bit in ${(1 / rate).roundToInt()} wrong, and as many bytes lost, doubled and late, in version 1: of $EXCHANGES frames every $gap ms " +
+                println("measured: $wrong, and as many bytes lost, doubled and late, in version 1: of $EXCHANGES frames every $gap ms " +
                     "${intact.size} intact, ${missing.size} of these not delivered; $delivered delivered in all")
                 missing.shouldBeEmpty()
                 intact.size shouldBeGreaterThan 0
             }
 
-        if (gap == 20.0) test("an exchange of version 1 whose two frames are intact succeeds: one bit in ${(1 / rate).roundToInt()} wrong").config(timeout = 30.minutes) {
+        if (gap == 20.0) test("an exchange of version 1 whose two frames are intact succeeds: $wrong").config(timeout = 30.minutes) {
             val there = RandomFaults(rate, seed = 1)
             val back = RandomFaults(rate, seed = 2)
             var last = 0
@@ -88,7 +89,8 @@ class FieldFaultSpec : FunSpec({
                     if (answer == percepts(last)) succeeded++
                 }
             }
-            println("measured: one bit in ${(1 / rate).roundToInt()} wrong, $exchanges exchanges in version 1: $succeeded answered, ${failed.size} of these whose frames were intact failed")
+            println("measured: $wrong, $exchanges exchanges in version 1: $succeeded answered, " +
+                "${failed.size} of these whose frames were intact failed")
             failed.shouldBeEmpty()
             succeeded shouldBeGreaterThan 0
         }

@@ -22,7 +22,8 @@ import kotlin.time.Duration.Companion.minutes
 private val ordinary = Arb.list(Arb.element("abcdeghij(),;0123456789 \u00e9".toList()), 0..40).map { Frame.of(it.joinToString("")) }
 
 /** What confuses a decoder most: pieces of preambles and lengths. */
-private val nastyText = Arb.list(Arb.element("f", "ff", "fffe", "fffe0", "fffe02", "e", "0", "A", "F", "x"), 0..30).map { it.joinToString("") }
+private val nastyText =
+    Arb.list(Arb.element("f", "ff", "fffe", "fffe0", "fffe02", "e", "0", "A", "F", "x"), 0..30).map { it.joinToString("") }
 private val nasty = nastyText.map { Frame.of(it) }
 
 private fun bytesOf(frames: List<Frame>): ByteArray = frames.fold(ByteArray(0)) { all, frame -> all + frame.toBytes() }

@@ -49,7 +49,9 @@ class JavinoSpec : FunSpec({
             val board = VersionsHeard(heard)
             SimulatedBoards.plugIn("versions", board)
             try {
-                Javino(LinkSettings.defaults().withBootMillis(0).withProtocol(protocol), 50).use { javino -> repeat(2) { javino.requestData("sim:versions", "getPercepts") } }
+                Javino(LinkSettings.defaults().withBootMillis(0).withProtocol(protocol), 50).use { javino ->
+                    repeat(2) { javino.requestData("sim:versions", "getPercepts") }
+                }
             } finally {
                 SimulatedBoards.unplug("versions")
             }

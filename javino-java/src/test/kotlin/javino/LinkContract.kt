@@ -144,7 +144,10 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
         unplug()
         val first = shouldThrow<PortGoneException> { link.request("getPercepts", LONG_MILLIS).text() }
         link.isOpen shouldBe false
-        for (call in listOf({ link.sendAndAwait("stop", LONG_MILLIS) }, { link.listen(LONG_MILLIS).text() }, { link.request("getPercepts", LONG_MILLIS).text() })) {
+        for (call in listOf(
+            { link.sendAndAwait("stop", LONG_MILLIS) }, { link.listen(LONG_MILLIS).text() },
+            { link.request("getPercepts", LONG_MILLIS).text() },
+        )) {
             shouldThrow<PortGoneException> { call() }.message shouldBe first.message
         }
         Link.ownerOf(port).isPresent shouldBe false

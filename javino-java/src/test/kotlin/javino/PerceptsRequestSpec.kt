@@ -6,7 +6,8 @@ import io.kotest.matchers.shouldBe
 
 class PerceptsRequestSpec : FunSpec({
     test("a request for percepts asks for all, or for those of some functors") {
-        listOf("getPercepts", "getPercepts()", "getPercepts(dist)", "getPercepts(dist,light)").filterNot(PerceptsRequest::isIn).shouldBeEmpty()
+        listOf("getPercepts", "getPercepts()", "getPercepts(dist)", "getPercepts(dist,light)")
+            .filterNot(PerceptsRequest::isIn).shouldBeEmpty()
         listOf("", "getPercept", "getPerceptsNow", "getpercepts", "ledOn", " getPercepts").filter(PerceptsRequest::isIn).shouldBeEmpty()
     }
 

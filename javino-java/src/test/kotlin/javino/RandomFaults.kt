@@ -34,7 +34,8 @@ internal class RandomFaults(
     override fun pass(bytes: ByteArray): List<Piece> {
         intact = true
         lateNanos = 0
-        val faults = bytes.indices.mapNotNull { i -> random.nextDouble().takeIf { it < wrongByte + lost + doubled + late }?.let { i to it } }
+        val faults =
+            bytes.indices.mapNotNull { i -> random.nextDouble().takeIf { it < wrongByte + lost + doubled + late }?.let { i to it } }
         if (faults.isEmpty()) return listOf(Piece(bytes))
         val pieces = mutableListOf<Piece>()
         var from = 0

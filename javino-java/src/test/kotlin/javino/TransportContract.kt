@@ -14,7 +14,9 @@ import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
 /** Two ends of one line, and the plug. */
-internal class Line(val computer: Transport, val board: Transport, val unplug: () -> Unit, private val release: () -> Unit) : AutoCloseable {
+internal class Line(
+    val computer: Transport, val board: Transport, val unplug: () -> Unit, private val release: () -> Unit,
+) : AutoCloseable {
     override fun close() {
         computer.close()
         board.close()

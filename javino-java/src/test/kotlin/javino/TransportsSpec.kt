@@ -70,7 +70,8 @@ class TransportsSpec : FunSpec({
             inContext(loader) {
                 val settings = loader.loadClass(LineSettings::class.java.name)
                 val open = loader.loadClass(Transports::class.java.name).getMethod("open", String::class.java, settings)
-                val refusal = shouldThrow<InvocationTargetException> { open.invoke(null, "ttyACM0", settings.getMethod("defaults").invoke(null)) }
+                val refusal =
+                    shouldThrow<InvocationTargetException> { open.invoke(null, "ttyACM0", settings.getMethod("defaults").invoke(null)) }
                 refusal.cause!!.message shouldContain "META-INF/services"
             }
         }
@@ -98,7 +99,8 @@ class TransportsSpec : FunSpec({
 
     test("a service that cannot be loaded leaves the others") {
         withServices(
-            TransportProvider::class.java.name to "no.such.Provider\n${UnusableProvider::class.java.name}\n${NowhereProvider::class.java.name}",
+            TransportProvider::class.java.name to
+                "no.such.Provider\n${UnusableProvider::class.java.name}\n${NowhereProvider::class.java.name}",
             SimulatedBoard::class.java.name to "no.such.Board\n${ParrotBoard::class.java.name}",
         ) {
             Transports.open("nowhere:there", line).use { it.name() shouldBe "nowhere:there" }

@@ -29,7 +29,9 @@ class RealAgentsSpec : FunSpec({
                         +dist(f,X) <- argo.act(seen(X)).
                     """)
                 }
-                eventually(LIMIT) { boards.filter { board -> board.received().none { it.startsWith("seen") } }.map { it.port() }.shouldBeEmpty() }
+                eventually(LIMIT) {
+                    boards.filter { board -> board.received().none { it.startsWith("seen") } }.map { it.port() }.shouldBeEmpty()
+                }
                 (1..200).forEach { mas.kill("bob$it") }
                 eventually(LIMIT) { argoThreads().shouldBeEmpty() }
                 boards.mapNotNull { Link.ownerOf(it.port()).orElse(null) }.shouldBeEmpty()

@@ -15,8 +15,11 @@ class BeliefReaderSpec : FunSpec({
     fun read(text: String) = reader.read(text)
 
     test("a percept becomes the literal that Jason reads") {
-        for (text in listOf("dist(f,123)", "ready", "~open(door)", "temp(f,-3.5)", "say(\"hi; you\")", "p([1,2|[3]],q(r))", "p(1)[q(0.5)]", "ns::p(1)"))
+        for (text in listOf(
+            "dist(f,123)", "ready", "~open(door)", "temp(f,-3.5)", "say(\"hi; you\")", "p([1,2|[3]],q(r))", "p(1)[q(0.5)]", "ns::p(1)",
+        )) {
             read(text) shouldBe listOf(ASSyntax.parseLiteral(text))
+        }
         warnings.shouldBeEmpty()
     }
 
@@ -25,7 +28,9 @@ class BeliefReaderSpec : FunSpec({
     }
 
     test("as many readings are known again as a message has, and no more than twice as many of those that went before") {
-        for ((percepts, remembered, forgotten) in listOf(Triple(12, 100, 200), Triple(1_200, 1_200, 2_500), Triple(1_000_000, 4_000, 5_000))) {
+        for ((percepts, remembered, forgotten) in listOf(
+            Triple(12, 100, 200), Triple(1_200, 1_200, 2_500), Triple(1_000_000, 4_000, 5_000),
+        )) {
             reader.expect(percepts)
             val first = read("first").single()
             repeat(remembered) { read("p($it)") }
@@ -41,7 +46,10 @@ class BeliefReaderSpec : FunSpec({
     }
 
     test("what Jason cannot read costs one warning per text, whatever it holds") {
-        for (hostile in listOf("dist(f,", "dist f", "1", "\"a\"", "X", ".stopMAS", "argo.act(stop)", "a & b", "p :- q", "\u0000\u001b[2J", "a(b", "é~", "3 > 2", "@", "+!go", "[a]", "-")) {
+        for (hostile in listOf(
+            "dist(f,", "dist f", "1", "\"a\"", "X", ".stopMAS", "argo.act(stop)", "a & b", "p :- q", "\u0000\u001b[2J", "a(b", "é~",
+            "3 > 2", "@", "+!go", "[a]", "-",
+        )) {
             warnings.clear()
             withClueOf(hostile) {
                 read(hostile).shouldBeEmpty()
@@ -60,7 +68,9 @@ class BeliefReaderSpec : FunSpec({
     }
 
     test("a percept holds nothing that is computed") {
-        for (text in listOf("p(math.random)", "p(1+math.random)", "p(q(r,[1,math.abs(-2)]))", "p[q(math.random(10))]")) read(text).shouldBeEmpty()
+        for (text in listOf("p(math.random)", "p(1+math.random)", "p(q(r,[1,math.abs(-2)]))", "p[q(math.random(10))]")) {
+            read(text).shouldBeEmpty()
+        }
         warnings.forEach { it shouldContain "function" }
         warnings shouldHaveSize 4
         read("p(1+1,-2,[3|[4]])[q(-5)]") shouldHaveSize 1

@@ -19,7 +19,8 @@ class CriticalLaneSpec : FunSpec({
     val bump = CriticalRule(Rule("bump"))
     fun event(trigger: String) = Event(ASSyntax.parseTrigger(trigger), Intention.EmptyInt)
     fun snapshot(n: Long, vararg critical: Pair<CriticalRule, String>) = Snapshot(
-        null, listOf("n($n)"), listOf("n($n)"), emptyList(), n, critical.map { (rule, text) -> CriticalPercept(rule, ASSyntax.parseLiteral(text)) },
+        null, listOf("n($n)"), listOf("n($n)"), emptyList(), n,
+        critical.map { (rule, text) -> CriticalPercept(rule, ASSyntax.parseLiteral(text)) },
     )
 
     /** A hand-over to an agent whose queue holds the given number of percept events, with one command that never goes out. */
@@ -88,7 +89,10 @@ class CriticalLaneSpec : FunSpec({
         val queue = ConcurrentLinkedQueue<Event>()
         val waiting = (1..5).map { event("+light($it)[source(percept)]") }
         val critical = listOf(event("+near(9)[source(percept)]"), event("+~open(door)[source(percept)]"))
-        val others = listOf(event("-near(9)[source(percept)]"), event("+near(9)[source(self)]"), event("+open(door)[source(percept)]"), event("+!near(9)[source(percept)]"))
+        val others = listOf(
+            event("-near(9)[source(percept)]"), event("+near(9)[source(self)]"), event("+open(door)[source(percept)]"),
+            event("+!near(9)[source(percept)]"),
+        )
         queue += waiting + critical[0] + others + critical[1]
         bringForward(queue, listOf(ASSyntax.parseLiteral("near(9)[q(1)]"), ASSyntax.parseLiteral("~open(door)")))
         queue.toList().map { "${it.trigger}" } shouldBe (critical + waiting + others).map { "${it.trigger}" }

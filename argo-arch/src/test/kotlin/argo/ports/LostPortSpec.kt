@@ -17,7 +17,9 @@ class LostPortSpec : FunSpec({
     /** A port that was open for [livedMs], [losses] times in a row before, lost at time 0. */
     fun lost(livedMs: Long, losses: Int = 0, spoke: Boolean = false): LostPort = FakeBoard.plugIn("lost").use { board ->
         Link.open(board.port(), LinkSettings.defaults(), "bob").use { link ->
-            val port = OpenPort(mapOf(term to board.port()), link, PortOptions(), -TimeUnit.MILLISECONDS.toNanos(livedMs), losses) { AutoCloseable { } }
+            val port = OpenPort(
+                mapOf(term to board.port()), link, PortOptions(), -TimeUnit.MILLISECONDS.toNanos(livedMs), losses,
+            ) { AutoCloseable { } }
             port.hasSpoken = spoke
             LostPort(port, term, board.port(), 0)
         }

@@ -213,7 +213,7 @@ class PortsSpec : FunSpec({
         }
     }
 
-    test("a device that takes its time to be opened does not keep another one from coming back, and is asked for at once when the agent asks") {
+    test("a device that takes its time to be opened keeps no other one from coming back, and is asked for at once when the agent asks") {
         bench("left", "right") { boards ->
             choose("fussy:left") shouldBe null
             choose("sim:right") shouldBe null

@@ -16,7 +16,8 @@ class StaleBeliefsSpec : FunSpec({
         FakeBoard.plugIn("quiet").use { board ->
             Link.open(board.port(), LinkSettings.defaults(), "bob").use { link ->
                 var nowMs = 1_000L
-                val port = OpenPort(mapOf(ASSyntax.createAtom("quiet") to board.port()), link, options("[stale(300)]"), 0, 0) { AutoCloseable { } }
+                val port =
+                    OpenPort(mapOf(ASSyntax.createAtom("quiet") to board.port()), link, options("[stale(300)]"), 0, 0) { AutoCloseable { } }
                 val stale = StaleBeliefs({ nowMs }, { port }, { 50 })
                 stale.dueInMs() shouldBe 300
                 nowMs = 1_299

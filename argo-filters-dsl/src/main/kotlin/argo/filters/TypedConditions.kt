@@ -1,4 +1,4 @@
-/** Conditions on arguments of a declared percept type. They add to the rule in whose block they stand: `drop(Distance) { cm gt 9 }`. */
+/* Conditions on arguments of a declared percept type. They add to the rule in whose block they stand: `drop(Distance) { cm gt 9 }`. */
 package argo.filters
 
 /** A rule on a declared percept type under construction. The functions of this file take it from their context. */

@@ -18,11 +18,13 @@ class Compilation(directory: File, statements: List<String>, private val declara
         val functions = statements.mapIndexed { number, statement -> "fun snippet$number() { $statement }" }
         source.writeText((listOf(declarations) + functions).joinToString("\n"))
         exit = K2JVMCompiler().exec(
-            PrintStream(messages), "-no-stdlib", "-no-reflect", "-classpath", classPath(), "-jvm-target", "17", "-d", directory.resolve("out").path, source.path,
+            PrintStream(messages), "-no-stdlib", "-no-reflect", "-classpath", classPath(), "-jvm-target", "17", "-d",
+            directory.resolve("out").path, source.path,
         )
     }
 
-    fun errors(statement: Int): List<String> = "$messages".lines().filter { "Snippets.kt:${firstLine + statement}:" in it && "error:" in it }
+    fun errors(statement: Int): List<String> =
+        "$messages".lines().filter { "Snippets.kt:${firstLine + statement}:" in it && "error:" in it }
 
     override fun toString() = "$messages"
 

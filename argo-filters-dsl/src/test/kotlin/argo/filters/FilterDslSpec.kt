@@ -24,7 +24,11 @@ class FilterDslSpec : StringSpec({
             drop("temperature")
             drop("distance") { argument(0) ne "front" }
         }
-        filter shouldBe PerceptionFilter("frontDistance", Rule("temperature"), Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front")))))
+        filter shouldBe PerceptionFilter(
+            "frontDistance",
+            Rule("temperature"),
+            Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front")))),
+        )
         filter.name shouldBe "frontDistance"
         filter.mode shouldBe Mode.DROP
         filter.onSwitch shouldBe OnSwitch.FORGET
@@ -69,7 +73,8 @@ class FilterDslSpec : StringSpec({
               <filter arity="3" everyMs="500" deadband="2">
                 <predicate>d</predicate>
                 <parameter id="0">a</parameter><parameter id="0">1</parameter><parameter id="0">"A"</parameter>
-                <parameter id="0" operator="NE">a</parameter><parameter id="0" operator="NE">1.5</parameter><parameter id="0" operator="NE">"A"</parameter>
+                <parameter id="0" operator="NE">a</parameter><parameter id="0" operator="NE">1.5</parameter>
+                <parameter id="0" operator="NE">"A"</parameter>
                 <parameter id="1" operator="GT">1</parameter><parameter id="1" operator="GE">2</parameter>
                 <parameter id="1" operator="LT">3</parameter><parameter id="1" operator="LE">4</parameter>
                 <parameter id="2" operator="MATCHES">a.*</parameter>
@@ -111,7 +116,9 @@ class FilterDslSpec : StringSpec({
                 annotation("r") { gt(0); lt(1) }
                 deadband(3)
                 argument(0) eq "a"; argument(0) ne "b"; argument(0) isIn listOf("d", "c"); argument(0) matches "e"
-                argument(1) eq 1; argument(1) ne 2; argument(1) gt 3; argument(1) ge 4; argument(1) lt 5; argument(1) le 6; argument(1) isIn listOf(7, 8); argument(1) deadband 9
+                argument(1) eq 1; argument(1) ne 2; argument(1) gt 3; argument(1) ge 4
+                argument(1) lt 5; argument(1) le 6
+                argument(1) isIn listOf(7, 8); argument(1) deadband 9
             }
             drop("~said") {
                 argument(0) ne "\"a\""; argument(0) isIn listOf("\"b\"", "\"c\""); argument(0) matches "d"
@@ -125,7 +132,11 @@ class FilterDslSpec : StringSpec({
             keep(Distance) { side eq "front" }
             keep("bumper")
         }
-        filter shouldBe PerceptionFilter("x", listOf(Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.EQ, GroundTerm.of("front")))), Rule("bumper")), Mode.KEEP)
+        filter shouldBe PerceptionFilter(
+            "x",
+            listOf(Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.EQ, GroundTerm.of("front")))), Rule("bumper")),
+            Mode.KEEP,
+        )
     }
 
     "a filter includes another's rules where it says so" {
@@ -136,28 +147,38 @@ class FilterDslSpec : StringSpec({
     "a filter that keeps does not include one that drops, nor the other way round" {
         val dropping = dropFilter("dropping") { drop("a") }
         val keeping = keepFilter("keeping") { keep("a") }
-        shouldThrow<IllegalArgumentException> { keepFilter("x") { include(dropping) } }.message shouldContain "filter dropping cannot be included"
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { include(keeping) } }.message shouldContain "filter keeping cannot be included"
+        shouldThrow<IllegalArgumentException> { keepFilter("x") { include(dropping) } }.message shouldContain
+            "filter dropping cannot be included"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { include(keeping) } }.message shouldContain
+            "filter keeping cannot be included"
     }
 
     "an argument or annotation of which nothing is said is refused" {
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(1) } } }.message shouldContain "nothing is said of argument(1) in a rule on d"
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { annotation("q") } } }.message shouldContain "annotation(\"q\")"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(1) } } }.message shouldContain
+            "nothing is said of argument(1) in a rule on d"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { annotation("q") } } }.message shouldContain
+            "annotation(\"q\")"
     }
 
     "what a file is refused for is refused here" {
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("Dist") } }.message shouldContain "'Dist' is no functor"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(-1) eq 1 } } }.message shouldContain "none at -1"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) eq "Front" } } }.message shouldContain "variable"
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) matches "(" } } }.message shouldContain "not a regular expression"
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) isIn emptyList() } } }.message shouldContain "at least one"
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) isIn listOf(true) } } }.message shouldContain "is no value"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) matches "(" } } }.message shouldContain
+            "not a regular expression"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) isIn emptyList() } } }.message shouldContain
+            "at least one"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) isIn listOf(true) } } }.message shouldContain
+            "is no value"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(-1) } } }
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(1); arity(2) } } }.message shouldContain "one arity"
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { everyMs(10); everyMs(20) } } }.message shouldContain "one interval"
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { deadband(1); deadband(2) } } }.message shouldContain "two deadbands"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { everyMs(10); everyMs(20) } } }.message shouldContain
+            "one interval"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { deadband(1); deadband(2) } } }.message shouldContain
+            "two deadbands"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { everyMs(0) } } }
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { side eq "pos(1)" } } }.message shouldContain "not an atom"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { side eq "pos(1)" } } }.message shouldContain
+            "not an atom"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { cm deadband 0 } } }
     }
 })

@@ -29,7 +29,9 @@ fun rule(predicate: String, conditions: String = ""): PerceptMatcher =
 
 /** Small vocabularies, so that filters and percepts meet often. */
 val functors = Arb.element("dist", "light", "open", "'Left wheel'", "x_1", "begin", "'two\nlines'", "'a\tb\r'", "'<&>'", "'x::y'")
-val predicates: Arb<Predicate> = Arb.bind(functors, Arb.element(false, false, true), Arb.element("default", "default", "default", "default", "house", "'a::b'")) { functor, negated, namespace ->
+val predicates: Arb<Predicate> = Arb.bind(
+    functors, Arb.element(false, false, true), Arb.element("default", "default", "default", "default", "house", "'a::b'"),
+) { functor, negated, namespace ->
     Predicate(functor, negated, namespace)
 }
 
@@ -40,12 +42,17 @@ val numbers: Arb<GroundTerm.Number> = Arb.choice(
 ).map(GroundTerm::Number)
 
 val texts: Arb<GroundTerm.Text> = Arb.choice(
-    Arb.element("", "front", "a,b", "]", ")", "(", "say \"hi\"", "line\nbreak", "\\t", "// no comment", "é 漢 \uD83D\uDE00", "'", ";", "<&>]]>"),
+    Arb.element(
+        "", "front", "a,b", "]", ")", "(", "say \"hi\"", "line\nbreak", "\\t", "// no comment", "é 漢 \uD83D\uDE00", "'", ";", "<&>]]>",
+    ),
     Arb.string(0..6).filter { GroundTerm.Text.ofOrNull(it) != null && it.none(Char::isISOControl) },
 ).map(GroundTerm::Text)
 
 fun values(depth: Int = 2): Arb<GroundTerm> {
-    val leaves = listOf<Arb<GroundTerm>>(numbers.map { it }, texts.map { it }, predicates.map { GroundTerm.Structure(it) }, Arb.element("front", "back", "true", "false").map(GroundTerm::of))
+    val leaves = listOf<Arb<GroundTerm>>(
+        numbers.map { it }, texts.map { it }, predicates.map { GroundTerm.Structure(it) },
+        Arb.element("front", "back", "true", "false").map(GroundTerm::of),
+    )
     if (depth == 0) return Arb.choice(leaves)
     val items = Arb.list(values(depth - 1), 0..3)
     val lists: Arb<GroundTerm> = items.map(GroundTerm::Sequence)
@@ -74,7 +81,8 @@ val conditions: Arb<Condition> = Arb.choice(
 
 private val intervals: Arb<Long> = Arb.choice(Arb.long(1L..2_000), Arb.long(1L..2_000), Arb.element(Int.MAX_VALUE + 1L, Long.MAX_VALUE))
 
-val rates: Arb<Rate> = Arb.bind(intervals.orNull(), Arb.list(Arb.int(0..2).orNull(), 0..2), Arb.element(0.5, 1.0, 1e6)) { everyMs, arguments, width ->
+val rates: Arb<Rate> =
+    Arb.bind(intervals.orNull(), Arb.list(Arb.int(0..2).orNull(), 0..2), Arb.element(0.5, 1.0, 1e6)) { everyMs, arguments, width ->
     val deadbands = arguments.toSet().map { Deadband(it, width) }.toSet()
     Rate(if (deadbands.isEmpty()) everyMs ?: 1 else everyMs, deadbands)
 }
@@ -86,7 +94,8 @@ val timelessRules: Arb<Rule> = Arb.bind(predicates, Arb.list(conditions, 0..2), 
 
 val rules: Arb<Rule> = Arb.bind(timelessRules, rates.orNull(0.7)) { rule, rate -> rule.copy(rate = rate) }
 
-val criticalRules: Arb<CriticalRule> = Arb.bind(timelessRules, Arb.element("stop", "speed(120)", "say(\"hi; <&> 'you'\")", "é", "a  b").orNull(0.3), ::CriticalRule)
+val criticalRules: Arb<CriticalRule> =
+    Arb.bind(timelessRules, Arb.element("stop", "speed(120)", "say(\"hi; <&> 'you'\")", "é", "a  b").orNull(0.3), ::CriticalRule)
 
 val filters: Arb<PerceptionFilter> = Arb.bind(
     Arb.list(rules, 0..6), Arb.enum<PerceptionFilter.Mode>(), Arb.enum<PerceptionFilter.OnSwitch>(), Arb.list(criticalRules, 0..2),
@@ -98,7 +107,8 @@ data class Percept(val predicate: Predicate, val arguments: List<GroundTerm>, va
 val percepts: Arb<Percept> = Arb.bind(predicates, Arb.list(values(), 0..3), Arb.list(values(1), 0..2), ::Percept)
 
 /** White space and comments that may stand between the tokens of a percept. */
-val blanks: Arb<String> = Arb.choice(Arb.constant(""), Arb.constant(""), Arb.element(" ", "\t", "\n", " \r\n ", "/* , ) */", "// ]\n", "/***/"))
+val blanks: Arb<String> =
+    Arb.choice(Arb.constant(""), Arb.constant(""), Arb.element(" ", "\t", "\n", " \r\n ", "/* , ) */", "// ]\n", "/***/"))
 
 /** Percepts as text, with [blanks] between their tokens. */
 val perceptTexts: Arb<String> = Arb.bind(percepts, Arb.list(blanks, 16..16), Arb.boolean()) { percept, blanks, spaced ->

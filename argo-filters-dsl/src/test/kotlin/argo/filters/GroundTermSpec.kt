@@ -21,7 +21,10 @@ class GroundTermSpec : StringSpec({
     "annotations have no order" { GroundTerm.of("a[b,c]") shouldBe GroundTerm.of("a[c,b,c]") }
 
     "what is no ground term is refused with what is wrong" {
-        for ((written, words) in listOf("" to "missing", "Front" to "variable", "_x" to "variable", "a b" to "not a value", "1d" to "not a value", "0x10" to "not a value", "a+b" to "not a value", "[a|T]" to "not a value", "\"x" to "not a value")) {
+        for ((written, words) in listOf(
+            "" to "missing", "Front" to "variable", "_x" to "variable", "a b" to "not a value", "1d" to "not a value",
+            "0x10" to "not a value", "a+b" to "not a value", "[a|T]" to "not a value", "\"x" to "not a value",
+        )) {
             shouldThrow<IllegalArgumentException> { GroundTerm.of(written) }.message shouldContain words
         }
     }
@@ -37,11 +40,16 @@ class GroundTermSpec : StringSpec({
     }
 
     "an ordering needs a number" {
-        shouldThrow<IllegalArgumentException> { TermTest.Compare(Operator.GT, GroundTerm.of("front")) }.message shouldContain "'front' is not one"
+        shouldThrow<IllegalArgumentException> { TermTest.Compare(Operator.GT, GroundTerm.of("front")) }.message shouldContain
+            "'front' is not one"
     }
 
     "a predicate is written as it is read" {
-        for (written in listOf("dist", "~open", "house::dist", "house::~open", "'Left wheel'", "'x::y'", "~'x::y'", "'a::b'::'x::y'", "house::'x::y'")) "${Predicate.of(written)}" shouldBe written
+        for (written in listOf(
+            "dist", "~open", "house::dist", "house::~open", "'Left wheel'", "'x::y'", "~'x::y'", "'a::b'::'x::y'", "house::'x::y'",
+        )) {
+            "${Predicate.of(written)}" shouldBe written
+        }
         "${Predicate.of(" default:: dist ")}" shouldBe "dist"
         for (written in listOf("", "Dist", "dist(1)", "~", "~~a", "a b", "1", "::", "a::", "A::b", "not", "~true", "a::true", "true::a")) {
             shouldThrow<IllegalArgumentException> { Predicate.of(written) }

@@ -9,9 +9,12 @@ import org.jetbrains.kotlin.cli.common.ExitCode
 
 /** Statements of filters that make sense: they must compile, or the test of the others would prove nothing. */
 private val SENSE = listOf(
-    "typed conditions" to """dropFilter("x") { drop(Distance) { side ne "front"; cm gt 200; label matches "a.*"; annotation("q") { gt(0); lt(1) }; deadband(5) } }""",
+    "typed conditions" to
+        """dropFilter("x") { drop(Distance) { side ne "front"; cm gt 200; label matches "a.*"; """ +
+        """annotation("q") { gt(0); lt(1) }; deadband(5) } }""",
     "untyped conditions" to """dropFilter("x") { drop("light") { argument(0) gt 3; argument(1) eq "a" } }""",
-    "a critical rule, typed and not" to """dropFilter("x") { critical(Distance) { cm lt 15; reflex("stop") }; critical("bump") { argument(0) eq 1; reflex("stop") } }""",
+    "a critical rule, typed and not" to
+        """dropFilter("x") { critical(Distance) { cm lt 15; reflex("stop") }; critical("bump") { argument(0) eq 1; reflex("stop") } }""",
     "a filter that keeps" to """keepFilter("x") { keep(Distance) { cm ge 200.5 }; keep("light") }""",
 )
 
@@ -34,7 +37,8 @@ private val NO_SENSE = listOf(
     "drop in a filter that keeps" to """keepFilter("x") { drop("a") }""",
     "an annotation's test outside an annotation" to """dropFilter("x") { drop("a") { gt(1) } }""",
     "a condition of the rule in an annotation's tests" to """dropFilter("x") { drop("a") { annotation("q") { everyMs(1) } } }""",
-    "a condition of the rule in an annotation's tests, typed" to """dropFilter("x") { drop(Distance) { annotation("q") { everyMs(1) } } }""",
+    "a condition of the rule in an annotation's tests, typed" to
+        """dropFilter("x") { drop(Distance) { annotation("q") { everyMs(1) } } }""",
     "a reflex of a rule that drops" to """dropFilter("x") { drop("a") { reflex("stop") } }""",
     "a reflex of a typed rule that drops" to """dropFilter("x") { drop(Distance) { reflex("stop") } }""",
     "a side that is less in a critical rule" to """dropFilter("x") { critical(Distance) { side lt 3 } }""",

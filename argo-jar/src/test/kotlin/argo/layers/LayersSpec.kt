@@ -16,13 +16,18 @@ import io.kotest.matchers.collections.shouldContainAll
 /** Which package may know which: the table in CONTRIBUTING.md, and the order of packages in docs/architecture.md. */
 class LayersSpec : FunSpec({
     val product = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests()).importPackages("argo", "javino", "jason.stdlib")
-        .that(DescribedPredicate.describe("are the product's") { it.packageName != "argo.packing" && !it.packageName.startsWith("jason.stdlib.") || it.packageName == "jason.stdlib.argo" })
+        .that(
+            DescribedPredicate.describe("are the product's") {
+                it.packageName != "argo.packing" && !it.packageName.startsWith("jason.stdlib.") || it.packageName == "jason.stdlib.argo"
+            },
+        )
 
     fun packages(vararg names: String) = resideInAnyPackage(*names)
 
     /** Classes of the product that are in none of [allowed]. */
     fun productBut(vararg allowed: String): DescribedPredicate<JavaClass> =
-        packages("argo..", "javino..").and(DescribedPredicate.not(packages(*allowed))).`as`("another package of the product than ${allowed.joinToString()}")
+        packages("argo..", "javino..").and(DescribedPredicate.not(packages(*allowed)))
+            .`as`("another package of the product than ${allowed.joinToString()}")
 
     /** The packages of the architecture, each with those that it may know. */
     val order = mapOf(
@@ -52,10 +57,12 @@ class LayersSpec : FunSpec({
 
     context("links") {
         test("know Java and the serial driver alone") {
-            classes().that().resideInAPackage("javino..").should().onlyDependOnClassesThat().resideInAnyPackage("java..", "jdk..", "javino..", "com.fazecast..").check(product)
+            classes().that().resideInAPackage("javino..").should()
+                .onlyDependOnClassesThat().resideInAnyPackage("java..", "jdk..", "javino..", "com.fazecast..").check(product)
         }
         test("are not built on what moves the bytes") {
-            noClasses().that().resideInAPackage("javino").should().dependOnClassesThat().resideInAnyPackage("javino.serial..", "javino.tcp..", "javino.sim..").check(product)
+            noClasses().that().resideInAPackage("javino").should()
+                .dependOnClassesThat().resideInAnyPackage("javino.serial..", "javino.tcp..", "javino.sim..").check(product)
         }
     }
 
@@ -81,13 +88,15 @@ class LayersSpec : FunSpec({
                 .should().dependOnClassesThat().resideInAnyPackage("javino.serial..", "javino.tcp..", "javino.sim..").check(product)
         }
         test("does not know its live view") {
-            noClasses().that().resideOutsideOfPackage("argo.view..").should().dependOnClassesThat().resideInAPackage("argo.view..").check(product)
+            noClasses().that().resideOutsideOfPackage("argo.view..").should()
+                .dependOnClassesThat().resideInAPackage("argo.view..").check(product)
         }
     }
 
     context("the live view") {
         test("knows observed agents and filters, and of ARGO nothing else") {
-            noClasses().that().resideInAPackage("argo.view..").should().dependOnClassesThat(productBut("argo.view..", "argo.observing", "argo.filters..")).check(product)
+            noClasses().that().resideInAPackage("argo.view..").should()
+                .dependOnClassesThat(productBut("argo.view..", "argo.observing", "argo.filters..")).check(product)
         }
     }
 
@@ -96,7 +105,8 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAPackage("argo.tools..").should().dependOnClassesThat().resideInAPackage("jason..").check(product)
         }
         test("know no architecture") {
-            noClasses().that().resideInAPackage("argo.tools..").should().dependOnClassesThat(productBut("argo.tools..", "argo.filters..", "javino..")).check(product)
+            noClasses().that().resideInAPackage("argo.tools..").should()
+                .dependOnClassesThat(productBut("argo.tools..", "argo.filters..", "javino..")).check(product)
         }
     }
 })

@@ -19,10 +19,12 @@ import java.nio.file.Path
 /** Reads the beliefs and intentions of an agent under test. */
 internal class AgentInspector(private val ts: TransitionSystem) {
     /** Its beliefs without their annotations and without rules, in alphabetical order. */
-    val beliefs: List<String> get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == KQML }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
+    val beliefs: List<String>
+        get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == KQML }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
 
     /** Its intentions, each with the goals that led to it, the latest first, and what it is about to do; in alphabetical order. */
-    val intentions: List<String> get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).filter(String::isNotEmpty).sorted()
+    val intentions: List<String>
+        get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).filter(String::isNotEmpty).sorted()
 
     fun believes(formula: LogicalFormula): Boolean = ts.ag.believes(formula, Unifier())
 

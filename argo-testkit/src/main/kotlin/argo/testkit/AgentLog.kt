@@ -44,7 +44,8 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     /** An agent prints with the logger that Jason uses for its own messages about that agent. */
     private fun isPrinted(record: LogRecord): Boolean {
         val jason = TransitionSystem::class.java
-        return record.loggerName.orEmpty().startsWith("${jason.name}.") && record.sourceClassName?.startsWith("${jason.packageName}.") != true
+        return record.loggerName.orEmpty().startsWith("${jason.name}.") &&
+            record.sourceClassName?.startsWith("${jason.packageName}.") != true
     }
 
     override fun flush() = Unit

@@ -17,14 +17,14 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     var agentClass: Class<out Agent> = Agent::class.java
 
     /**
-     * Creates its architecture: [Arch], or a subclass of the project's own that passes the platform on. Null: an agent of plain Jason, which
-     * has no board.
+     * Creates its architecture: [Arch], or a subclass of the project's own that passes the platform on. Null: an agent of plain Jason,
+     * which has no board.
      */
     var arch: ((Platform) -> Arch)? = ::Arch
 
     /**
-     * The Jason environment that it is in, for actions that are not internal and for percepts that are not a board's; null: none. Its actions
-     * take no time. Several agents of a test may share one. Its own threads, if any, run in real time.
+     * The Jason environment that it is in, for actions that are not internal and for percepts that are not a board's; null: none. Its
+     * actions take no time. Several agents of a test may share one. Its own threads, if any, run in real time.
      */
     var environment: Environment? = null
 

@@ -50,7 +50,7 @@ class Board internal constructor(private val time: VirtualTime) {
         fake.whenAsked(PerceptsRequest::isIn).answer(::percepts)
     }
 
-    /** Its sensors show [percepts] from now on, `dist(front,30)` for example, each as text; without percepts it answers with an empty message. */
+    /** Its sensors show [percepts] from now on, each as text, `dist(front,30)`; without percepts it answers with an empty message. */
     fun shows(vararg percepts: String): Board = apply {
         messageOf(percepts.toList())
         shows { percepts.toList() }
@@ -66,7 +66,10 @@ class Board internal constructor(private val time: VirtualTime) {
         isSilent = false
     }
 
-    /** It answers no request for percepts from now on, until [shows] is called, though it takes commands. The agent believes `port(P,timeout)`. */
+    /**
+     * It answers no request for percepts from now on, until [shows] is called, though it takes commands.
+     * The agent believes `port(P,timeout)`.
+     */
     fun ignoresRequests(): Board = apply { isSilent = true }
 
     /** It sends [percepts] unasked, now, as a board does whose port is opened with `mode(listen)`. */
@@ -76,8 +79,8 @@ class Board internal constructor(private val time: VirtualTime) {
     fun disturbs(bytes: String): Board = apply { fake.noise(*bytesOf(bytes)) }
 
     /**
-     * From the next opening of its port on it sends what a board sent in [recording], at the times of the recording, and takes any command. Its
-     * other settings have no effect then, except for those of its port.
+     * From the next opening of its port on it sends what a board sent in [recording], at the times of the recording, and takes any command.
+     * Its other settings have no effect then, except for those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: Recording): Board = apply {

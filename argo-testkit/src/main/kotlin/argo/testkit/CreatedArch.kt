@@ -12,7 +12,9 @@ import argo.platform.Platform
 internal fun archOf(classes: List<String>, father: TestAgent?): ((Platform) -> Arch)? = when {
     classes.isEmpty() -> if (father == null) ::Arch else father.setUp.arch
     classes == listOf(Arch::class.java.name) -> ::Arch
-    else -> archOf(classes.singleOrNull() ?: throw IllegalArgumentException("an agent under test has one architecture, not ${classes.joinToString()}"))
+    else -> archOf(
+        requireNotNull(classes.singleOrNull()) { "an agent under test has one architecture, not ${classes.joinToString()}" },
+    )
 }
 
 private fun archOf(name: String): (Platform) -> Arch {
@@ -27,5 +29,7 @@ private fun archOf(name: String): (Platform) -> Arch {
 }
 
 private fun unusable(name: String, cause: Exception) = IllegalArgumentException(
-    "an agent under test can have the architecture argo.Arch, or a public subclass of it whose constructor takes the platform and passes it on; $name is none", cause,
+    "an agent under test can have the architecture argo.Arch, or a public subclass of it " +
+        "whose constructor takes the platform and passes it on; $name is none",
+    cause,
 )

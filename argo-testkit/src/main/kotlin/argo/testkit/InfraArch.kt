@@ -98,6 +98,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
         /** The receiver of what is broadcast. */
         const val EVERYBODY = "everybody"
         private const val NO_ENVIRONMENT =
-            "this agent under test has no environment, so it can only do internal actions: argo.act speaks to its board, and \"environment = …\" gives it one"
+            "this agent under test has no environment, so it can only do internal actions: " +
+                "argo.act speaks to its board, and \"environment = …\" gives it one"
     }
 }

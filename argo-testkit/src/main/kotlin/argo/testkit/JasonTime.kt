@@ -28,7 +28,9 @@ internal class JasonTime private constructor(private val machine: ScheduledExecu
 
     override fun submit(task: Runnable) = schedule(task, 0, TimeUnit.NANOSECONDS)
 
-    private class VirtualTask<V>(private val time: VirtualTime, work: Callable<V>, delayNanos: Long) : FutureTask<V>(work), ScheduledFuture<V> {
+    private class VirtualTask<V>(private val time: VirtualTime, work: Callable<V>, delayNanos: Long) :
+        FutureTask<V>(work),
+        ScheduledFuture<V> {
         private val atNanos = time.nanos() + delayNanos
         private val takeBack = time.later(delayNanos, ::run)
 
@@ -49,7 +51,9 @@ internal class JasonTime private constructor(private val machine: ScheduledExecu
                 // Jason has no other way to give it one
                 Agent::class.java.getDeclaredField("scheduler").apply { isAccessible = true }.set(null, JasonTime(machine))
             } catch (other: ReflectiveOperationException) {
-                throw IllegalStateException("this version of Jason keeps its scheduler elsewhere, so .wait cannot go by the test's time", other)
+                throw IllegalStateException(
+                    "this version of Jason keeps its scheduler elsewhere, so .wait cannot go by the test's time", other,
+                )
             }
         }
     }

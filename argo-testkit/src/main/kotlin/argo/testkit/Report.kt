@@ -7,7 +7,9 @@ import kotlin.time.Duration.Companion.nanoseconds
 internal fun TestAgent.report(): String {
     val found = listOf("sent" to accounted(), "believes" to beliefs, "intends" to intentions, "said" to said, "log" to newest(entries))
     val state = if (isRunning) "" else ", stopped"
-    return found.joinToString("\n", "after $now$state\n") { (what, lines) -> "$what: ${if (lines.isEmpty()) "nothing" else lines.joinToString("\n    ", "\n    ")}" }
+    return found.joinToString("\n", "after $now$state\n") { (what, lines) ->
+        "$what: ${if (lines.isEmpty()) "nothing" else lines.joinToString("\n    ", "\n    ")}"
+    }
 }
 
 private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.accounted }
@@ -15,7 +17,8 @@ private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.ac
 
 /** Errors stay, however old: a program that cannot be read is reported at the start. */
 private fun newest(entries: List<AgentLog.Entry>): List<String> =
-    entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }.map { "at ${it.atNanos.nanoseconds}: $it" }
+    entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
+        .map { "at ${it.atNanos.nanoseconds}: $it" }
 
 /** How many of the newest records of the log are shown. */
 private const val LOGGED = 20

@@ -14,8 +14,8 @@ import kotlin.time.Duration.Companion.seconds
  * once every thread is waiting: the agent reasons until it sleeps, then time jumps to the end of the shortest wait of the agent, its boards
  * and their lines.
  *
- * An expectation waits up to one second of virtual time, or the time given, for what should happen; what should not happen must not happen in
- * that time. One that fails throws an [AssertionError] with the commands, beliefs, intentions, messages and the log.
+ * An expectation waits up to one second of virtual time, or the time given, for what should happen; what should not happen must not happen
+ * in that time. One that fails throws an [AssertionError] with the commands, beliefs, intentions, messages and the log.
  *
  * May be used by one thread at a time.
  */
@@ -186,7 +186,10 @@ class TestAgent internal constructor(
     private fun cycle(): Boolean = try {
         infra.step()
     } catch (endless: StackOverflowError) {
-        throw AssertionError("agent $name calls itself without end, in a rule or an internal action; what it called last is in the cause\n${report()}", endless)
+        throw AssertionError(
+            "agent $name calls itself without end, in a rule or an internal action; what it called last is in the cause\n${report()}",
+            endless,
+        )
     }
 
     /** Jason wakes an agent at least once a second. */

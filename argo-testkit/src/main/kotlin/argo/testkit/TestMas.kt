@@ -71,7 +71,9 @@ class TestMas internal constructor() : AutoCloseable {
      * @param called the program's name in messages
      */
     internal fun make(file: Path?, called: String, wanted: AgentSetUp): TestAgent {
-        require(wanted.name !in names) { "there is an agent ${wanted.name} already; \"name = …\" in its braces gives the other one another" }
+        require(wanted.name !in names) {
+            "there is an agent ${wanted.name} already; \"name = …\" in its braces gives the other one another"
+        }
         require(wanted.name !in RESERVED) { "an agent cannot be called ${wanted.name}" }
         return TestAgent(this, file, called, wanted).also {
             agents[it.name] = it
@@ -80,7 +82,8 @@ class TestMas internal constructor() : AutoCloseable {
     }
 
     /** [base], or [base] with a number: what an agent can be called that is made now. */
-    internal fun newName(base: String): String = (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { it !in names }
+    internal fun newName(base: String): String =
+        (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { it !in names }
 
     /** The agents that run. */
     internal fun running(): List<TestAgent> = agents.values.filter { it.isRunning }

@@ -12,8 +12,8 @@ import java.lang.reflect.Proxy
 import java.rmi.RemoteException
 
 /**
- * The runtime services that Jason's internal actions call, `.create_agent` and `.stopMAS` for instance: of the [TestMas] whose agent calls, or
- * of a real multi-agent system that runs beside the tests. Versions of Jason name some services differently, hence the dispatch by name.
+ * The runtime services that Jason's internal actions call, `.create_agent` and `.stopMAS` for instance: of the [TestMas] whose agent calls,
+ * or of a real multi-agent system that runs beside the tests. Versions of Jason name some services differently, hence the dispatch by name.
  */
 internal class TestServices private constructor(private val real: RuntimeServices?) : InvocationHandler {
     override fun invoke(proxy: Any, method: Method, arguments: Array<out Any?>?): Any? {
@@ -78,7 +78,8 @@ internal class TestServices private constructor(private val real: RuntimeService
             val there: RuntimeServices? = RuntimeServicesFactory.get()
             if (there != null && Proxy.isProxyClass(there.javaClass) && Proxy.getInvocationHandler(there) is TestServices) return
             val services = RuntimeServices::class.java
-            RuntimeServicesFactory.set(services.cast(Proxy.newProxyInstance(TestServices::class.java.classLoader, arrayOf(services), TestServices(there))))
+            val proxy = Proxy.newProxyInstance(TestServices::class.java.classLoader, arrayOf(services), TestServices(there))
+            RuntimeServicesFactory.set(services.cast(proxy))
         }
     }
 }

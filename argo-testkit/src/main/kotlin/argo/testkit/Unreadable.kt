@@ -19,5 +19,6 @@ private fun whatWasFound(unreadable: ParseException, file: Path?): String {
     val found = unreadable.currentToken?.next ?: return unreadable.message.orEmpty()
     val line = file?.readLines().orEmpty().getOrNull(found.beginLine - 1) ?: return "it ends in the middle, in line ${found.beginLine}"
     val mark = line.take(maxOf(0, found.beginColumn - 1)).map { if (it == '\t') '\t' else ' ' }.joinToString("") + "^"
-    return "\"${found.image}\" does not belong in line ${found.beginLine}, column ${found.beginColumn}, or something before it is missing\n    $line\n    $mark"
+    return "\"${found.image}\" does not belong in line ${found.beginLine}, column ${found.beginColumn}, " +
+        "or something before it is missing\n    $line\n    $mark"
 }

@@ -8,11 +8,11 @@ import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
 /**
- * Virtual time: it advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest wait. One of
- * these threads runs at a time, always in the same order, so a test gives the same result on any machine.
+ * Virtual time: it advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest wait. One
+ * of these threads runs at a time, always in the same order, so a test gives the same result on any machine.
  *
- * The thread that calls [advance] or [advanceUntil], or waits for a lock or a condition of this time, is its driver: the test's thread. There
- * must be one driver at a time.
+ * The thread that calls [advance] or [advanceUntil], or waits for a lock or a condition of this time, is its driver: the test's thread.
+ * There must be one driver at a time.
  */
 internal class VirtualTime : LineClock {
     private val threads = ArrayList<VirtualThread>()
@@ -149,7 +149,8 @@ internal class VirtualTime : LineClock {
 
     /** When the next thread or timer is due, now at the earliest; null: never. */
     private fun nextInstant(): Long? =
-        (threads.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos)).minOrNull()?.let { maxOf(it, nowNanos) }
+        (threads.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos))
+            .minOrNull()?.let { maxOf(it, nowNanos) }
 
     /** Does [work] in this time: threads that it starts and records that it logs belong to it. */
     fun <T> driving(work: () -> T): T {

@@ -19,14 +19,16 @@ internal class Diary(val agent: ObservedAgent) : AgentObserver {
     override fun messageFiltered(message: PerceivedMessage) = note("filtered ${words(message)}")
     override fun messagePerceived(message: PerceivedMessage) = note("perceived ${words(message)}")
     override fun commandIssued(command: IssuedCommand) = note("issued ${command.number} ${command.text} on ${command.port}")
-    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = note("ended ${command.number} ${failure?.error ?: "well"}")
+    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =
+        note("ended ${command.number} ${failure?.error ?: "well"}")
     override fun portChanged(port: String, status: String, reason: String?) = note("port $port $status")
     override fun filterChanged(filter: PerceptionFilter?) = note("filter ${filter?.name}")
     override fun reflexEnded(reflex: EndedReflex) =
         note("reflex ${reflex.rule.reflex} by ${reflex.watcher.word} ${reflex.failure?.error ?: "well"}")
     override fun close() = note("closed")
 
-    private fun words(message: PerceivedMessage) = "${message.texts} kept ${message.kept} unreadable ${message.unreadable} of ${message.portName}"
+    private fun words(message: PerceivedMessage) =
+        "${message.texts} kept ${message.kept} unreadable ${message.unreadable} of ${message.portName}"
 
     private fun note(line: String) {
         lines += line

@@ -27,7 +27,8 @@ class ObserversSpec : FunSpec({
             val diary = DiaryProvider.opened.getValue("all")
             val message = "[dist(f,38), dist(b,90), X] kept [dist(f,38), X] unreadable [X] of ttyACM0"
             diary.lines.toList().shouldContainInOrder(
-                "port ttyACM0 on", "filter front", "filtered $message", "perceived $message", "issued 2 seen on ttyACM0", "ended 2 well", "closed",
+                "port ttyACM0 on", "filter front", "filtered $message", "perceived $message", "issued 2 seen on ttyACM0", "ended 2 well",
+                "closed",
             )
             diary.lines.toList().shouldContainInOrder("issued 1 hello on ttyACM0", "ended 1 well")
             diary.agent.name shouldBe "bob"
@@ -51,7 +52,8 @@ class ObserversSpec : FunSpec({
         bob("argo_broken" to "open", "argo_diary" to "none").use { bob ->
             bob.perceives("dist(f,38)").shouldSend("seen")
             DiaryProvider.opened["none"] shouldBe null
-            bob.log.joinToString("\n") shouldContain "argo_broken=open: ${BrokenProvider::class.java.name} failed, and the agent runs without"
+            bob.log.joinToString("\n") shouldContain
+                "argo_broken=open: ${BrokenProvider::class.java.name} failed, and the agent runs without"
         }
     }
 

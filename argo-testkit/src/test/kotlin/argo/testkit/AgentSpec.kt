@@ -174,7 +174,8 @@ class AgentSpec : FunSpec({
             robot.shouldSend("front").shouldNotSend("stop", during = 4.seconds)
             robot.shouldSend("stop", within = 2.seconds).shouldSendNothingElse(during = 10.seconds)
         }
-        shouldThrow<IllegalArgumentException> { agent("robot.asl") { board.replays(Recording(emptyList())) } }.message shouldContain "nothing"
+        shouldThrow<IllegalArgumentException> { agent("robot.asl") { board.replays(Recording(emptyList())) } }.message shouldContain
+            "nothing"
     }
 
     test("an agent has a board on each of its ports") {
@@ -215,7 +216,8 @@ class AgentSpec : FunSpec({
             )
             for (expectation in unmet) {
                 val message = shouldThrow<AssertionError> { expectation() }.message.orEmpty()
-                listOf("expected that agent robot", "sent: \n    front", "dist(front,90)", "port ttyACM0 is on").forEach { message shouldContain it }
+                listOf("expected that agent robot", "sent: \n    front", "dist(front,90)", "port ttyACM0 is on")
+                    .forEach { message shouldContain it }
             }
         }
         agentOf("!start.\n+!start <- .wait(5000); !!never.").use { agent ->
@@ -264,7 +266,9 @@ class AgentSpec : FunSpec({
     test("tests that run at the same time do not see each other") {
         val results = List(4) { n ->
             CompletableFuture.supplyAsync {
-                agentOf("!start.\n+!start <- argo.port(ttyACM0); .print(own($n)); for (.range(I,1,50)) { argo.act(a($n,I)); .wait(100) }.").use { robot ->
+                agentOf(
+                    "!start.\n+!start <- argo.port(ttyACM0); .print(own($n)); for (.range(I,1,50)) { argo.act(a($n,I)); .wait(100) }.",
+                ).use { robot ->
                     robot.after(20.seconds)
                     robot.printed to robot.sent
                 }

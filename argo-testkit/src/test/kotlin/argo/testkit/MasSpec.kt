@@ -39,7 +39,10 @@ private class Path : Environment() {
 class MasSpec : FunSpec({
     test("agents speak with each other, ask and answer, and are spoken to all at once, whichever is made first") {
         mas {
-            agentOf("asker", "!start.\n+!start <- .broadcast(tell, here); .send(knower, askOne, speed(X), A); .print(A); .send(nobody, tell, lost).")
+            agentOf(
+                "asker",
+                "!start.\n+!start <- .broadcast(tell, here); .send(knower, askOne, speed(X), A); .print(A); .send(nobody, tell, lost).",
+            )
             agentOf("knower", "speed(3).\n+here[source(S)] <- .send(S, tell, seen).")
             agentOf("other", "+here[source(S)] <- .send(S, tell, seen).")
         }.use { agents ->
@@ -94,7 +97,8 @@ class MasSpec : FunSpec({
     test("an agent can be made anew under the name of one that was stopped") {
         agentOf("""
             !start.
-            +!start <- .create_agent(bob, "robot.asl"); .wait(1500); .kill_agent(bob); .wait(100); .create_agent(bob, "robot.asl"); .print(again).
+            +!start <- .create_agent(bob, "robot.asl"); .wait(1500); .kill_agent(bob); .wait(100);
+                       .create_agent(bob, "robot.asl"); .print(again).
         """).use { boss ->
             val first = boss.mas["bob"].perceives("dist(front,30)").shouldSend("stop").shouldStop(within = 2.seconds)
             val second = boss.shouldPrint("again").mas["bob"]
@@ -107,10 +111,13 @@ class MasSpec : FunSpec({
         agentOf("""
             !start.
             +!start <- .create_agent(a); .create_agent(b, "robot.asl", [agentArchClass("argo.Arch")]);
-                       .create_agent(c, "robot.asl", [agentArchClass("argo.testkit.ProjectsArch"), agentClass("jason.asSemantics.Agent")]); .print(all).
+                       .create_agent(c, "robot.asl", [agentArchClass("argo.testkit.ProjectsArch"), agentClass("jason.asSemantics.Agent")]);
+                       .print(all).
         """) { arch = ::ProjectsArch }.use { agent ->
             agent.shouldPrint("all")
-            agent.mas.names.associateWith { name -> generateSequence(agent.mas[name].ts.agArch) { it.nextAgArch }.filterIsInstance<Arch>().single().javaClass.simpleName } shouldBe
+            agent.mas.names.associateWith { name ->
+                generateSequence(agent.mas[name].ts.agArch) { it.nextAgArch }.filterIsInstance<Arch>().single().javaClass.simpleName
+            } shouldBe
                 mapOf("agent" to "ProjectsArch", "a" to "ProjectsArch", "b" to "Arch", "c" to "ProjectsArch")
         }
     }
@@ -157,7 +164,8 @@ class MasSpec : FunSpec({
     test(".wait and .at go by the test's time, also for hours, and so does the limit of a question") {
         agentOf("""
             !start.
-            +!start <- .at("now +3 hours", {+!ring}); .wait({+never}, 60000, _); .print(waited); .send(nobody, askOne, x, A, 1000); .print(A).
+            +!start <- .at("now +3 hours", {+!ring}); .wait({+never}, 60000, _); .print(waited);
+                       .send(nobody, askOne, x, A, 1000); .print(A).
             +!ring <- .print(ring).
         """).use { agent ->
             agent.after(59.seconds).printed.shouldBeEmpty()

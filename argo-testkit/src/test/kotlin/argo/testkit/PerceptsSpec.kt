@@ -18,21 +18,27 @@ class PerceptsSpec : FunSpec({
             agent.after(5.seconds).shouldBelieve("argo.age(dist(f,_),A) & A < 120").hears("user", "achieve", "ask").shouldPrint("young(3)")
             agent.board.hangs()
             agent.shouldNotBelieve("argo.age(dist(f,_),A) & A > 400", during = 250.milliseconds)
-            agent.shouldBelieve("argo.age(dist(f,_),A) & A > 400").hears("user", "achieve", "ask").printed shouldBe listOf("old", "young(3)", "old")
+            agent.shouldBelieve("argo.age(dist(f,_),A) & A > 400").hears("user", "achieve", "ask").printed shouldBe
+                listOf("old", "young(3)", "old")
         }
     }
 
     test("a port is stale when its board has been silent for two time limits and an interval, and no longer when it speaks") {
         watcher("argo.limit(200)", "+stale(P) <- .print(blind(P)).").use { agent ->
             agent.perceives("dist(f,3)").board.hangs()
-            agent.shouldNotBelieve("stale(ttyACM0)", during = 900.milliseconds).shouldBelieve("stale(ttyACM0)", within = 400.milliseconds).shouldPrint("blind(ttyACM0)")
+            agent.shouldNotBelieve("stale(ttyACM0)", during = 900.milliseconds)
+            agent.shouldBelieve("stale(ttyACM0)", within = 400.milliseconds).shouldPrint("blind(ttyACM0)")
             agent.board.recovers()
             agent.after(600.milliseconds).shouldNotBelieve("stale(_)").shouldBelieve("dist(f,3)")
         }
     }
 
     test("a critical percept's reflex goes out once, before commands that wait, and before the plan that it causes") {
-        watcher("argo.limit(20); argo.change_filter(careful)", "+dist(front,X) : X < 15 <- argo.act(saw(X)).", "+!walk(N) <- argo.act(walk(N)); !walk(N+1).").use { agent ->
+        watcher(
+            "argo.limit(20); argo.change_filter(careful)",
+            "+dist(front,X) : X < 15 <- argo.act(saw(X)).",
+            "+!walk(N) <- argo.act(walk(N)); !walk(N+1).",
+        ).use { agent ->
             agent.perceives("dist(front,90)")
             repeat(8) { agent.hears("user", "achieve", "walk(${it}00)") }
             agent.perceives("dist(front,9)").shouldSend("stop").shouldSend("saw(9)")
@@ -51,7 +57,8 @@ class PerceptsSpec : FunSpec({
 
     test("a board that says nonsense costs what cannot be read, and nothing else") {
         watcher("argo.limit(50)").use { agent ->
-            agent.perceives("dist(front", "light(3)", ")(", "X", "3").shouldBelieve("light(3)").beliefs shouldBe listOf("light(3)", "port(ttyACM0,on)")
+            agent.perceives("dist(front", "light(3)", ")(", "X", "3").shouldBelieve("light(3)").beliefs shouldBe
+                listOf("light(3)", "port(ttyACM0,on)")
             agent.log.count { "is left out" in it } shouldBe 4
             repeat(20) {
                 agent.board.disturbs("\u0000\u00fffffe".repeat(it))
@@ -67,7 +74,8 @@ class PerceptsSpec : FunSpec({
             agent.perceives("light(3)").board.hangs()
             agent.shouldBelieve("port(ttyACM0,timeout)", within = 2.seconds).board.disconnects()
             agent.shouldBelieve("port(ttyACM0,off)", within = 2.seconds).board.reconnects()
-            agent.shouldBelieve("port(ttyACM0,on)", within = 5.seconds).perceives("light(4)").shouldBelieve("light(4)").shouldNotBelieve("stale(_)")
+            agent.shouldBelieve("port(ttyACM0,on)", within = 5.seconds)
+            agent.perceives("light(4)").shouldBelieve("light(4)").shouldNotBelieve("stale(_)")
         }
     }
 })

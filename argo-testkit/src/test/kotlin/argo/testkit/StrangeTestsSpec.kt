@@ -74,7 +74,10 @@ class StrangeTestsSpec : FunSpec({
         val agent = agent("robot.asl")
         agent.perceives("dist(front,90)").close()
         agent.close()
-        val late = listOf<() -> Any>({ agent.shouldSend("front") }, { agent.perceives("x") }, { agent.hears("a", "tell", "b") }, { agent.after(1.seconds) }, { agent.stops() })
+        val late = listOf<() -> Any>(
+            { agent.shouldSend("front") }, { agent.perceives("x") }, { agent.hears("a", "tell", "b") }, { agent.after(1.seconds) },
+            { agent.stops() },
+        )
         late.forEach { call -> shouldThrow<IllegalStateException> { call() }.message shouldContain "robot are closed" }
         agent.sent shouldBe listOf("front")
         agent.beliefs shouldContain "dist(front,90)"
@@ -102,7 +105,8 @@ class StrangeTestsSpec : FunSpec({
     }
 
     test("a board that is busy when its test ends does not outlive it") {
-        agentOf("!start.\n+!start <- argo.port(ttyACM0, [protocol(1)]); argo.act(drive).") { board.takes(60.seconds, "drive") }.use { it.shouldSend("drive") }
+        agentOf("!start.\n+!start <- argo.port(ttyACM0, [protocol(1)]); argo.act(drive).") { board.takes(60.seconds, "drive") }
+            .use { it.shouldSend("drive") }
         threads().shouldBeEmpty()
     }
 

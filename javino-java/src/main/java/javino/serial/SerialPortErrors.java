@@ -82,7 +82,7 @@ final class SerialPortErrors {
     static PortFaultException noNativeLibrary(String name, LinkageError cause) {
         return new PortFaultException(name, "port " + name + " cannot be opened: jSerialComm could not unpack or load its native "
                 + "library in " + System.getProperty("java.io.tmpdir") + " nor in " + System.getProperty("user.home")
-                + "/.jSerialComm; make one of them writable and executable, name another directory with -Djava.io.tmpdir=DIRECTORY, or one "
-                + "that holds the library with -DjSerialComm.library.path=DIRECTORY (" + cause.getMessage() + ")", cause);
+                + "/.jSerialComm; make one of them writable and executable, name another directory with "
+                + "-Djava.io.tmpdir=DIRECTORY, or one that holds the library with -DjSerialComm.library.path=DIRECTORY (" + cause.getMessage() + ")", cause);
     }
 }

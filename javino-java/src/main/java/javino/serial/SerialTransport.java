@@ -54,7 +54,8 @@ final class SerialTransport extends DriverTransport {
 
     private static SerialPort openDriver(SerialDevice device, LineSettings line) throws PortException {
         if (!device.exists()) {
-            throw SerialPortErrors.noSuchPort(device, SerialPorts.names()); // jSerialComm would look for the name elsewhere
+            // jSerialComm would look for the name elsewhere
+            throw SerialPortErrors.noSuchPort(device, SerialPorts.names());
         }
         SerialPort port = SerialPort.getCommPort(device.hasNode() ? device.canonicalAddress() : device.path());
         port.setComPortParameters(line.baud(), 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);

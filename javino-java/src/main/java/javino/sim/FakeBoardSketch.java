@@ -65,7 +65,8 @@ final class FakeBoardSketch implements SimulatedBoard {
                 loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
-            monitor.locked(() -> open = open == loop ? null : open); // a board that was plugged in again may be open anew by now
+            // a board that was plugged in again may be open anew by now
+            monitor.locked(() -> open = open == loop ? null : open);
         }
     }
 

@@ -123,7 +123,8 @@ public record Recording(List<Entry> entries) {
         char[] beginning = new char[MAX_HEADER];
         text.mark(MAX_HEADER);
         int count = Math.max(0, text.read(beginning));
-        String line = new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", ""); // an editor's mark
+        // an editor's mark
+        String line = new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", "");
         if (line.startsWith(HEADER_WORD) && !line.equals(HEADER)) {
             throw new IllegalArgumentException("a recording of format " + line.substring(HEADER_WORD.length())
                     + ", of which only 1 can be read here");

@@ -68,7 +68,8 @@ class SerialLineSpec : FunSpec({
 
     onTerminals("a device that a transport of this program has open is busy") { terminals ->
         SerialTransport.open(terminals.computer, settings.line()).use {
-            shouldThrow<PortBusyException> { SerialTransport.open(terminals.computer, settings.line()) }.owner() shouldContain "this program"
+            shouldThrow<PortBusyException> { SerialTransport.open(terminals.computer, settings.line()) }.owner() shouldContain
+                "this program"
         }
     }
 

@@ -16,7 +16,8 @@ internal class Terminals private constructor(private val pair: PseudoTerminals) 
     companion object {
         /** Whether they can be had here. */
         val available: Enabled =
-            if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")
+            if (PseudoTerminals.available()) Enabled.enabled
+            else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")
 
         fun open() = Terminals(PseudoTerminals.open())
     }

@@ -36,7 +36,9 @@ class FakeBoardSpec : FunSpec({
         board.whenAsked("getPercepts").answer("dist(f,10);")
         val line = MemoryLine.unlimited("bench", LineSettings.defaults())
         val program = Thread { runCatching { board.program().run(line.board()) } }.apply { isDaemon = true }.also { it.start() }
-        Link.over(line.computer(), LinkSettings.defaults(), LineClock.system()).use { it.request("getPercepts", 20_000).text() shouldBe "dist(f,10);" }
+        Link.over(line.computer(), LinkSettings.defaults(), LineClock.system()).use {
+            it.request("getPercepts", 20_000).text() shouldBe "dist(f,10);"
+        }
         program.join(20_000)
         program.isAlive shouldBe false
         Link.ownerOf("bench").isPresent shouldBe false
@@ -135,7 +137,9 @@ class FakeBoardSpec : FunSpec({
                 Transports.open(board.port(), LineSettings(1_000_000)).use { computer ->
                     board.awaitOpen(LONG_MILLIS)
                     board.stall()
-                    for (message in listOf("fffe05ledOn", "fffe04stop")) computer.write(message.toByteArray(), 0, message.length, LONG_MILLIS)
+                    for (message in listOf("fffe05ledOn", "fffe04stop")) {
+                        computer.write(message.toByteArray(), 0, message.length, LONG_MILLIS)
+                    }
                     computer.read(ByteArray(1), 0, 1, 20) // both have arrived by now
                     board.resume()
                     board.awaitMessage("stop", LONG_MILLIS)

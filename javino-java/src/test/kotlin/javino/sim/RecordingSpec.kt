@@ -21,7 +21,8 @@ import java.io.StringWriter
 
 class RecordingSpec : FunSpec({
     val messages = Arb.list(Arb.char(Char(0)..Char(0xFF)), 0..12).map { it.joinToString("") }
-    val entries = Arb.bind(Arb.int(0..5_000), Arb.enum<Direction>(), messages) { millis, direction, message -> Triple(millis, direction, message) }
+    val entries =
+        Arb.bind(Arb.int(0..5_000), Arb.enum<Direction>(), messages) { millis, direction, message -> Triple(millis, direction, message) }
 
     fun read(text: String) = Recording.read(StringReader(text), "robot.rec")
 
@@ -32,7 +33,8 @@ class RecordingSpec : FunSpec({
             RecordingWriter(text, START).use { writer ->
                 inOrder.forEach { (millis, direction, message) -> writer.add(START + millis * 1_000_000L, direction, message) }
             }
-            read("$text").entries() shouldBe inOrder.map { (millis, direction, message) -> Recording.Entry(millis.toLong(), direction, message) }
+            read("$text").entries() shouldBe
+                inOrder.map { (millis, direction, message) -> Recording.Entry(millis.toLong(), direction, message) }
         }
     }
 
@@ -44,7 +46,8 @@ class RecordingSpec : FunSpec({
     }
 
     test("a file may hold comments, empty lines and line ends of any system") {
-        read("javino-recording 1\r\n# by hand\r\n\r\n7\tout\tgetPercepts\r\n").entries() shouldBe listOf(Recording.Entry(7, Direction.OUT, "getPercepts"))
+        read("javino-recording 1\r\n# by hand\r\n\r\n7\tout\tgetPercepts\r\n").entries() shouldBe
+            listOf(Recording.Entry(7, Direction.OUT, "getPercepts"))
     }
 
     test("an editor's byte order mark is no part of it") {

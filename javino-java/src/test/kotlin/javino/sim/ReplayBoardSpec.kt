@@ -23,7 +23,8 @@ import javino.sim.Recording.Direction.OUT
 import javino.sim.Recording.Direction.REFLEX
 
 class ReplayBoardSpec : FunSpec({
-    val asked = Recording(listOf(entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);"), entry(150, IN, "dist(8);"), entry(250, IN, "dist(7);")))
+    val asked =
+        Recording(listOf(entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);"), entry(150, IN, "dist(8);"), entry(250, IN, "dist(7);")))
 
     test("a request is answered with what had been said by then, counted from the first request, and with the last at the end") {
         val clock = HandClock()
@@ -55,10 +56,12 @@ class ReplayBoardSpec : FunSpec({
 
     test("in turn, the time does not matter") {
         plugged(ReplayBoard.of(asked).inTurn()) { link ->
-            List(4) { link.request("getPercepts", LIMIT_MS).text() } shouldContainExactly listOf("dist(9);", "dist(8);", "dist(7);", "dist(7);")
+            List(4) { link.request("getPercepts", LIMIT_MS).text() } shouldContainExactly
+                listOf("dist(9);", "dist(8);", "dist(7);", "dist(7);")
         }
         plugged(ReplayBoard.of(asked).inTurn().repeated()) { link ->
-            List(4) { link.request("getPercepts", LIMIT_MS).text() } shouldContainExactly listOf("dist(9);", "dist(8);", "dist(7);", "dist(9);")
+            List(4) { link.request("getPercepts", LIMIT_MS).text() } shouldContainExactly
+                listOf("dist(9);", "dist(8);", "dist(7);", "dist(9);")
         }
     }
 
@@ -90,12 +93,15 @@ class ReplayBoardSpec : FunSpec({
     test("a file is a port") {
         val file = tempfile(suffix = ".rec")
         file.writeText("javino-recording 1\n0\tout\tgetPercepts\n5\tin\tdist(1);\n")
-        Link.open("replay:$file", LinkSettings.defaults(), "the test").use { it.request("getPercepts", LIMIT_MS).text() shouldBe "dist(1);" }
+        Link.open("replay:$file", LinkSettings.defaults(), "the test").use {
+            it.request("getPercepts", LIMIT_MS).text() shouldBe "dist(1);"
+        }
         file.writeText("javino-recording 1\n0\tout\tgetPercepts\n")
         shouldThrow<PortFaultException> { Link.open("replay:$file", LinkSettings.defaults(), "the test") }.message shouldContain
             "the recording holds nothing that a board said"
         file.writeText("dist(1)")
-        shouldThrow<PortFaultException> { Link.open("replay:$file", LinkSettings.defaults(), "the test") }.message shouldContain "$file:1: the first line"
+        shouldThrow<PortFaultException> { Link.open("replay:$file", LinkSettings.defaults(), "the test") }.message shouldContain
+            "$file:1: the first line"
         shouldThrow<NoSuchPortException> { Link.open("replay:missing.rec", LinkSettings.defaults(), "the test") }.message shouldContain
             "there is no recording missing.rec in "
     }

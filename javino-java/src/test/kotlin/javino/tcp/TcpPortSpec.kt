@@ -121,7 +121,8 @@ class TcpPortSpec : FunSpec({
             stillInterrupted.complete(Thread.currentThread().isInterrupted)
         }
         val trouble = outcome.get(20, TimeUnit.SECONDS)
-        check(trouble is PortInterruptedException || trouble is NoSuchPortException) { "$trouble" } // without a network it is refused before
+        // without a network it is refused before
+        check(trouble is PortInterruptedException || trouble is NoSuchPortException) { "$trouble" }
         stillInterrupted.get(20, TimeUnit.SECONDS) shouldBe true
     }
 
@@ -143,7 +144,8 @@ class TcpPortSpec : FunSpec({
         Loopback().use { server ->
             val computer = Transports.open(server.port, line)
             server.accept().use {
-                val writer = thread(isDaemon = true) { runCatching { repeat(1000) { computer.write(ByteArray(4096), 0, 4096, LONG_MILLIS) } } }
+                val writer =
+                    thread(isDaemon = true) { runCatching { repeat(1000) { computer.write(ByteArray(4096), 0, 4096, LONG_MILLIS) } } }
                 shouldThrow<PortTimeoutException> { repeat(1000) { computer.write(ByteArray(4096), 0, 4096, 50) } }
                 async { computer.close() }.get(10, TimeUnit.SECONDS)
                 writer.join(TimeUnit.SECONDS.toMillis(20))

@@ -15,8 +15,10 @@ import org.jetbrains.kotlin.cli.common.ExitCode
 
 /** The page on filters shows nothing that does not work. */
 class FilterDocumentationSpec : StringSpec({
-    val page = generateSequence(File("").absoluteFile) { it.parentFile }.map { it.resolve("docs/filters.md") }.first { it.exists() }.readText()
-    fun blocks(language: String) = Regex("```$language\\n(.*?)```", RegexOption.DOT_MATCHES_ALL).findAll(page).map { it.groupValues[1] }.toList().also { it.shouldNotBeEmpty() }
+    val page = generateSequence(File("").absoluteFile) { it.parentFile }
+        .map { it.resolve("docs/filters.md") }.first { it.exists() }.readText()
+    fun blocks(language: String) = Regex("```$language\\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
+        .findAll(page).map { it.groupValues[1] }.toList().also { it.shouldNotBeEmpty() }
     val frontDistance = dropFilter("frontDistance") {
         drop("temperature")
         drop("light")
@@ -59,6 +61,8 @@ class FilterDocumentationSpec : StringSpec({
     }
 
     "its explanations are those that are given" {
-        for (percept in listOf("distance(right,30)", "distance(front,227)")) page shouldContain frontDistance.matcher().explain(percept).toString()
+        for (percept in listOf("distance(right,30)", "distance(front,227)")) {
+            page shouldContain frontDistance.matcher().explain(percept).toString()
+        }
     }
 })

@@ -111,7 +111,8 @@ class FilterFinderSpec : FreeSpec({
         "is told with those that there are" { message shouldContain "There are these filters: far, near." }
         "is not told with XML files that are no filters" { message shouldNotContain "pom" }
         "is told when there are none at all" {
-            shouldThrow<FilterNotFoundException> { FilterFinder(project(), noResources).find("x") }.message shouldContain "There are no filters"
+            shouldThrow<FilterNotFoundException> { FilterFinder(project(), noResources).find("x") }.message shouldContain
+                "There are no filters"
         }
         "is told in a project directory that does not exist" {
             shouldThrow<FilterNotFoundException> { FilterFinder(project().resolve("gone"), noResources).find("x") }
@@ -125,11 +126,13 @@ class FilterFinderSpec : FreeSpec({
         project.filter("filters/inside.xml")
         project.filter("own.xml")
         val names = listOf(
-            "../secret", "../secret.xml", "filters/../../secret", "${parent.resolve("secret")}", "/etc/passwd", "..\\secret", "C:secret", "C:/secret", "./own", "filters//inside",
+            "../secret", "../secret.xml", "filters/../../secret", "${parent.resolve("secret")}", "/etc/passwd", "..\\secret", "C:secret",
+            "C:/secret", "./own", "filters//inside",
             "own/", "/", "", " ", ".", "..", ".xml", "\u0000", "own\u0000", "a\nb", "..%2fsecret.xml/../../x",
         )
         for (name in names) withClue("'$name'") {
-            shouldThrow<FilterNotFoundException> { FilterFinder(project, noResources).find(name) }.message shouldContain "cannot be a filter's name"
+            shouldThrow<FilterNotFoundException> { FilterFinder(project, noResources).find(name) }.message shouldContain
+                "cannot be a filter's name"
         }
         shouldThrow<FilterNotFoundException> { FilterFinder(project, noResources).find("..%2fsecret") }
     }
@@ -174,6 +177,7 @@ class FilterFinderSpec : FreeSpec({
     "a file that is refused is named with its path" {
         val project = project()
         project.resolve("bad.xml").writeText("<PerceptionFilter>\n<filter/></PerceptionFilter>")
-        shouldThrow<FilterException> { FilterFinder(project, noResources).find("bad") }.message shouldContain "${project.resolve("bad.xml")}:2:1: the rule has no predicate"
+        shouldThrow<FilterException> { FilterFinder(project, noResources).find("bad") }.message shouldContain
+            "${project.resolve("bad.xml")}:2:1: the rule has no predicate"
     }
 })

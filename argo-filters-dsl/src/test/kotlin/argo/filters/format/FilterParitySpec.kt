@@ -47,7 +47,9 @@ private fun parity(form: Form) = stringSpec {
         checkAll(200, filters, Arb.list(Arb.list(perceptTexts, 0..5), 1..6)) { filter, snapshots ->
             fun run(filter: PerceptionFilter) = FilterSession.ofTexts().let { session ->
                 session.switchTo(filter)
-                snapshots.mapIndexed { number, percepts -> session.perceive(percepts, number * 300L).let { Triple(it.kept, it.nextDueMs, it.critical) } }
+                snapshots.mapIndexed { number, percepts ->
+                    session.perceive(percepts, number * 300L).let { Triple(it.kept, it.nextDueMs, it.critical) }
+                }
             }
             run(form(filter)) shouldBe run(filter)
         }
@@ -64,7 +66,9 @@ private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
     fun RuleConditions.say(rule: Rule) {
         rule.arity?.let(::arity)
         rule.rate?.everyMs?.let(::everyMs)
-        rule.rate?.deadbands?.forEach { deadband -> deadband.argument?.let { argument(it) deadband deadband.width } ?: deadband(deadband.width) }
+        rule.rate?.deadbands?.forEach { deadband ->
+            deadband.argument?.let { argument(it) deadband deadband.width } ?: deadband(deadband.width)
+        }
         rule.conditions.forEach { condition ->
             when (condition) {
                 is Condition.Argument -> argument(condition.index).say(condition.test)
@@ -106,7 +110,10 @@ class FilterParitySpec : StringSpec({
     include("XML: ", parity { XmlFilters.read(XmlFilters.write(it), "f.xml") })
     include("JSON: ", parity { JsonFilters.read(JsonFilters.write(it), "f.json") })
     include("Kotlin: ", parity(::inKotlin))
-    include("all three in turn: ", parity { inKotlin(JsonFilters.read(JsonFilters.write(XmlFilters.read(XmlFilters.write(it), "f.xml")), "f.json")) })
+    include(
+        "all three in turn: ",
+        parity { inKotlin(JsonFilters.read(JsonFilters.write(XmlFilters.read(XmlFilters.write(it), "f.xml")), "f.json")) },
+    )
 
     "filters that differ in anything but their names are not equal" {
         val rules = listOf(Rule("dist"))

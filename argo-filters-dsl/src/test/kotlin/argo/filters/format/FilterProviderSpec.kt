@@ -56,17 +56,22 @@ class FilterProviderSpec : StringSpec({
         return FilterFinder(project, URLClassLoader(arrayOf(services.toUri().toURL()), FilterProviderSpec::class.java.classLoader))
     }
 
-    "a filter of a provider is found by name" { finder(NightFilters::class.java, DayFilters::class.java).find("bright").rules shouldBe listOf(Rule("dark")) }
+    "a filter of a provider is found by name" {
+        finder(NightFilters::class.java, DayFilters::class.java).find("bright").rules shouldBe listOf(Rule("dark"))
+    }
 
     "it comes before a file of the same name" {
         finder(NightFilters::class.java).find("dark").rules shouldBe listOf(Rule("light"))
         finder().find("dark").rules shouldBe listOf(Rule("from_file"))
     }
 
-    "a file with its extension is meant when it is named so" { finder(NightFilters::class.java).find("dark.xml").rules shouldBe listOf(Rule("from_file")) }
+    "a file with its extension is meant when it is named so" {
+        finder(NightFilters::class.java).find("dark.xml").rules shouldBe listOf(Rule("from_file"))
+    }
 
     "two providers may not offer different filters of one name" {
-        shouldThrow<FilterNotFoundException> { finder(NightFilters::class.java, DayFilters::class.java).find("shared") }.message shouldContain
+        val finder = finder(NightFilters::class.java, DayFilters::class.java)
+        shouldThrow<FilterNotFoundException> { finder.find("shared") }.message shouldContain
             "offered by argo.filters.format.NightFilters and argo.filters.format.DayFilters"
     }
 

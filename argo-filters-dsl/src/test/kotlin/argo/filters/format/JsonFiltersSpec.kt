@@ -27,7 +27,11 @@ class JsonFiltersSpec : FreeSpec({
     "it is written for people too" {
         val filter = PerceptionFilter(
             "f", Rule("temperature"),
-            Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front"))), Condition.Annotation("q", TermTest.Compare(Operator.LT, GroundTerm.of("0.5")))),
+            Rule(
+                "distance",
+                Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front"))),
+                Condition.Annotation("q", TermTest.Compare(Operator.LT, GroundTerm.of("0.5"))),
+            ),
         )
         JsonFilters.write(filter) shouldBe """
             {
@@ -56,8 +60,11 @@ class JsonFiltersSpec : FreeSpec({
     }
 
     "values are Jason's terms" {
-        fun value(json: String) =
-            ((JsonFilters.read("""{"rules": [{"predicate": "d", "conditions": [{"argument": 0, "value": $json}]}]}""", "f.json").rules[0].conditions[0] as Condition.Argument).test as TermTest.Compare).value
+        fun value(json: String): GroundTerm {
+            val document = """{"rules": [{"predicate": "d", "conditions": [{"argument": 0, "value": $json}]}]}"""
+            val condition = JsonFilters.read(document, "f.json").rules[0].conditions[0] as Condition.Argument
+            return (condition.test as TermTest.Compare).value
+        }
         value("36") shouldBe GroundTerm.of("36")
         value("-3.60e1") shouldBe GroundTerm.of("-36")
         value("\"36.0\"") shouldBe GroundTerm.of("36")
@@ -71,7 +78,8 @@ class JsonFiltersSpec : FreeSpec({
     }
 
     "bytes that are not UTF-8 are refused where they stand" {
-        shouldThrow<FilterException> { JsonFilters.read("{\n \"é".toByteArray(Charsets.ISO_8859_1).inputStream(), "f.json") }.message shouldContain "f.json:2:3: a byte"
+        val bytes = "{\n \"é".toByteArray(Charsets.ISO_8859_1)
+        shouldThrow<FilterException> { JsonFilters.read(bytes.inputStream(), "f.json") }.message shouldContain "f.json:2:3: a byte"
     }
 
     "one problem, with its position" - {
@@ -132,12 +140,26 @@ class JsonFiltersSpec : FreeSpec({
     }
 
     "all problems of a document are reported at once, in the order of the text" {
-        val document = "{\"onSwitch\": 1,\n \"rules\": [{\"predicate\": \"X\", \"arity\": -1},\n  {\"conditions\": [{\"argument\": 0, \"operator\": \"?\", \"value\": 1}]}],\n \"x\": 0}"
+        val document = """
+            {"onSwitch": 1,
+             "rules": [{"predicate": "X", "arity": -1},
+              {"conditions": [{"argument": 0, "operator": "?", "value": 1}]}],
+             "x": 0}
+        """.trimIndent()
         problems(document).map { it.line to it.column } shouldBe listOf(1 to 14, 2 to 26, 2 to 40, 3 to 3, 3 to 47, 4 to 2)
     }
 
     "text that is not JSON is refused with its position" {
-        for ((document, position) in listOf("" to (1 to 1), "{\"rules\": [}" to (1 to 12), "{\n  \"rules\" []}" to (2 to 11), "{\"rules\": [dist]}" to (1 to 16), "{\"rules\": []} x" to (1 to 16), "{\"rules\": [],}" to (1 to 14), "{\"rules\": [{\"predicate\":\n \"d\n\"}]}" to (2 to 4))) {
+        val refused = listOf(
+            "" to (1 to 1),
+            "{\"rules\": [}" to (1 to 12),
+            "{\n  \"rules\" []}" to (2 to 11),
+            "{\"rules\": [dist]}" to (1 to 16),
+            "{\"rules\": []} x" to (1 to 16),
+            "{\"rules\": [],}" to (1 to 14),
+            "{\"rules\": [{\"predicate\":\n \"d\n\"}]}" to (2 to 4),
+        )
+        for ((document, position) in refused) {
             withClue(document) {
                 val problem = problems(document).single()
                 problem.message shouldContain "not JSON"

@@ -72,7 +72,10 @@ class KotlinFiltersSpec : FunSpec({
     }
 })
 
-private val infinite = PerceptionFilter("infinite", Rule("dist", Condition.Argument(0, TermTest.Compare(Operator.GT, GroundTerm.Number(Double.NEGATIVE_INFINITY)))))
+private val infinite = PerceptionFilter(
+    "infinite",
+    Rule("dist", Condition.Argument(0, TermTest.Compare(Operator.GT, GroundTerm.Number(Double.NEGATIVE_INFINITY)))),
+)
 
 private fun <T> Arb<T>.sampleAt(seed: Int): T = sample(RandomSource.seeded(seed.toLong())).value
 
@@ -85,12 +88,14 @@ private fun compiled(directory: File, filters: List<PerceptionFilter>): List<Per
     val classPath = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
     val out = directory.resolve("out")
     val exit = K2JVMCompiler().exec(
-        PrintStream(messages), "-no-stdlib", "-no-reflect", "-Werror", "-classpath", classPath, "-jvm-target", "17", "-d", out.path, *sources.map { it.path }.toTypedArray(),
+        PrintStream(messages), "-no-stdlib", "-no-reflect", "-Werror", "-classpath", classPath, "-jvm-target", "17", "-d", out.path,
+        *sources.map { it.path }.toTypedArray(),
     )
     withClue(messages) { exit shouldBe ExitCode.OK }
     return URLClassLoader(arrayOf(out.toURI().toURL()), PerceptionFilter::class.java.classLoader).use { loader ->
         filters.indices.map { number ->
-            val getter = loader.loadClass("filter$number.Filter${number}Kt").methods.single { it.returnType == PerceptionFilter::class.java }
+            val getter =
+                loader.loadClass("filter$number.Filter${number}Kt").methods.single { it.returnType == PerceptionFilter::class.java }
             getter.invoke(null) as PerceptionFilter
         }
     }

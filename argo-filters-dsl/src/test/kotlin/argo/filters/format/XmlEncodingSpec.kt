@@ -16,7 +16,8 @@ import java.nio.charset.Charset
 private val expected = PerceptionFilter("f", Rule("d", Condition.Argument(0, TermTest.Compare(Operator.EQ, GroundTerm.Text("é漢")))))
 
 private fun document(declaration: String, text: String = "é漢", lineEnd: String = "\n") =
-    "$declaration<PerceptionFilter>$lineEnd<filter><predicate>${lineEnd}d$lineEnd</predicate><parameter id=\"0\">\"$text\"</parameter></filter></PerceptionFilter>"
+    "$declaration<PerceptionFilter>$lineEnd<filter><predicate>${lineEnd}d$lineEnd</predicate>" +
+        "<parameter id=\"0\">\"$text\"</parameter></filter></PerceptionFilter>"
 
 private fun read(bytes: ByteArray) = XmlFilters.read(bytes.inputStream(), "f.xml")
 
@@ -24,7 +25,9 @@ class XmlEncodingSpec : FreeSpec({
     "UTF-8 is read without a declaration" { read(document("").toByteArray()) shouldBe expected }
 
     "every line end is read" {
-        for (lineEnd in listOf("\n", "\r\n", "\r")) read(document("<?xml version='1.0'?>", lineEnd = lineEnd).toByteArray()) shouldBe expected
+        for (lineEnd in listOf("\n", "\r\n", "\r")) {
+            read(document("<?xml version='1.0'?>", lineEnd = lineEnd).toByteArray()) shouldBe expected
+        }
     }
 
     "a byte-order mark is no part of the text" - {
@@ -36,7 +39,9 @@ class XmlEncodingSpec : FreeSpec({
 
     "the declaration's encoding is used" - {
         for (charset in listOf("UTF-8", "GB18030", "UTF-16LE", "UTF-16BE")) {
-            charset { read(document("<?xml version=\"1.0\" encoding='$charset'?>").toByteArray(Charset.forName(charset))) shouldBe expected }
+            charset {
+                read(document("<?xml version=\"1.0\" encoding='$charset'?>").toByteArray(Charset.forName(charset))) shouldBe expected
+            }
         }
         "Latin-1" {
             read(document("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>", "é").toByteArray(Charsets.ISO_8859_1)) shouldBe
@@ -50,7 +55,8 @@ class XmlEncodingSpec : FreeSpec({
 
     "an unknown encoding is refused" {
         for (name in listOf("KLINGON-8", "", "no such/thing")) {
-            shouldThrow<FilterException> { read(document("<?xml version='1.0' encoding='$name'?>").toByteArray()) }.message shouldContain "Invalid encoding name \"$name\""
+            shouldThrow<FilterException> { read(document("<?xml version='1.0' encoding='$name'?>").toByteArray()) }.message shouldContain
+                "Invalid encoding name \"$name\""
         }
     }
 

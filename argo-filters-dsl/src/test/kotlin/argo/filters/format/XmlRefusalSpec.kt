@@ -13,12 +13,15 @@ private fun problems(document: String) = shouldThrow<FilterException> { XmlFilte
 /** A refusal: the [text] of a rule, of which the part after `¦` is what the problem is about, and words of the message. */
 private data class Refusal(val text: String, val words: String)
 
+/** A refusal of the [elements] that follow the predicate in a rule. */
+private fun inRule(elements: String, words: String) = Refusal("<filter><predicate>d</predicate>$elements</filter>", words)
+
 class XmlRefusalSpec : FreeSpec({
     "one problem, with its position" - {
         listOf(
-            Refusal("<filter><predicate>d</predicate><parameter id='0' ¦operator='NEQ'>1</parameter></filter>", "the operator 'NEQ'; expected EQ, NE, GT"),
-            Refusal("<filter><predicate>d</predicate><parameter ¦operator='' id='0'>1</parameter></filter>", "the operator ''"),
-            Refusal("<filter><predicate>d</predicate><parameter ¦operator='Ne' id='0'>1</parameter></filter>", "the operator 'Ne'"),
+            inRule("<parameter id='0' ¦operator='NEQ'>1</parameter>", "the operator 'NEQ'; expected EQ, NE, GT"),
+            inRule("<parameter ¦operator='' id='0'>1</parameter>", "the operator ''"),
+            inRule("<parameter ¦operator='Ne' id='0'>1</parameter>", "the operator 'Ne'"),
             Refusal("¦<filter></filter>", "no predicate"),
             Refusal("¦<filter/>", "no predicate"),
             Refusal("<filter>¦<predicate/></filter>", "the predicate is empty"),
@@ -27,57 +30,57 @@ class XmlRefusalSpec : FreeSpec({
             Refusal("<filter><predicate> ¦dist(X)</predicate></filter>", "the functor alone is expected"),
             Refusal("<filter><predicate>¦not</predicate></filter>", "'not' is no functor"),
             Refusal("<filter><predicate>¦~~a</predicate></filter>", "'~a' is no functor"),
-            Refusal("<filter><predicate>d</predicate>\n¦<predicate>e</predicate></filter>", "a second predicate in one rule"),
-            Refusal("<filter><predicate>d</predicate>¦<parameter>1</parameter></filter>", "has no id"),
-            Refusal("<filter><predicate>d</predicate><parameter ¦id='-1'>1</parameter></filter>", "the id '-1'"),
-            Refusal("<filter><predicate>d</predicate><parameter ¦id='1.0'>1</parameter></filter>", "the id '1.0'"),
-            Refusal("<filter><predicate>d</predicate><parameter ¦id='first'>1</parameter></filter>", "the id 'first'"),
-            Refusal("<filter><predicate>d</predicate><parameter ¦id=''>1</parameter></filter>", "the id ''"),
-            Refusal("<filter><predicate>d</predicate><parameter ¦id='٣'>1</parameter></filter>", "the id '٣'"),
-            Refusal("<filter><predicate>d</predicate><parameter ¦id='99999999999'>1</parameter></filter>", "the id '99999999999'"),
-            Refusal("<filter><predicate>d</predicate>¦<parameter id='0'/></filter>", "the <parameter> is empty"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0'>¦Front</parameter></filter>", "'Front' is a variable to Jason"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0'>¦front left</parameter></filter>", "not a value that Jason can read"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0'>¦pos(1,X)</parameter></filter>", "not a value that Jason can read"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0'>¦\"open</parameter></filter>", "not a value that Jason can read"),
-            Refusal("<filter><predicate>d</predicate>¦<params/></filter>", "the element <params> in <filter>; expected <predicate> or <parameter>"),
-            Refusal("<filter><predicate>d</predicate>¦<xi:include xmlns:xi='http://www.w3.org/2001/XInclude' href='x'/></filter>", "the element <xi:include>"),
+            inRule("\n¦<predicate>e</predicate>", "a second predicate in one rule"),
+            inRule("¦<parameter>1</parameter>", "has no id"),
+            inRule("<parameter ¦id='-1'>1</parameter>", "the id '-1'"),
+            inRule("<parameter ¦id='1.0'>1</parameter>", "the id '1.0'"),
+            inRule("<parameter ¦id='first'>1</parameter>", "the id 'first'"),
+            inRule("<parameter ¦id=''>1</parameter>", "the id ''"),
+            inRule("<parameter ¦id='٣'>1</parameter>", "the id '٣'"),
+            inRule("<parameter ¦id='99999999999'>1</parameter>", "the id '99999999999'"),
+            inRule("¦<parameter id='0'/>", "the <parameter> is empty"),
+            inRule("<parameter id='0'>¦Front</parameter>", "'Front' is a variable to Jason"),
+            inRule("<parameter id='0'>¦front left</parameter>", "not a value that Jason can read"),
+            inRule("<parameter id='0'>¦pos(1,X)</parameter>", "not a value that Jason can read"),
+            inRule("<parameter id='0'>¦\"open</parameter>", "not a value that Jason can read"),
+            inRule("¦<params/>", "the element <params> in <filter>; expected <predicate> or <parameter>"),
+            inRule("¦<xi:include xmlns:xi='http://www.w3.org/2001/XInclude' href='x'/>", "the element <xi:include>"),
             Refusal("<filter><predicate>d¦<b/></predicate></filter>", "the element <b> in <predicate>"),
             Refusal("¦<rule/>", "the element <rule> in <PerceptionFilter>; expected <filter>"),
             Refusal("<filter ¦name='x'><predicate>d</predicate></filter>", "the attribute 'name' on <filter>; expected"),
             Refusal("<filter><predicate ¦id='0'>d</predicate></filter>", "the attribute 'id' on <predicate>; expected no attribute"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0'\n   ¦op=\"a'>b\">1</parameter></filter>", "the attribute 'op' on <parameter>; expected id or operator"),
+            inRule("<parameter id='0'\n   ¦op=\"a'>b\">1</parameter>", "the attribute 'op' on <parameter>; expected id or operator"),
             Refusal("<filter xmlns:x='u'><predicate>d</predicate></filter>".replace("xmlns", "¦xmlns"), "the attribute 'xmlns:x'"),
             Refusal("¦stray<filter><predicate>d</predicate></filter>", "the text 'stray' in <PerceptionFilter>"),
-            Refusal("<filter><predicate>d</predicate><!-- c -->\r\n ¦stray</filter>", "the text 'stray' in <filter>"),
-            Refusal("<filter><predicate>d</predicate>¦<annotation>1</annotation></filter>", "has no name"),
-            Refusal("<filter><predicate>d</predicate><anotation><name> ¦Acc</name>1</anotation></filter>", "'Acc' is no functor"),
-            Refusal("<filter><predicate>d</predicate><anotation>¦<name/>1</anotation></filter>", "the annotation's name is empty"),
-            Refusal("<filter><predicate>d</predicate><anotation name='q'><name>¦q</name>1</anotation></filter>", "a second 'name' on <anotation>"),
-            Refusal("<filter><predicate>d</predicate><parameter><operator>¦NEQ</operator><id>0</id>1</parameter></filter>", "the operator 'NEQ'"),
+            inRule("<!-- c -->\r\n ¦stray", "the text 'stray' in <filter>"),
+            inRule("¦<annotation>1</annotation>", "has no name"),
+            inRule("<anotation><name> ¦Acc</name>1</anotation>", "'Acc' is no functor"),
+            inRule("<anotation>¦<name/>1</anotation>", "the annotation's name is empty"),
+            inRule("<anotation name='q'><name>¦q</name>1</anotation>", "a second 'name' on <anotation>"),
+            inRule("<parameter><operator>¦NEQ</operator><id>0</id>1</parameter>", "the operator 'NEQ'"),
             Refusal("<filter><name>¦x</name><predicate>d</predicate></filter>", "the attribute 'name' on <filter>"),
-            Refusal("<filter><predicate>d</predicate><annotation ¦name=''>1</annotation></filter>", "the annotation's name is empty"),
-            Refusal("<filter><predicate>d</predicate>¦<annotation name='q' operator='EQ'/></filter>", "the <annotation> is empty"),
-            Refusal("<filter><predicate>d</predicate><anotation name='q'>¦<limit operator='GT'/></anotation></filter>", "the <limit> is empty"),
-            Refusal("<filter><predicate>d</predicate><anotation name='q' operator='GT'><limit ¦operator='LT'>1</limit></anotation></filter>", "a second operator"),
-            Refusal("<filter><predicate>d</predicate><annotation name='q'>¦5<limit operator='LT'>1</limit></annotation></filter>", "the text '5' in <annotation>"),
+            inRule("<annotation ¦name=''>1</annotation>", "the annotation's name is empty"),
+            inRule("¦<annotation name='q' operator='EQ'/>", "the <annotation> is empty"),
+            inRule("<anotation name='q'>¦<limit operator='GT'/></anotation>", "the <limit> is empty"),
+            inRule("<anotation name='q' operator='GT'><limit ¦operator='LT'>1</limit></anotation>", "a second operator"),
+            inRule("<annotation name='q'>¦5<limit operator='LT'>1</limit></annotation>", "the text '5' in <annotation>"),
             Refusal("<filter ¦arity='-1'><predicate>d</predicate></filter>", "arity=\"-1\"; expected a whole number from 0"),
             Refusal("<filter ¦everyMs='0'><predicate>d</predicate></filter>", "everyMs=\"0\"; expected a whole number from 1"),
             Refusal("<filter ¦everyMs='9223372036854775808'><predicate>d</predicate></filter>", "expected a whole number from 1"),
             Refusal("<filter ¦arity='2147483648'><predicate>d</predicate></filter>", "expected a whole number from 0"),
             Refusal("<filter ¦everyMs='1.5'><predicate>d</predicate></filter>", "everyMs=\"1.5\""),
             Refusal("<filter ¦deadband='0'><predicate>d</predicate></filter>", "the deadband '0'; expected a number above 0"),
-            Refusal("<filter><predicate>d</predicate><parameter id='1' ¦deadband='wide'/></filter>", "the deadband 'wide'"),
-            Refusal("<filter><predicate>d</predicate><parameter id='1' deadband='1'/><parameter id='1' ¦deadband='2'/></filter>", "a second deadband"),
-            Refusal("<filter><predicate>d</predicate>¦<parameter deadband='1'/></filter>", "has no id"),
-            Refusal("<filter><predicate>d</predicate>¦<parameter id='1' operator='EQ' deadband='1'/></filter>", "the <parameter> is empty"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='MATCHES'>¦(a</parameter></filter>", "'(a' is not a regular expression"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='MATCHES'>¦(?=a)</parameter></filter>", "is not a regular expression in RE2's syntax"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='MATCHES'>¦((a{100}){100}){100}</parameter></filter>", "repeat more than"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='E'>¦fr.*</parameter></filter>", "for a regular expression the operator is MATCHES"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='IN'>¦[]</parameter></filter>", "IN needs at least one value"),
-            Refusal("<filter><predicate>d</predicate><parameter id='0' operator='IN'>¦front back</parameter></filter>", "is not a list of values"),
-            Refusal("<filter><predicate>d</predicate><annotation name='q'><limit ¦id='0'>1</limit></annotation></filter>", "the attribute 'id' on <limit>"),
+            inRule("<parameter id='1' ¦deadband='wide'/>", "the deadband 'wide'"),
+            inRule("<parameter id='1' deadband='1'/><parameter id='1' ¦deadband='2'/>", "a second deadband"),
+            inRule("¦<parameter deadband='1'/>", "has no id"),
+            inRule("¦<parameter id='1' operator='EQ' deadband='1'/>", "the <parameter> is empty"),
+            inRule("<parameter id='0' operator='MATCHES'>¦(a</parameter>", "'(a' is not a regular expression"),
+            inRule("<parameter id='0' operator='MATCHES'>¦(?=a)</parameter>", "is not a regular expression in RE2's syntax"),
+            inRule("<parameter id='0' operator='MATCHES'>¦((a{100}){100}){100}</parameter>", "repeat more than"),
+            inRule("<parameter id='0' operator='E'>¦fr.*</parameter>", "for a regular expression the operator is MATCHES"),
+            inRule("<parameter id='0' operator='IN'>¦[]</parameter>", "IN needs at least one value"),
+            inRule("<parameter id='0' operator='IN'>¦front back</parameter>", "is not a list of values"),
+            inRule("<annotation name='q'><limit ¦id='0'>1</limit></annotation>", "the attribute 'id' on <limit>"),
         ).forEach { refusal ->
             (refusal.text.replace("\n", "⏎").replace("\r", "")) {
                 val marked = "<?xml version='1.0'?>\n<!-- < > -->\n<PerceptionFilter>\n  ${refusal.text}\n</PerceptionFilter>"
@@ -97,7 +100,8 @@ class XmlRefusalSpec : FreeSpec({
         for (operator in listOf("GT", "GE", "LT", "LE", "B", "BE", "S", "SE")) {
             for (value in listOf("front", "\"36\"", "[1]", "f(1)")) {
                 "$operator $value" {
-                    val found = problems("<PerceptionFilter><filter><predicate>d</predicate><parameter id='0' operator='$operator'>$value</parameter></filter></PerceptionFilter>")
+                    val parameter = "<parameter id='0' operator='$operator'>$value</parameter>"
+                    val found = problems("<PerceptionFilter><filter><predicate>d</predicate>$parameter</filter></PerceptionFilter>")
                     found.single().message shouldContain "is not one"
                     found.single().column shouldBe 81 + operator.length
                 }
@@ -112,7 +116,8 @@ class XmlRefusalSpec : FreeSpec({
 
     "a wrong root" - {
         "is named" {
-            problems("<PerceptionFilters/>").single().toString() shouldBe "f.xml:1:1: the root element is <PerceptionFilters>; expected <PerceptionFilter>"
+            problems("<PerceptionFilters/>").single().toString() shouldBe
+                "f.xml:1:1: the root element is <PerceptionFilters>; expected <PerceptionFilter>"
         }
         "with a default namespace is not what is expected" {
             problems("<PerceptionFilter xmlns='urn:x'/>").single().message shouldContain "the attribute 'xmlns'"
@@ -141,7 +146,8 @@ class XmlRefusalSpec : FreeSpec({
             "<PerceptionFilter>\n<filter>" to (2 to 9),
             "<PerceptionFilter>\n</filter></PerceptionFilter>" to (2 to 3),
             "<PerceptionFilter/><PerceptionFilter/>" to (1 to 21),
-            "<PerceptionFilter><filter><predicate>a</predicate><parameter id='0' id='1'>a</parameter></filter></PerceptionFilter>" to (1 to 75),
+            "<PerceptionFilter><filter><predicate>a</predicate><parameter id='0' id='1'>a</parameter></filter></PerceptionFilter>" to
+                (1 to 75),
             "<PerceptionFilter>\n&unknown;</PerceptionFilter>" to (2 to 10),
             "<PerceptionFilter>\n\u0001</PerceptionFilter>" to (2 to 1),
         ).forEach { (document, position) ->
@@ -165,7 +171,8 @@ class XmlRefusalSpec : FreeSpec({
         listOf(
             "<!DOCTYPE PerceptionFilter><PerceptionFilter/>",
             "<!DOCTYPE x SYSTEM 'file:///etc/passwd'><x/>",
-            "<!DOCTYPE x [<!ENTITY e SYSTEM 'file:///etc/passwd'>]><PerceptionFilter><filter><predicate>&e;</predicate></filter></PerceptionFilter>",
+            "<!DOCTYPE x [<!ENTITY e SYSTEM 'file:///etc/passwd'>]>" +
+                "<PerceptionFilter><filter><predicate>&e;</predicate></filter></PerceptionFilter>",
             "<!DOCTYPE x [<!ENTITY % p SYSTEM 'http://localhost:1/'>%p;]><PerceptionFilter/>",
             "$laughs<PerceptionFilter>&a30;</PerceptionFilter>",
             "<!DOCTYPE x [<!ATTLIST filter operator CDATA '&lol;'>]><PerceptionFilter/>",

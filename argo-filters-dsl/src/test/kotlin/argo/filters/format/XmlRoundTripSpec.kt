@@ -31,7 +31,11 @@ class XmlRoundTripSpec : StringSpec({
     }
 
     "it is written as the paper writes it" {
-        val filter = PerceptionFilter("frontDistance", Rule("temperature"), Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front")))))
+        val filter = PerceptionFilter(
+            "frontDistance",
+            Rule("temperature"),
+            Rule("distance", Condition.Argument(0, TermTest.Compare(Operator.NE, GroundTerm.of("front")))),
+        )
         XmlFilters.write(filter) shouldBe """
             <?xml version="1.0"?>
             <PerceptionFilter>

@@ -31,8 +31,12 @@ class LiteralContractSpec : StringSpec({
     }
 
     "a literal that no text could stand for is kept, whatever the filter" {
-        val matchers = listOf(PerceptionFilter("k", emptyList(), PerceptionFilter.Mode.KEEP), PerceptionFilter("d", Rule("true"))).map { it.matcher() }
-        val literals = listOf(VarTerm("X"), LiteralImpl(Literal.LNeg, "true"), LiteralImpl("No functor"), LiteralImpl(Atom("No namespace"), Literal.LPos, "d"), LiteralImpl(VarTerm("N"), Literal.LPos, "d"))
+        val matchers =
+            listOf(PerceptionFilter("k", emptyList(), PerceptionFilter.Mode.KEEP), PerceptionFilter("d", Rule("true"))).map { it.matcher() }
+        val literals = listOf(
+            VarTerm("X"), LiteralImpl(Literal.LNeg, "true"), LiteralImpl("No functor"),
+            LiteralImpl(Atom("No namespace"), Literal.LPos, "d"), LiteralImpl(VarTerm("N"), Literal.LPos, "d"),
+        )
         for (literal in literals) for (matcher in matchers) withClue("$literal") { matcher.drops(perceptText(literal)) shouldBe false }
     }
 

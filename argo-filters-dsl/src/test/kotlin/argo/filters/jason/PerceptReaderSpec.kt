@@ -25,7 +25,10 @@ import jason.asSyntax.Term
 private fun anatomy(term: Term): String = buildString {
     append(term.javaClass.name).append('«').append(term).append('»').append(term.hashCode())
     append('@').append(term.srcInfo?.let { "${it.srcFile}:${it.beginSrcLine}-${it.endSrcLine}" })
-    append(listOf(term.isAtom, term.isLiteral, term.isStructure, term.isList, term.isString, term.isNumeric, term.isArithExpr, term.isGround, term.isPred, term.isVar))
+    append(listOf(
+        term.isAtom, term.isLiteral, term.isStructure, term.isList, term.isString, term.isNumeric, term.isArithExpr, term.isGround,
+        term.isPred, term.isVar,
+    ))
     if (term is Literal) append(term.ns).append(term.negated()).append(term.predicateIndicator).append(term.canBeAddedInBB())
     when {
         term.isVar -> Unit
@@ -57,9 +60,12 @@ class PerceptReaderSpec : StringSpec({
 
     "it reads what boards send without Jason's parser, and exactly as it does" {
         val texts = listOf(
-            "dist(f,123)", "light(b,40)", "open", "~open(door)", "temp(left,-5)", "temp(left,- 5.25)", "gps(-22.9,-43.2,1e3)", "d(0)", "d(007)", "d(0.10)", "d(123456789012345678)", "d(1.5e-7)",
-            "say(\"hi; you\")", "say(\"a \\\"b\\\" \\n c\\\\ \")", "pos(p(1,2),[a,b(3),\"c\",[]])", "'Left wheel'(1)", "d(f,3)[q(0.5),source(x),a,\"s\",3]", "d [ b , a ]", " d( f , 3 ) ",
-            "d(~a)", "d(a[x])", "begin", "end(1)", "d(begin)", "d(source(x),self,percept)", "d[]", "d([])", "d(é_in_string(\"é漢\uD83D\uDE00\"))".replace("é_in", "e_in"), "abs(1)", "d(x_Y1)",
+            "dist(f,123)", "light(b,40)", "open", "~open(door)", "temp(left,-5)", "temp(left,- 5.25)", "gps(-22.9,-43.2,1e3)", "d(0)",
+            "d(007)", "d(0.10)", "d(123456789012345678)", "d(1.5e-7)",
+            "say(\"hi; you\")", "say(\"a \\\"b\\\" \\n c\\\\ \")", "pos(p(1,2),[a,b(3),\"c\",[]])", "'Left wheel'(1)",
+            "d(f,3)[q(0.5),source(x),a,\"s\",3]", "d [ b , a ]", " d( f , 3 ) ",
+            "d(~a)", "d(a[x])", "begin", "end(1)", "d(begin)", "d(source(x),self,percept)", "d[]", "d([])",
+            "d(é_in_string(\"é漢\uD83D\uDE00\"))".replace("é_in", "e_in"), "abs(1)", "d(x_Y1)",
         )
         for (text in texts) {
             withClue(text) { FastLiteralParser(text).parse() shouldNotBe null }
@@ -69,7 +75,8 @@ class PerceptReaderSpec : StringSpec({
 
     "it leaves the rest to Jason's parser" {
         val texts = listOf(
-            "house::dist(1)", "default::d", "true", "false", "d(true,default,this_ns)", "d(X)", "d(1+2)", "d(+1)", "d(.5)", "d((a))", "d(-(5))", "d([a|[b]])", "d([H|T])", "d(a & b)", "d(not a)",
+            "house::dist(1)", "default::d", "true", "false", "d(true,default,this_ns)", "d(X)", "d(1+2)", "d(+1)", "d(.5)", "d((a))",
+            "d(-(5))", "d([a|[b]])", "d([H|T])", "d(a & b)", "d(not a)",
             "d({+!g})", "d(\n1)", "d(1) // comment", "d(/* c */1)", "d(house::a)", "d(math.abs(-1))", "X", "d(1)[a|[b]]",
         )
         for (text in texts) {
@@ -87,20 +94,30 @@ class PerceptReaderSpec : StringSpec({
     }
 
     "it refuses exactly what Jason's parser refuses" {
-        val tokens = Arb.list(Arb.element("d", "(", ")", "[", "]", ",", "|", "\"", "'", "\\", "~", ":", ".", "-", "+", "1", "1.5e", "X", " ", "\n", "/", "true", "not", "a", "é", "&", "_9999999999", "{", "}", "!", ";", "<", "=", "*"), 0..10)
+        val tokens = Arb.list(Arb.element(
+            "d", "(", ")", "[", "]", ",", "|", "\"", "'", "\\", "~", ":", ".", "-", "+", "1", "1.5e", "X", " ", "\n", "/", "true", "not",
+            "a", "é", "&", "_9999999999", "{", "}", "!", ";", "<", "=", "*",
+        ), 0..10)
         checkAll(20_000, tokens.map { it.joinToString("") }) { text ->
             val expected = try { ASSyntax.parseLiteral(text) } catch (_: Exception) { null } catch (_: Error) { null }
-            if (expected == null) withClue(text) { shouldThrow<PerceptSyntaxException> { PerceptReader.read(text) } } else shouldReadAsJason(text)
+            if (expected == null) {
+                withClue(text) { shouldThrow<PerceptSyntaxException> { PerceptReader.read(text) } }
+            } else {
+                shouldReadAsJason(text)
+            }
         }
     }
 
     "what is no literal is refused with its text and the cause" {
-        shouldThrow<PerceptSyntaxException> { PerceptReader.read("dist(f 3)") }.message shouldContain "'dist(f 3)' is not a literal that Jason can read: "
-        shouldThrow<PerceptSyntaxException> { PerceptReader.read("x".repeat(500) + "(") }.message!!.length shouldBe shouldThrow<PerceptSyntaxException> { PerceptReader.read("x".repeat(501) + "(") }.message!!.length
+        shouldThrow<PerceptSyntaxException> { PerceptReader.read("dist(f 3)") }.message shouldContain
+            "'dist(f 3)' is not a literal that Jason can read: "
+        fun refusal(text: String) = shouldThrow<PerceptSyntaxException> { PerceptReader.read(text) }.message!!
+        refusal("x".repeat(500) + "(").length shouldBe refusal("x".repeat(501) + "(").length
     }
 
     "nesting without end is refused, not a stack overflow" {
-        shouldThrow<PerceptSyntaxException> { PerceptReader.read("d(" + "(".repeat(100_000) + "1" + ")".repeat(100_000) + ")") }.message shouldContain "nested too deep"
+        val nested = "d(" + "(".repeat(100_000) + "1" + ")".repeat(100_000) + ")"
+        shouldThrow<PerceptSyntaxException> { PerceptReader.read(nested) }.message shouldContain "nested too deep"
         shouldThrow<PerceptSyntaxException> { PerceptReader.read("d(" + "[".repeat(100_000)) }
     }
 })

@@ -61,7 +61,8 @@ class CriticalRuleSpec : FreeSpec({
             <critical><predicate>bump</predicate></critical>
         """) shouldBe expected
         JsonFilters.read("""
-            {"critical": [{"predicate": "dist", "reflex": "stop", "conditions": [{"argument": 1, "operator": "LT", "value": 15}]}, {"predicate": "bump"}],
+            {"critical": [{"predicate": "dist", "reflex": "stop", "conditions": [{"argument": 1, "operator": "LT", "value": 15}]},
+                          {"predicate": "bump"}],
              "rules": [{"predicate": "light"}]}
         """, "f.json") shouldBe expected
         (PerceptionFilter("f", Rule("light")) == expected) shouldBe false
@@ -74,7 +75,8 @@ class CriticalRuleSpec : FreeSpec({
         dropping.drops(perceptText(ASSyntax.parseLiteral("dist(f,14)"))) shouldBe false
         dropping.drops("light(3)") shouldBe true
         val keeping = PerceptionFilter("k", listOf(Rule("light")), PerceptionFilter.Mode.KEEP, critical = listOf(stop)).matcher()
-        listOf("dist(f,14)", "dist(f,15)", "light(3)", "temp(4)").filterNot(keeping::drops) shouldContainExactly listOf("dist(f,14)", "light(3)")
+        listOf("dist(f,14)", "dist(f,15)", "light(3)", "temp(4)").filterNot(keeping::drops) shouldContainExactly
+            listOf("dist(f,14)", "light(3)")
     }
 
     "a percept is critical as text and as literal alike, and then it is kept" {
@@ -96,7 +98,9 @@ class CriticalRuleSpec : FreeSpec({
 
     "rates do not hold its percepts back, and hold back the others" {
         val session = Played(FilterSession.ofTexts())
-        session.switchTo(PerceptionFilter("f", listOf(Rule(Predicate("dist"), rate = Rate(100, setOf(Deadband(1, 50.0))))), critical = listOf(stop)))
+        session.switchTo(
+            PerceptionFilter("f", listOf(Rule(Predicate("dist"), rate = Rate(100, setOf(Deadband(1, 50.0))))), critical = listOf(stop)),
+        )
         session.perceive(listOf("dist(f,30)"), 0) shouldContainExactly listOf("dist(f,30)")
         session.critical.shouldBeEmpty()
         session.perceive(listOf("dist(f,20)"), 10) shouldContainExactly listOf("dist(f,30)")
@@ -147,7 +151,8 @@ class CriticalRuleSpec : FreeSpec({
             "<critical ¦reflex=''><predicate>d</predicate></critical>" to "the reflex '' is empty",
             "<critical ¦reflex='€'><predicate>d</predicate></critical>" to "U+20AC",
             "<critical ¦reflex='say(fffd05front)'><predicate>d</predicate></critical>" to "'fffd05'",
-            "<critical ¦everyMs='5'><predicate>d</predicate></critical>" to "the attribute 'everyMs' on <critical>; expected arity or reflex",
+            "<critical ¦everyMs='5'><predicate>d</predicate></critical>" to
+                "the attribute 'everyMs' on <critical>; expected arity or reflex",
             "<critical ¦deadband='5'><predicate>d</predicate></critical>" to "the attribute 'deadband' on <critical>",
             "<critical><predicate>d</predicate><parameter id='1' ¦deadband='5'/></critical>" to "never held back",
             "<filter ¦reflex='stop'><predicate>d</predicate></filter>" to "the attribute 'reflex' on <filter>",

@@ -31,14 +31,18 @@ class ExplanationSpec : StringSpec({
     }
 
     "it tells why a percept was kept" {
-        dropping.explain("dist(f,1)").toString() shouldBe "dist(f,1) is kept by filter front: rule 2 does not meet it, since not: argument 0 is not f"
+        dropping.explain("dist(f,1)").toString() shouldBe
+            "dist(f,1) is kept by filter front: rule 2 does not meet it, since not: argument 0 is not f"
         dropping.explain("~light").toString() shouldBe "~light is kept by filter front: it has no rule on ~light with 0 arguments"
-        dropping.explain("dist(").toString() shouldBe "dist( is kept by filter front: its text is not a percept, and filters leave that to the parser"
+        dropping.explain("dist(").toString() shouldBe
+            "dist( is kept by filter front: its text is not a percept, and filters leave that to the parser"
     }
 
     "it tells the same of a filter that keeps" {
-        keeping.explain("dist(b,1)").toString() shouldBe "dist(b,1) is kept by filter others: rule 2 meets it: dist where argument 0 is not f"
-        keeping.explain("dist(f,1)").toString() shouldBe "dist(f,1) is dropped by filter others: rule 2 does not meet it, since not: argument 0 is not f"
+        keeping.explain("dist(b,1)").toString() shouldBe
+            "dist(b,1) is kept by filter others: rule 2 meets it: dist where argument 0 is not f"
+        keeping.explain("dist(f,1)").toString() shouldBe
+            "dist(f,1) is dropped by filter others: rule 2 does not meet it, since not: argument 0 is not f"
     }
 
     "it explains literals as texts" {
@@ -53,10 +57,17 @@ class ExplanationSpec : StringSpec({
     }
 
     "filters say what they do" {
-        val keep = PerceptionFilter("k", listOf(Rule(Predicate("d"), emptyList(), 2, Rate(500, setOf(Deadband(1, 0.5))))), PerceptionFilter.Mode.KEEP, PerceptionFilter.OnSwitch.FREEZE)
-        "$keep" shouldBe "filter k keeps only d where there are 2 arguments and the last one was less than 500 ms ago and argument 1 has not moved by 0.5, and freezes what it hides"
+        val keep = PerceptionFilter(
+            "k",
+            listOf(Rule(Predicate("d"), emptyList(), 2, Rate(500, setOf(Deadband(1, 0.5))))),
+            PerceptionFilter.Mode.KEEP,
+            PerceptionFilter.OnSwitch.FREEZE,
+        )
+        "$keep" shouldBe "filter k keeps only d where there are 2 arguments and the last one was less than 500 ms ago " +
+            "and argument 1 has not moved by 0.5, and freezes what it hides"
         "${PerceptionFilter("none")}" shouldBe "filter none drops nothing"
-        "${Rule("d", Condition.Annotation("q", TermTest.OneOf(setOf(GroundTerm.of("a"), GroundTerm.of("1"))), TermTest.Matches("a.*")))}" shouldBe
+        val oneOf = TermTest.OneOf(setOf(GroundTerm.of("a"), GroundTerm.of("1")))
+        "${Rule("d", Condition.Annotation("q", oneOf, TermTest.Matches("a.*")))}" shouldBe
             "d where annotation q is one of a, 1 and matches a.*"
     }
 })

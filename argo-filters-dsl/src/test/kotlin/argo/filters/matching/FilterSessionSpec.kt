@@ -30,7 +30,8 @@ private const val WITHIN_5 = "<filter><predicate>dist</predicate><parameter id='
 
 class FilterSessionSpec : FreeSpec({
     "without a filter everything is perceived" {
-        FilterSession.ofTexts().perceive(listOf("a", "b(1)", "not a percept"), 0).kept shouldContainExactly listOf("a", "b(1)", "not a percept")
+        FilterSession.ofTexts().perceive(listOf("a", "b(1)", "not a percept"), 0).kept shouldContainExactly
+            listOf("a", "b(1)", "not a percept")
     }
 
     "a filter without rates decides over each percept by itself" {
@@ -248,7 +249,8 @@ class FilterSessionSpec : FreeSpec({
         val session = session(EVERY_100)
         session.perceive(listOf("dist(f,1)"), 0)
         session.explain("dist(f,2)", 40).toString() shouldBe
-            "dist(f,2) is held back for another 60 ms by filter test: rule 1 meets it: dist where the last one was less than 100 ms ago; dist(f,1) stands for it"
+            "dist(f,2) is held back for another 60 ms by filter test: rule 1 meets it: " +
+                "dist where the last one was less than 100 ms ago; dist(f,1) stands for it"
         session.explain("dist(b,2)", 40).toString() shouldContain "dist(b,2) is kept by filter test: rule 1 holds nothing back now"
         session.nextDueMs shouldBe null
         FilterSession.ofTexts().explain("a", 0).toString() shouldBe "a is kept: there is no filter"

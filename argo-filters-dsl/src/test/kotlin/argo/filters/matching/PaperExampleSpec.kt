@@ -35,7 +35,8 @@ class PaperExampleSpec : StringSpec({
 
     "it leaves the same of the percepts as literals" {
         val matcher = filter.matcher()
-        percepts.map(ASSyntax::parseLiteral).filterNot { matcher.drops(perceptText(it)) }.map { "$it" } shouldBe listOf("distance(front,227)")
+        percepts.map(ASSyntax::parseLiteral).filterNot { matcher.drops(perceptText(it)) }.map { "$it" } shouldBe
+            listOf("distance(front,227)")
     }
 
     "it is called as its file is" { filter.name shouldBe "frontDistance" }
