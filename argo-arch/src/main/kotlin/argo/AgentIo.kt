@@ -38,18 +38,18 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
-import javino.PerceptsRequest
 import javino.BoardListener
+import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.wire.ReflexOutcome
-import javino.wire.BoardAction as RegisteredAction
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Level
 import java.util.logging.Logger
+import javino.wire.BoardAction as RegisteredAction
 
 /**
  * The boards of one agent: its ports, what it perceives through the one in use, and the commands it sends. [Arch] connects it with Jason.

@@ -24,7 +24,8 @@ final class ActionCheck {
         if (known == null) {
             return "it has no action " + name + "; it has " + words(actions);
         }
-        return known.arguments() == arguments || known.arguments() == BoardAction.ANY ? null
+        return known.arguments() == arguments || known.arguments() == BoardAction.ANY
+                ? null
                 : name + " takes " + count(known) + ", not " + arguments + "; the board has " + words(actions);
     }
 
@@ -51,8 +52,10 @@ final class ActionCheck {
     }
 
     private static String words(List<BoardAction> actions) {
-        return actions.stream().map(action -> action.name() + (action.arguments() == 0 ? "" : " with " + count(action)))
-                .distinct().collect(Collectors.joining(", "));
+        return actions.stream()
+                .map(action -> action.name() + (action.arguments() == 0 ? "" : " with " + count(action)))
+                .distinct()
+                .collect(Collectors.joining(", "));
     }
 
     private static String count(BoardAction action) {

@@ -17,6 +17,7 @@ final class CommandLoop {
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
     /** Milliseconds that the first command waits at most while nothing gets through. */
     static final int MAX_WAIT_MILLIS = 5000;
+
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_WAIT_MILLIS);
 
     private final String port;
@@ -29,7 +30,13 @@ final class CommandLoop {
     private final OneWaySender oneWay;
     private volatile long movedNanos; // when a command of version 1 last went out, or the board could not be asked
 
-    CommandLoop(Transport transport, FrameWriter writer, SessionLine line, RequestChannel channel, LineClock clock, Start start) {
+    CommandLoop(
+            Transport transport,
+            FrameWriter writer,
+            SessionLine line,
+            RequestChannel channel,
+            LineClock clock,
+            Start start) {
         port = transport.name();
         this.transport = transport;
         this.writer = writer;
@@ -44,9 +51,14 @@ final class CommandLoop {
     /** Queues a command, and writes it if that waits for nothing; see {@link Link#send(String, SendOptions)}. */
     Command submit(Frame frame, SendOptions options) {
         Command command = new Command(frame, options, clock.nanos());
-        String trouble = line.vocabulary().map(actions -> ActionCheck.trouble(command.text(), actions)).orElse(null);
+        String trouble = line.vocabulary()
+                .map(actions -> ActionCheck.trouble(command.text(), actions))
+                .orElse(null);
         if (trouble != null) {
-            fail(command, new ActionRefusedException(port, "the board at port " + port + " refuses \"" + command.text() + "\": " + trouble));
+            fail(
+                    command,
+                    new ActionRefusedException(
+                            port, "the board at port " + port + " refuses \"" + command.text() + "\": " + trouble));
             return command;
         }
         command.outcome().whenComplete((done, failure) -> writer.reported());
@@ -59,7 +71,8 @@ final class CommandLoop {
             fail(command, unforeseen);
         }
         if (options.limitMillis() > 0 && !command.isOver()) {
-            clock.schedule(TimeUnit.MILLISECONDS.toNanos(options.limitMillis()), () -> fail(command, timeOver(command)));
+            clock.schedule(
+                    TimeUnit.MILLISECONDS.toNanos(options.limitMillis()), () -> fail(command, timeOver(command)));
         }
         return command;
     }
@@ -97,8 +110,10 @@ final class CommandLoop {
 
     private void runVersion2() throws PortException {
         try {
-            line.await(() -> !line.isVersion2() || writer.isLeaving() || writer.head() != null && isStuck(writer.head()),
-                    clock.nanos() + Monitor.FOREVER, false);
+            line.await(
+                    () -> !line.isVersion2() || writer.isLeaving() || writer.head() != null && isStuck(writer.head()),
+                    clock.nanos() + Monitor.FOREVER,
+                    false);
         } catch (RuntimeException | LinkageError unforeseen) { // a transport's
             LOG.log(System.Logger.Level.ERROR, "port " + port + " failed while commands were sent", unforeseen);
             line.abandon(unforeseen);
@@ -126,7 +141,10 @@ final class CommandLoop {
                     fail(own, writer.noTime(frame.length(), timeoutMillis));
                 } else if (line.isVersion2()) {
                     finishLeaving();
-                    line.await(() -> own.isOver() || !line.isVersion2(), own.isWaiting() ? deadline : clock.nanos() + MAX_WAIT_NANOS, false);
+                    line.await(
+                            () -> own.isOver() || !line.isVersion2(),
+                            own.isWaiting() ? deadline : clock.nanos() + MAX_WAIT_NANOS,
+                            false);
                 } else if (writer.awaitWork(own, deadline, line::isVersion2)) {
                     sendNext(deadline);
                 }
@@ -220,18 +238,24 @@ final class CommandLoop {
     }
 
     private PortException replaced(Command earlier, Command later) {
-        return new CommandReplacedException(port, '"' + earlier.text() + "\" had not begun to go out through port " + port
-                + " when \"" + later.text() + "\" took its place, so it was not sent");
+        return new CommandReplacedException(
+                port,
+                '"' + earlier.text() + "\" had not begun to go out through port " + port + " when \"" + later.text()
+                        + "\" took its place, so it was not sent");
     }
 
     /** Withdraws a command whose time is over, if it has not begun to go out. */
     private PortException timeOver(Command command) {
         String subject = '"' + command.text() + '"';
         return writer.withdraw(command)
-                ? new CommandWithdrawnException(port, subject + " had not begun to go out through port " + port
-                        + " when its time was over, so it was not sent; other commands, or the board, take the line's time")
-                : new ActionUnconfirmedException(port, subject + " was on its way through port " + port
-                        + " when its time was over, and is not known to have arrived; it may have been carried out");
+                ? new CommandWithdrawnException(
+                        port,
+                        subject + " had not begun to go out through port " + port
+                                + " when its time was over, so it was not sent; other commands, or the board, take the line's time")
+                : new ActionUnconfirmedException(
+                        port,
+                        subject + " was on its way through port " + port
+                                + " when its time was over, and is not known to have arrived; it may have been carried out");
     }
 
     /** Fails the commands that wait or are on their way, on a line that is gone for {@code reason}. */

@@ -29,7 +29,8 @@ final class CommandQueue {
     }
 
     /** The queue without the commands that {@code command} replaces, which are withdrawn, and with itself if it {@code isIts}. */
-    private static Deque<Command> without(Deque<Command> queue, Command command, List<Command> replaced, boolean isIts) {
+    private static Deque<Command> without(
+            Deque<Command> queue, Command command, List<Command> replaced, boolean isIts) {
         if (queue.stream().noneMatch(command::replaces)) {
             if (isIts) {
                 queue.add(command);
@@ -81,7 +82,8 @@ final class CommandQueue {
 
     /** Whether none waits of those that had been submitted when {@link #submitted} returned {@code count}. */
     boolean haveBegun(long count) {
-        return Stream.concat(urgent.stream(), ordinary.stream()).noneMatch(command -> command.isWaiting() && command.number() <= count);
+        return Stream.concat(urgent.stream(), ordinary.stream())
+                .noneMatch(command -> command.isWaiting() && command.number() <= count);
     }
 
     /** Removes all commands, and withdraws them. */

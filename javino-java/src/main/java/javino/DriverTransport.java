@@ -19,6 +19,7 @@ public abstract class DriverTransport implements Transport {
     private final AtomicBoolean closed = new AtomicBoolean();
     /** Bytes written since something was last read: a driver that holds no more than this has room for a frame whatever it says. */
     private final AtomicInteger unheard = new AtomicInteger();
+
     private volatile String loss; // why the device cannot be reached any more; null while it can
 
     /**
@@ -88,11 +89,14 @@ public abstract class DriverTransport implements Transport {
         try {
             boolean isAtOnce = len <= MAX_UNHEARD && isWritableNow();
             unheard.addAndGet(len);
-            TimedWriter.Outcome outcome = isAtOnce ? writer.writeHere(Arrays.copyOfRange(b, off, off + len))
+            TimedWriter.Outcome outcome = isAtOnce
+                    ? writer.writeHere(Arrays.copyOfRange(b, off, off + len))
                     : writer.write(b, off, len, timeoutMillis);
             if (outcome == TimedWriter.Outcome.TOO_LATE) {
-                throw new PortTimeoutException(name, "port " + name + " did not take " + len + " bytes within " + timeoutMillis
-                        + " ms; the far end does not read");
+                throw new PortTimeoutException(
+                        name,
+                        "port " + name + " did not take " + len + " bytes within " + timeoutMillis
+                                + " ms; the far end does not read");
             }
             if (outcome != TimedWriter.Outcome.WRITTEN) {
                 throw lost(lossWhenRefused());

@@ -30,8 +30,8 @@ public final class Frame {
 
     private Frame(String text) {
         if (text.length() > MAX_PAYLOAD) {
-            throw new IllegalArgumentException("a message has at most " + MAX_PAYLOAD + " bytes, but " + quoted(text) + " has "
-                    + text.length());
+            throw new IllegalArgumentException(
+                    "a message has at most " + MAX_PAYLOAD + " bytes, but " + quoted(text) + " has " + text.length());
         }
         this.text = text;
     }
@@ -55,14 +55,17 @@ public final class Frame {
      */
     public static Frame ofCommand(String text) {
         if (BoardRule.isIn(text) && text.length() > 2 && BoardRule.read(text) == null) {
-            throw new IllegalArgumentException("the command " + quoted(text) + " begins with the byte 01, as a rule for the board does, "
-                    + "but is none; let it begin with another character");
+            throw new IllegalArgumentException(
+                    "the command " + quoted(text) + " begins with the byte 01, as a rule for the board does, "
+                            + "but is none; let it begin with another character");
         }
         Matcher header = HEADER.matcher(text);
         if (header.find()) {
-            throw new IllegalArgumentException("the command " + quoted(text) + " holds " + quoted(header.group()) + " from character "
-                    + (header.start() + 1) + " on, which a board may take for the beginning of another command; leave it out, "
-                    + "or put a character in between");
+            throw new IllegalArgumentException(
+                    "the command " + quoted(text) + " holds " + quoted(header.group()) + " from character "
+                            + (header.start() + 1)
+                            + " on, which a board may take for the beginning of another command; leave it out, "
+                            + "or put a character in between");
         }
         return of(text);
     }
@@ -89,9 +92,12 @@ public final class Frame {
     public static String requireBytes(String text) {
         for (int i = 0; i < text.length(); i++) {
             if (text.charAt(i) > 0xFF) {
-                throw new IllegalArgumentException(String.format(Locale.ROOT,
+                throw new IllegalArgumentException(String.format(
+                        Locale.ROOT,
                         "a message carries one byte per character, but character %d of %s is U+%04X; the highest is U+00FF",
-                        i + 1, quoted(text), (int) text.charAt(i)));
+                        i + 1,
+                        quoted(text),
+                        (int) text.charAt(i)));
             }
         }
         return text;

@@ -29,7 +29,11 @@ public final class FrameDecoder {
     /** A delivered frame and an unfinished header behind it, and as much again so that bytes are seldom moved. */
     private static final int CAPACITY = 2 * (LONGEST + Frame.HEADER_LENGTH);
 
-    private enum Header { IMPOSSIBLE, UNFINISHED, COMPLETE }
+    private enum Header {
+        IMPOSSIBLE,
+        UNFINISHED,
+        COMPLETE
+    }
 
     private final long interByteTimeoutNanos;
     private final Consumer<Frame> sink;
@@ -47,7 +51,8 @@ public final class FrameDecoder {
      */
     public FrameDecoder(long interByteTimeoutNanos, Consumer<Frame> sink) {
         if (interByteTimeoutNanos < 1) {
-            throw new IllegalArgumentException("an inter-byte timeout is at least 1 ns, but " + interByteTimeoutNanos + " was given");
+            throw new IllegalArgumentException(
+                    "an inter-byte timeout is at least 1 ns, but " + interByteTimeoutNanos + " was given");
         }
         this.interByteTimeoutNanos = interByteTimeoutNanos;
         this.sink = sink;

@@ -17,7 +17,10 @@ import javino.session.WaitingCommands;
  */
 final class FrameWriter implements WaitingCommands<Command> {
     /** What a frame is for: the pacer treats the two differently. */
-    enum Kind { ACTION, REQUEST }
+    enum Kind {
+        ACTION,
+        REQUEST
+    }
 
     /** What is done after a frame's turn has come and right before it is written. */
     interface BeforeWrite {
@@ -32,7 +35,8 @@ final class FrameWriter implements WaitingCommands<Command> {
     private boolean isWriting;
     private int turnsAwaited; // of requests and HELLOs
     private Command underWay;
-    private boolean isLeaving; // the command under way was written by who submitted it, and its last byte leaves at leavesAt
+    private boolean
+            isLeaving; // the command under way was written by who submitted it, and its last byte leaves at leavesAt
     private long leavesAt;
     private String endReason; // null while the line is there
 
@@ -58,7 +62,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /** Wakes who waits for a command. */
     void wake() {
-        monitor.change(() -> { });
+        monitor.change(() -> {});
     }
 
     /** Takes a command that has not begun to go out from the queue, for good; false if it has. */
@@ -110,7 +114,8 @@ final class FrameWriter implements WaitingCommands<Command> {
      */
     boolean awaitWork(Command own, long deadline, BooleanSupplier isElsewhere) throws PortException {
         return monitor.getInterruptibly(() -> {
-            awaitZero(() -> own != null && own.isOver() || isElsewhere.getAsBoolean() || hasWork() ? 0
+            awaitZero(() -> own != null && own.isOver() || isElsewhere.getAsBoolean() || hasWork()
+                    ? 0
                     : own != null && own.isWaiting() ? deadline - clock.nanos() : Monitor.FOREVER);
             return (own == null || !own.isOver()) && hasWork();
         });
@@ -150,7 +155,9 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     private long nanosUntilNext() {
-        return isWriting || turnsAwaited > 0 ? Monitor.FOREVER : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
+        return isWriting || turnsAwaited > 0
+                ? Monitor.FOREVER
+                : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
     }
 
     /** Records that the command under way has been written, and leaves it to {@link #takeLeaving}. */
@@ -224,8 +231,11 @@ final class FrameWriter implements WaitingCommands<Command> {
     private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
         long due = clock.nanos();
         long deadline = due + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        LongSupplier untilTurn = () -> isWriting ? Monitor.FOREVER
-                : kind == Kind.ACTION ? pacer.nanosUntilAction(bytes, clock.nanos()) : pacer.nanosUntilRequest(due, clock.nanos());
+        LongSupplier untilTurn = () -> isWriting
+                ? Monitor.FOREVER
+                : kind == Kind.ACTION
+                        ? pacer.nanosUntilAction(bytes, clock.nanos())
+                        : pacer.nanosUntilRequest(due, clock.nanos());
         turnsAwaited++;
         try {
             awaitZero(() -> Math.min(untilTurn.getAsLong(), deadline - clock.nanos()));
@@ -240,16 +250,22 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /** Why a frame was not written whose turn did not come. */
     PortTimeoutException noTime(int bytes, int timeoutMillis) {
-        return new PortTimeoutException(transport.name(), "port " + transport.name() + " had no time for a message of " + bytes
-                + " bytes within " + timeoutMillis + " ms; the line is busy with those before it");
+        return new PortTimeoutException(
+                transport.name(),
+                "port " + transport.name() + " had no time for a message of " + bytes + " bytes within " + timeoutMillis
+                        + " ms; the line is busy with those before it");
     }
 
     /** Writes a frame whose turn has come; as {@link #write}. */
     long writeNow(Kind kind, byte[] frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
         try {
             beforeWrite.run();
-            return hand(frame, timeoutMillis, (start, now) -> kind == Kind.ACTION
-                    ? pacer.wroteAction(frame.length, start, now) : pacer.wroteRequest(frame.length, start, now));
+            return hand(
+                    frame,
+                    timeoutMillis,
+                    (start, now) -> kind == Kind.ACTION
+                            ? pacer.wroteAction(frame.length, start, now)
+                            : pacer.wroteRequest(frame.length, start, now));
         } finally {
             monitor.change(() -> isWriting = false);
         }

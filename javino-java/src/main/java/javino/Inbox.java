@@ -76,7 +76,13 @@ final class Inbox {
      * @param received told whenever bytes have arrived
      * @param frames takes what comes in version 2
      */
-    Inbox(Monitor monitor, Transport transport, LineClock clock, ReadListener received, Protocol protocol, FrameListener frames) {
+    Inbox(
+            Monitor monitor,
+            Transport transport,
+            LineClock clock,
+            ReadListener received,
+            Protocol protocol,
+            FrameListener frames) {
         this.monitor = monitor;
         this.transport = transport;
         this.clock = clock;
@@ -139,7 +145,7 @@ final class Inbox {
     /** Reads what the line has ready, in at most {@code most} pieces, unless another thread reads. */
     private void readReady(int most) throws PortException {
         monitor.get(() -> {
-            for (int reads = 0; reads < most && !isBeingRead && readFor(0) > 0; reads++) { }
+            for (int reads = 0; reads < most && !isBeingRead && readFor(0) > 0; reads++) {}
             return null;
         });
     }
@@ -195,7 +201,8 @@ final class Inbox {
         int count = 0;
         isBeingRead = true;
         try {
-            count = monitor.unlocked(() -> transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE)));
+            count = monitor.unlocked(
+                    () -> transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE)));
         } finally {
             isBeingRead = false;
         }

@@ -161,7 +161,9 @@ public final class Link implements AutoCloseable {
         if (line.protocol() == Protocol.V1 && !channel.mustAsk()) {
             writer.awaitCommandsSoFar(TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
-        return line.isVersion2() && !PerceptsRequest.isIn(message) ? answerToCommand(message, timeoutMillis) : exchange(request, timeoutMillis);
+        return line.isVersion2() && !PerceptsRequest.isIn(message)
+                ? answerToCommand(message, timeoutMillis)
+                : exchange(request, timeoutMillis);
     }
 
     /**
@@ -210,8 +212,10 @@ public final class Link implements AutoCloseable {
         return reading(() -> {
             Reply answer = channel.request(request, timeoutMillis);
             if (answer == null) {
-                throw new PortTimeoutException(port(), "port " + port() + " gave no answer to \"" + request.text() + "\" within "
-                        + timeoutMillis + " ms; " + transport.doubt());
+                throw new PortTimeoutException(
+                        port(),
+                        "port " + port() + " gave no answer to \"" + request.text() + "\" within " + timeoutMillis
+                                + " ms; " + transport.doubt());
             }
             return answer;
         });
@@ -284,7 +288,8 @@ public final class Link implements AutoCloseable {
         return reading(() -> {
             Reply message = channel.listen(timeoutMillis);
             if (message == null) {
-                throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
+                throw new PortTimeoutException(
+                        port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
             return message;
         });

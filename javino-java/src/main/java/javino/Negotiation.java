@@ -23,7 +23,13 @@ final class Negotiation {
     private final long helloNanos;
     private final int spacingMillis;
 
-    Negotiation(SessionLine line, FrameWriter writer, Version1Requests version1, BoardStart start, LineClock clock, LinkSettings settings) {
+    Negotiation(
+            SessionLine line,
+            FrameWriter writer,
+            Version1Requests version1,
+            BoardStart start,
+            LineClock clock,
+            LinkSettings settings) {
         this.line = line;
         this.writer = writer;
         this.version1 = version1;
@@ -69,7 +75,7 @@ final class Negotiation {
 
     /** Says HELLO, and waits for WELCOME. */
     private boolean isWelcomed(int timeoutMillis) throws PortException {
-        long left = writer.write(FrameWriter.Kind.ACTION, line.hello(), timeoutMillis + spacingMillis, () -> { });
+        long left = writer.write(FrameWriter.Kind.ACTION, line.hello(), timeoutMillis + spacingMillis, () -> {});
         return line.await(line::isVersion2, left + helloNanos, true);
     }
 }

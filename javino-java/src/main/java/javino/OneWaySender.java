@@ -7,6 +7,7 @@ import javino.wire.BoardRule;
 final class OneWaySender {
     /** How long the device may be gone before it is noticed while a long message leaves. */
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
+
     private static final int MAX_WRITE_MILLIS = 5000;
 
     private final String port;
@@ -26,7 +27,8 @@ final class OneWaySender {
         Frame frame = command.frame();
         return writer.writeNow(FrameWriter.Kind.ACTION, frame.toBytes(), MAX_WRITE_MILLIS, () -> {
             if (BoardRule.isIn(command.text())) {
-                throw new ActionRefusedException(port, "the board at port " + port + " speaks version 1, in which it takes no rules");
+                throw new ActionRefusedException(
+                        port, "the board at port " + port + " speaks version 1, in which it takes no rules");
             }
             inbox.sends(frame);
         });
@@ -34,7 +36,8 @@ final class OneWaySender {
 
     /** Waits until the last byte of a command leaves, at {@code left}, or it is over. */
     void awaitLeft(Command command, long left) throws PortException {
-        while (!command.isOver() && left - clock.nanos() > WATCH_NANOS) { // who would read the line may be waiting for its turn
+        while (!command.isOver()
+                && left - clock.nanos() > WATCH_NANOS) { // who would read the line may be waiting for its turn
             writer.awaitTime(clock.nanos() + WATCH_NANOS);
             inbox.look();
         }

@@ -33,7 +33,9 @@ final class RequestChannel {
 
     /** Whether the board has to be asked for something before it is sent an action of version 1: see {@link #awaitStart}. Any thread. */
     boolean mustAsk() {
-        return !line.isVersion2() && (start.nanosLeft() > 0 || line.protocol() == Protocol.AUTO && (start.hasHeard() || line.hasLapsed()));
+        return !line.isVersion2()
+                && (start.nanosLeft() > 0
+                        || line.protocol() == Protocol.AUTO && (start.hasHeard() || line.hasLapsed()));
     }
 
     /** Returns when the board has answered and it is known which version it speaks, or when it must have started. */
@@ -64,7 +66,9 @@ final class RequestChannel {
                 return answer;
             }
         }
-        return line.isVersion2() ? requestInVersion2(request, timeoutMillis) : requestInVersion1(request, timeoutMillis);
+        return line.isVersion2()
+                ? requestInVersion2(request, timeoutMillis)
+                : requestInVersion1(request, timeoutMillis);
     }
 
     private Reply requestInVersion1(Frame request, int timeoutMillis) throws PortException {
@@ -73,7 +77,9 @@ final class RequestChannel {
     }
 
     private Reply requestInVersion2(Frame request, int timeoutMillis) throws PortException {
-        long wait = Math.max(line.isOpen() ? 0 : start.nanosLeft(), TimeUnit.MILLISECONDS.toNanos(timeoutMillis) + REQUEST_BYTES * byteNanos);
+        long wait = Math.max(
+                line.isOpen() ? 0 : start.nanosLeft(),
+                TimeUnit.MILLISECONDS.toNanos(timeoutMillis) + REQUEST_BYTES * byteNanos);
         Reply answer = line.request(request.text().substring(PerceptsRequest.ALL.length()), clock.nanos() + wait);
         if (answer != null) {
             start.isRunning();

@@ -34,7 +34,9 @@ final class ResponseCorrelator {
     }
 
     private boolean isComing(long sent) {
-        return inbox.isReadingVersion1() && inbox.lastByteNanos() - sent > 0 && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
+        return inbox.isReadingVersion1()
+                && inbox.lastByteNanos() - sent > 0
+                && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
     }
 
     /**

@@ -27,6 +27,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
     /** How often a thread that waits looks whether a command has waited for too long. */
     private static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(1);
+
     private static final int MAX_WRITE_MILLIS = 5000;
 
     private final Monitor monitor;
@@ -60,7 +61,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         protocol = wanted;
         heardNanos = clock.nanos();
         inbox = new Inbox(monitor, transport, clock, writer::received, wanted, this);
-        session = new ComputerSession<>(settings.line().byteNanos(), answerLimit, new SplittableRandom(clock.nanos()), this);
+        session = new ComputerSession<>(
+                settings.line().byteNanos(), answerLimit, new SplittableRandom(clock.nanos()), this);
         if (wanted == Protocol.V2) {
             session.open(clock.nanos());
         }
@@ -161,7 +163,9 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         if (frame != null) {
             return frame;
         }
-        long untilNext = untilFree > 0 ? untilFree : Math.min(session.nanosUntilDue(now), writer.head() == null ? Long.MAX_VALUE : LOOK_NANOS);
+        long untilNext = untilFree > 0
+                ? untilFree
+                : Math.min(session.nanosUntilDue(now), writer.head() == null ? Long.MAX_VALUE : LOOK_NANOS);
         if ((reads || session.isExpecting()) && !inbox.isBeingRead()) {
             inbox.readFor(followers > 0 ? left : Math.min(left, untilNext)); // who follows wakes in time
         } else {
@@ -197,7 +201,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         if (!transport.isWritableNow()) {
             return;
         }
-        WireFrame frame = monitor.get(() -> isVersion2() && writer.hasLine() && writer.nanosUntilFrame() == 0 ? next(clock.nanos()) : null);
+        WireFrame frame = monitor.get(
+                () -> isVersion2() && writer.hasLine() && writer.nanosUntilFrame() == 0 ? next(clock.nanos()) : null);
         if (frame != null) {
             write(frame, Long.MAX_VALUE);
         }
@@ -285,7 +290,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     @Override
     public void ended(Command command, CommandOutcome outcome) {
-        Throwable why = outcome == CommandOutcome.UNCONFIRMED && failure != null ? failure : failureOf(command, outcome);
+        Throwable why =
+                outcome == CommandOutcome.UNCONFIRMED && failure != null ? failure : failureOf(command, outcome);
         reports.add(() -> {
             if (why == null) {
                 command.outcome().complete(null);
@@ -300,12 +306,21 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         String text = command.text();
         return switch (outcome) {
             case DONE -> null;
-            case REFUSED -> new ActionRefusedException(port, "the board at port " + port + " refuses \"" + text
-                    + "\": it does not know the action, or not with these arguments");
-            case UNCONFIRMED -> new ActionUnconfirmedException(port, "port " + port + " did not say that it acted on \"" + text
-                    + "\"; it may have, or the board does not run any more");
-            case TOO_LONG -> new ActionRefusedException(port, "the board at port " + port + " takes no command of " + text.length()
-                    + " bytes: " + Frame.quoted(text));
+            case REFUSED ->
+                new ActionRefusedException(
+                        port,
+                        "the board at port " + port + " refuses \"" + text
+                                + "\": it does not know the action, or not with these arguments");
+            case UNCONFIRMED ->
+                new ActionUnconfirmedException(
+                        port,
+                        "port " + port + " did not say that it acted on \"" + text
+                                + "\"; it may have, or the board does not run any more");
+            case TOO_LONG ->
+                new ActionRefusedException(
+                        port,
+                        "the board at port " + port + " takes no command of " + text.length() + " bytes: "
+                                + Frame.quoted(text));
         };
     }
 
@@ -326,8 +341,10 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     @Override
     public void dropped(int bytes) {
         if (!hasDropped) {
-            LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent percepts of " + bytes + " bytes, more than "
-                    + answerLimit + ", which are dropped; others are dropped without a warning until an answer comes that is not too long");
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + transport.name() + " sent percepts of " + bytes + " bytes, more than " + answerLimit
+                            + ", which are dropped; others are dropped without a warning until an answer comes that is not too long");
         }
         hasDropped = true;
     }

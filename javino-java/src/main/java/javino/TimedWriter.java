@@ -22,7 +22,12 @@ final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
 
     /** How a write ended. */
-    enum Outcome { WRITTEN, FAILED, TOO_LATE, CLOSED }
+    enum Outcome {
+        WRITTEN,
+        FAILED,
+        TOO_LATE,
+        CLOSED
+    }
 
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
@@ -50,14 +55,16 @@ final class TimedWriter {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
         CompletableFuture<Outcome> write;
         try {
-            write = CompletableFuture.supplyAsync(() -> {
-                isWriting.set(true);
-                try {
-                    return writeHere(bytes);
-                } finally {
-                    isWriting.set(false);
-                }
-            }, thread);
+            write = CompletableFuture.supplyAsync(
+                    () -> {
+                        isWriting.set(true);
+                        try {
+                            return writeHere(bytes);
+                        } finally {
+                            isWriting.set(false);
+                        }
+                    },
+                    thread);
         } catch (RejectedExecutionException e) {
             return Outcome.CLOSED;
         }

@@ -47,7 +47,9 @@ final class Version1Requests {
     Reply askUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
         long repeatNanos = TimeUnit.MILLISECONDS.toNanos(Math.min(timeoutMillis, REPEAT_MILLIS));
         Reply answer = null;
-        for (long left = giveUp - clock.nanos(); answer == null && left > 0 && inbox.isReadingVersion1(); left = giveUp - clock.nanos()) {
+        for (long left = giveUp - clock.nanos();
+                answer == null && left > 0 && inbox.isReadingVersion1();
+                left = giveUp - clock.nanos()) {
             long sent = ask(request, timeoutMillis);
             answer = first(sent, sent + Math.min(left, repeatNanos), giveUp);
         }

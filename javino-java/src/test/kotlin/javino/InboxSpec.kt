@@ -5,9 +5,9 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
+import javino.sim.MemoryLine
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
-import javino.sim.MemoryLine
 
 private const val PAST = Long.MIN_VALUE / 4
 

@@ -21,7 +21,11 @@ import javino.wire.WireFrame;
  * @param <C> the commands
  */
 public final class ComputerSession<C extends SessionCommand> {
-    private enum State { CLOSED, OPENING, OPEN }
+    private enum State {
+        CLOSED,
+        OPENING,
+        OPEN
+    }
 
     private static final long SECOND_HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
     private static final long LATER_HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
@@ -30,6 +34,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int SILENT_REPETITIONS = 4;
     /** Bytes of payload of a frame of several commands. */
     private static final int MAX_ROW = 32;
+
     private static final int NAK_DIVISOR = 3;
 
     private final long byteNanos;
@@ -172,7 +177,7 @@ public final class ComputerSession<C extends SessionCommand> {
                     listener.reported(report);
                 }
             }
-            default -> { }
+            default -> {}
         }
     }
 
@@ -188,7 +193,11 @@ public final class ComputerSession<C extends SessionCommand> {
             mustResume = false;
         }
         if (news == 0) {
-            if (frame.kind() == FrameKind.ACK && !isBusy && window.size() > 0 && window.unsent() == window.size() && !hasJustRepeated(now)) {
+            if (frame.kind() == FrameKind.ACK
+                    && !isBusy
+                    && window.size() > 0
+                    && window.unsent() == window.size()
+                    && !hasJustRepeated(now)) {
                 window.repeat();
             }
             return;
@@ -207,7 +216,11 @@ public final class ComputerSession<C extends SessionCommand> {
         for (int i = 0; i < news; i++) {
             boolean isRefused = i == news - 1 && frame.isRefused();
             Window.Entry<C> entry = handled.get(i);
-            listener.ended(entry.command, isRefused ? CommandOutcome.REFUSED : entry.isVoid() ? CommandOutcome.UNCONFIRMED : CommandOutcome.DONE);
+            listener.ended(
+                    entry.command,
+                    isRefused
+                            ? CommandOutcome.REFUSED
+                            : entry.isVoid() ? CommandOutcome.UNCONFIRMED : CommandOutcome.DONE);
         }
         if (window.size() == 0) {
             vocabulary.want(now);
@@ -258,11 +271,12 @@ public final class ComputerSession<C extends SessionCommand> {
         if (state == State.OPEN) {
             checkTimer(now);
         }
-        WireFrame frame = switch (state) {
-            case CLOSED -> null;
-            case OPENING -> helloAt - now <= 0 ? hello() : null;
-            case OPEN -> nextInSession(now, waiting);
-        };
+        WireFrame frame =
+                switch (state) {
+                    case CLOSED -> null;
+                    case OPENING -> helloAt - now <= 0 ? hello() : null;
+                    case OPEN -> nextInSession(now, waiting);
+                };
         writing = frame == null ? null : frame.kind();
         return frame;
     }
@@ -279,7 +293,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     private boolean requestIsDue(long now) {
-        return requests.nanosUntilDue(now) == 0 && (window.size() == 0 || window.bytes() + WireFrame.OVERHEAD + 1 <= welcome.credit());
+        return requests.nanosUntilDue(now) == 0
+                && (window.size() == 0 || window.bytes() + WireFrame.OVERHEAD + 1 <= welcome.credit());
     }
 
     private WireFrame request(long now) {
@@ -371,7 +386,9 @@ public final class ComputerSession<C extends SessionCommand> {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
             boolean fits = isAlone || longer.length() <= Math.min(MAX_ROW, welcome.longestPayload());
-            long escapes = longer.chars().filter(octet -> octet == 0xA4 || octet == 0xA5).count();
+            long escapes = longer.chars()
+                    .filter(octet -> octet == 0xA4 || octet == 0xA5)
+                    .count();
             long out = window.bytes() + requests.bytes() + WireFrame.OVERHEAD + longer.length() + escapes;
             if (!fits || out > welcome.credit() && !(isAlone && isFirst)) {
                 return false;
@@ -410,7 +427,7 @@ public final class ComputerSession<C extends SessionCommand> {
                     repeatedAt = Math.max(repeatedAt, leavesAt);
                 }
             }
-            default -> { }
+            default -> {}
         }
     }
 
@@ -419,9 +436,14 @@ public final class ComputerSession<C extends SessionCommand> {
         return switch (state) {
             case CLOSED -> Long.MAX_VALUE;
             case OPENING -> Math.max(0, helloAt - now);
-            case OPEN -> Math.min(isTimed ? Math.max(0, timerFrom + timeoutNanos() - now) : Long.MAX_VALUE,
-                    Math.min(requestIsDue(now) || requests.nanosUntilDue(now) > 0 ? requests.nanosUntilDue(now) : Long.MAX_VALUE,
-                            vocabulary.nanosUntilDue(now)));
+            case OPEN ->
+                Math.min(
+                        isTimed ? Math.max(0, timerFrom + timeoutNanos() - now) : Long.MAX_VALUE,
+                        Math.min(
+                                requestIsDue(now) || requests.nanosUntilDue(now) > 0
+                                        ? requests.nanosUntilDue(now)
+                                        : Long.MAX_VALUE,
+                                vocabulary.nanosUntilDue(now)));
         };
     }
 }

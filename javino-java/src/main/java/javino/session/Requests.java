@@ -15,12 +15,15 @@ final class Requests {
     private static final long MIN_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
     /** While no answer has been timed. */
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
+
     private static final int MAX_DOUBLINGS = 4;
     /** A line that is silent for as long, or four byte times, is not sending the answer. */
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+
     private static final int QUIET_BYTES = 4;
     /** What comes all the time is something else. */
     private static final long MAX_POSTPONED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+
     private static final int SMOOTHING = 4;
 
     private final long quietNanos;

@@ -8,6 +8,7 @@ final class Retransmission {
     private static final long MAX_DOUBLED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
     /** While no round trip has been measured. */
     private static final long FIRST_NANOS = TimeUnit.MILLISECONDS.toNanos(150);
+
     private static final int SMOOTHING = 8;
 
     private long smoothedNanos; // 0: none has been measured
@@ -16,7 +17,8 @@ final class Retransmission {
     /** Records the time from the last byte of a frame that was sent once to its acknowledgement. */
     void measured(long nanos) {
         long atLeast1 = Math.max(1, nanos);
-        smoothedNanos = smoothedNanos == 0 ? atLeast1 : Math.max(1, smoothedNanos + (atLeast1 - smoothedNanos) / SMOOTHING);
+        smoothedNanos =
+                smoothedNanos == 0 ? atLeast1 : Math.max(1, smoothedNanos + (atLeast1 - smoothedNanos) / SMOOTHING);
     }
 
     /** Records that there is news. */

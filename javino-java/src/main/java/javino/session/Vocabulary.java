@@ -83,7 +83,10 @@ final class Vocabulary {
     /** Takes a page. */
     void accept(String payload, long now) {
         VocabularyPage page = VocabularyPage.read(payload);
-        if (page == null || !asks() || page.first() != actions.size() || page.actions().isEmpty() && page.total() > actions.size()) {
+        if (page == null
+                || !asks()
+                || page.first() != actions.size()
+                || page.actions().isEmpty() && page.total() > actions.size()) {
             return;
         }
         for (BoardAction action : page.actions()) {

@@ -39,7 +39,9 @@ public final class BoardLoop {
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
     private volatile int version = 1; // of the message handled last
-    private long silentNanos; // in all: the receiver's clock, since bytes that waited in a buffer or for this thread are not late
+    private long
+            silentNanos; // in all: the receiver's clock, since bytes that waited in a buffer or for this thread are not
+    // late
     private long listenedNanos; // since the last byte
     private long lookedNanos;
     private boolean isLooking;
@@ -62,14 +64,19 @@ public final class BoardLoop {
      * @param capacity what it tells computers of version 2
      * @param clock the line's
      */
-    public BoardLoop(Transport line, BoardProgram program, Protocol reads, BoardSession.Capacity capacity, LineClock clock) {
+    public BoardLoop(
+            Transport line, BoardProgram program, Protocol reads, BoardSession.Capacity capacity, LineClock clock) {
         this.line = line;
         this.program = program;
         this.clock = clock;
         writing = clock.newLock(false);
         never = writing.newCondition();
         session = new BoardSession(program, capacity, this::sendFrame);
-        receiver = new BoardReceiver(reads, FrameDecoder.interByteTimeoutNanos(line.line()), capacity.longestPayload(), this::hasSession,
+        receiver = new BoardReceiver(
+                reads,
+                FrameDecoder.interByteTimeoutNanos(line.line()),
+                capacity.longestPayload(),
+                this::hasSession,
                 arrived::add);
     }
 
@@ -172,7 +179,9 @@ public final class BoardLoop {
     }
 
     private void look() throws PortException, InterruptedException {
-        if (isLooking || !session.hasRules() || clock.nanos() - lookedNanos < TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
+        if (isLooking
+                || !session.hasRules()
+                || clock.nanos() - lookedNanos < TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
             return;
         }
         isLooking = true; // frames that it sends are no reason to look again

@@ -33,12 +33,14 @@ final class BoardReceiver {
      * @param longestPayload bytes of payload of version 2
      * @param hasSession whether there is a session of version 2 when a byte arrives: then a frame of version 1 counts behind a silence only
      */
-    BoardReceiver(Protocol reads, long timeoutNanos, int longestPayload, BooleanSupplier hasSession, Consumer<Found> found) {
+    BoardReceiver(
+            Protocol reads, long timeoutNanos, int longestPayload, BooleanSupplier hasSession, Consumer<Found> found) {
         this.reads = reads;
         this.timeoutNanos = timeoutNanos;
         this.hasSession = hasSession;
         version2 = new WireDecoder(false, timeoutNanos, longestPayload, frame -> found.accept(new Found(null, frame)));
-        version1 = new Version1Window(reads == Protocol.V1 ? -1 : WireFrame.START, frame -> found.accept(new Found(frame, null)));
+        version1 = new Version1Window(
+                reads == Protocol.V1 ? -1 : WireFrame.START, frame -> found.accept(new Found(frame, null)));
     }
 
     /**
@@ -67,7 +69,9 @@ final class BoardReceiver {
 
     /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: it has not. */
     long nanosUntilIdle(long now) {
-        return version1.isReading() || version2.isInFrame() ? Math.max(0, lastNanos + timeoutNanos + 1 - now) : Long.MAX_VALUE;
+        return version1.isReading() || version2.isInFrame()
+                ? Math.max(0, lastNanos + timeoutNanos + 1 - now)
+                : Long.MAX_VALUE;
     }
 
     private void put(byte octet) {

@@ -66,7 +66,10 @@ final class BoardRules {
     List<Beginning> look(List<String> percepts) {
         List<Beginning> beginnings = new ArrayList<>();
         rules.forEach((number, watched) -> {
-            String met = percepts.stream().filter(text -> isMet(watched.rule, PerceptTerm.of(text))).findFirst().orElse(null);
+            String met = percepts.stream()
+                    .filter(text -> isMet(watched.rule, PerceptTerm.of(text)))
+                    .findFirst()
+                    .orElse(null);
             if (met != null && !watched.isMet) {
                 beginnings.add(new Beginning(number, watched.rule, met));
             }
@@ -87,7 +90,8 @@ final class BoardRules {
         if (!isThere || isNumber != BoardRule.isNumber(condition.value())) {
             return condition.operator() == BoardRule.Operator.DIFFERENT;
         }
-        int order = isNumber ? new BigDecimal(argument).compareTo(new BigDecimal(condition.value()))
+        int order = isNumber
+                ? new BigDecimal(argument).compareTo(new BigDecimal(condition.value()))
                 : argument.compareTo(condition.value());
         return switch (condition.operator()) {
             case EQUAL -> order == 0;

@@ -50,7 +50,8 @@ public final class BoardSession {
     }
 
     private static final int NUMBERS = 256;
-    private static final int PART_WITH_RULES = 12; // bytes of an answer, so that what is urgent does not wait for a long frame
+    private static final int PART_WITH_RULES =
+            12; // bytes of an answer, so that what is urgent does not wait for a long frame
     private static final int MAX_CRITICAL_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // behind rule and outcome
 
     private final BoardProgram program;
@@ -112,7 +113,9 @@ public final class BoardSession {
         synchronized (this) {
             current = nonce;
         }
-        send(FrameKind.WELCOME, new Welcome(current, capacity.credit(), capacity.longestPayload(), capacity.rules()).payload());
+        send(
+                FrameKind.WELCOME,
+                new Welcome(current, capacity.credit(), capacity.longestPayload(), capacity.rules()).payload());
     }
 
     private void send(FrameKind kind, String payload) throws PortException, InterruptedException {
@@ -151,10 +154,13 @@ public final class BoardSession {
         if (command instanceof CommandItem.Action action) {
             List<BoardAction> actions = program.vocabulary();
             return action.number() < actions.size() && takesNone(actions.get(action.number()))
-                    ? program.carryOut(actions.get(action.number()).name()) : Outcome.REFUSED;
+                    ? program.carryOut(actions.get(action.number()).name())
+                    : Outcome.REFUSED;
         }
         if (command instanceof CommandItem.Text text) {
-            return text.text().startsWith("" + BoardRule.MARK) ? changeRules(text.text()) : program.carryOut(text.text());
+            return text.text().startsWith("" + BoardRule.MARK)
+                    ? changeRules(text.text())
+                    : program.carryOut(text.text());
         }
         return Outcome.DONE;
     }
@@ -203,7 +209,8 @@ public final class BoardSession {
         synchronized (this) {
             known = Math.min(firstByte(ask), writer.numbered());
         }
-        String answer = program.percepts(PerceptsRequest.ALL + ask.payload().substring(Math.min(1, ask.payload().length())));
+        String answer = program.percepts(PerceptsRequest.ALL
+                + ask.payload().substring(Math.min(1, ask.payload().length())));
         if (answer != null) {
             sendPercepts(ask.number(), answer);
         }
@@ -221,14 +228,19 @@ public final class BoardSession {
         synchronized (this) {
             items = writer.items(PerceptTerm.split(percepts), known);
         }
-        for (AnswerPart part : rules.isEmpty() ? AnswerPart.split(request, items) : AnswerPart.split(request, items, PART_WITH_RULES)) {
+        for (AnswerPart part : rules.isEmpty()
+                ? AnswerPart.split(request, items)
+                : AnswerPart.split(request, items, PART_WITH_RULES)) {
             send(part.kind(), part.payload());
         }
     }
 
     private void describe(WireFrame describe) throws PortException, InterruptedException {
         List<BoardAction> actions = program.vocabulary();
-        send(FrameKind.VOCABULARY, VocabularyPage.of(describe.number(), firstByte(describe), actions, WireFrame.MAX_PAYLOAD).payload());
+        send(
+                FrameKind.VOCABULARY,
+                VocabularyPage.of(describe.number(), firstByte(describe), actions, WireFrame.MAX_PAYLOAD)
+                        .payload());
     }
 
     private static int firstByte(WireFrame frame) {
@@ -247,7 +259,9 @@ public final class BoardSession {
         for (BoardRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
             ReflexOutcome outcome = carryOutReflex(beginning.rule().reflex());
             boolean fits = beginning.percept().length() <= MAX_CRITICAL_PERCEPT; // else the next answer has it
-            send(FrameKind.CRITICAL, new CriticalReport(beginning.number(), outcome, fits ? beginning.percept() : "").payload());
+            send(
+                    FrameKind.CRITICAL,
+                    new CriticalReport(beginning.number(), outcome, fits ? beginning.percept() : "").payload());
         }
     }
 

@@ -106,7 +106,8 @@ public final class FakeBoard implements AutoCloseable {
      */
     public FakeBoard queueSize(int messages) {
         if (messages < 1) {
-            throw new IllegalArgumentException("a board holds at least 1 message, but a queue of " + messages + " was asked for");
+            throw new IllegalArgumentException(
+                    "a board holds at least 1 message, but a queue of " + messages + " was asked for");
         }
         sketch.queueSize = messages;
         return this;
@@ -134,7 +135,8 @@ public final class FakeBoard implements AutoCloseable {
 
     private static BoardAction action(String written) {
         if (!written.matches("[^/]+(/([0-9]{1,2}|\\*))?")) {
-            throw new IllegalArgumentException("an action is written NAME, NAME/ARGUMENTS or NAME/*, not \"" + written + '"');
+            throw new IllegalArgumentException(
+                    "an action is written NAME, NAME/ARGUMENTS or NAME/*, not \"" + written + '"');
         }
         String[] parts = written.split("/");
         String arguments = parts.length == 1 ? "0" : parts[1];

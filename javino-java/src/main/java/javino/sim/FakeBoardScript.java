@@ -32,7 +32,10 @@ final class FakeBoardScript {
     }
 
     Optional<FakeBoard.Rule> ruleFor(String message) {
-        return entries.stream().filter(entry -> entry.kind().test(message)).map(Entry::rule).findFirst();
+        return entries.stream()
+                .filter(entry -> entry.kind().test(message))
+                .map(Entry::rule)
+                .findFirst();
     }
 
     /** Answers that are given in turn, and the last of them from then on. Safe on any thread. */
@@ -44,7 +47,9 @@ final class FakeBoardScript {
             List<String> all = new ArrayList<>(List.of(first));
             all.addAll(List.of(next));
             answers = List.copyOf(all);
-            answers.stream().filter(text -> text.length() <= Frame.MAX_PAYLOAD).forEach(Frame::of); // else the test would learn too late
+            answers.stream()
+                    .filter(text -> text.length() <= Frame.MAX_PAYLOAD)
+                    .forEach(Frame::of); // else the test would learn too late
         }
 
         /** The answer whose turn it is. */

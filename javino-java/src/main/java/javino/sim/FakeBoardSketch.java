@@ -32,7 +32,8 @@ final class FakeBoardSketch implements SimulatedBoard {
     private boolean stalled;
 
     /** @param port what exceptions name */
-    FakeBoardSketch(String port, FakeBoardScript script, FakeBoardRecord record, FakeBoardMonitor monitor, LineClock clock) {
+    FakeBoardSketch(
+            String port, FakeBoardScript script, FakeBoardRecord record, FakeBoardMonitor monitor, LineClock clock) {
         this.port = port;
         this.script = script;
         this.record = record;
@@ -100,7 +101,9 @@ final class FakeBoardSketch implements SimulatedBoard {
             if (answer != null) {
                 loop.say(answer);
             }
-            if (rule != null && rule.outcomeMillis > 0 && begun == null) { // a reflex may be carried out while an action is open
+            if (rule != null
+                    && rule.outcomeMillis > 0
+                    && begun == null) { // a reflex may be carried out while an action is open
                 begun = rule;
                 action = 0;
                 dueNanos = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(rule.outcomeMillis);
@@ -138,7 +141,9 @@ final class FakeBoardSketch implements SimulatedBoard {
 
         @Override
         public String sensors() {
-            return script.ruleFor(PerceptsRequest.ALL).map(rule -> rule.sensors.get()).orElse("");
+            return script.ruleFor(PerceptsRequest.ALL)
+                    .map(rule -> rule.sensors.get())
+                    .orElse("");
         }
 
         /** Records a message and finds its rule; null: there is none. */
@@ -197,7 +202,10 @@ final class FakeBoardSketch implements SimulatedBoard {
     void awaitDrained(BooleanSupplier starting, int timeoutMillis) {
         BoardLoop first = monitor.locked(() -> open);
         int silences = first == null ? 0 : first.silences();
-        monitor.await(() -> stalled || (open == null ? !starting.getAsBoolean() : open.isDrained(open == first ? silences : 0)),
-                timeoutMillis, "waiting for a fake board");
+        monitor.await(
+                () -> stalled
+                        || (open == null ? !starting.getAsBoolean() : open.isDrained(open == first ? silences : 0)),
+                timeoutMillis,
+                "waiting for a fake board");
     }
 }

@@ -7,7 +7,6 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import javino.Frame;
 import javino.LineClock;
-import javino.PerceptsRequest;
 import javino.PortException;
 import javino.Transport;
 
@@ -31,7 +30,12 @@ public final class ReplayBoard implements SimulatedBoard {
     private final Consumer<String> commands;
     private final LineClock clock;
 
-    private ReplayBoard(List<Recording.Entry> said, boolean asked, boolean inTurn, boolean repeated, Consumer<String> commands,
+    private ReplayBoard(
+            List<Recording.Entry> said,
+            boolean asked,
+            boolean inTurn,
+            boolean repeated,
+            Consumer<String> commands,
             LineClock clock) {
         this.said = said;
         this.asked = asked;
@@ -55,7 +59,7 @@ public final class ReplayBoard implements SimulatedBoard {
         if (said.isEmpty()) {
             throw new IllegalArgumentException("the recording holds nothing that a board said");
         }
-        return new ReplayBoard(said, recording.isOfRequests(), false, false, command -> { }, clock);
+        return new ReplayBoard(said, recording.isOfRequests(), false, false, command -> {}, clock);
     }
 
     /** This board answering the first request with the first thing that was said, the second with the second, whatever the time. */
@@ -87,7 +91,9 @@ public final class ReplayBoard implements SimulatedBoard {
     /** When a message is due, counted from the first; numbers go on counting in further rounds. */
     private long offsetMillis(int number) {
         long rounds = number / said.size();
-        return rounds * periodMillis() + said.get(number % said.size()).millis() - said.get(0).millis();
+        return rounds * periodMillis()
+                + said.get(number % said.size()).millis()
+                - said.get(0).millis();
     }
 
     /**
@@ -95,7 +101,10 @@ public final class ReplayBoard implements SimulatedBoard {
      * frame is left out.
      */
     private static List<String> parts(String message) {
-        List<String> parts = PART.matcher(message).results().map(MatchResult::group).filter(part -> part.length() <= Frame.MAX_PAYLOAD)
+        List<String> parts = PART.matcher(message)
+                .results()
+                .map(MatchResult::group)
+                .filter(part -> part.length() <= Frame.MAX_PAYLOAD)
                 .toList();
         return parts.isEmpty() ? List.of("") : parts;
     }

@@ -12,7 +12,11 @@ import javino.Frame;
 final class Version1Window {
     private static final String PREAMBLE = "fffe";
 
-    private enum Header { IMPOSSIBLE, UNFINISHED, COMPLETE }
+    private enum Header {
+        IMPOSSIBLE,
+        UNFINISHED,
+        COMPLETE
+    }
 
     private final int other;
     private final Consumer<Frame> found;
@@ -100,8 +104,9 @@ final class Version1Window {
             misread();
             return true;
         }
-        int length = header == Header.UNFINISHED ? Integer.MAX_VALUE : Frame.HEADER_LENGTH
-                + Integer.parseInt(window.substring(PREAMBLE.length(), Frame.HEADER_LENGTH), 16);
+        int length = header == Header.UNFINISHED
+                ? Integer.MAX_VALUE
+                : Frame.HEADER_LENGTH + Integer.parseInt(window.substring(PREAMBLE.length(), Frame.HEADER_LENGTH), 16);
         if (window.length() < length) {
             return false;
         }

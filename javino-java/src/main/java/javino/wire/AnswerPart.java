@@ -17,7 +17,9 @@ public record AnswerPart(FrameKind kind, String payload) {
 
     /** The frames of an answer, as few as can be. As {@link #split(int, String, int)}. */
     public static List<AnswerPart> split(int request, String items) {
-        return items.length() < WireFrame.MAX_PAYLOAD ? List.of(whole(request, items)) : split(request, items, MAX_SIZE);
+        return items.length() < WireFrame.MAX_PAYLOAD
+                ? List.of(whole(request, items))
+                : split(request, items, MAX_SIZE);
     }
 
     /**
@@ -33,7 +35,8 @@ public record AnswerPart(FrameKind kind, String payload) {
         }
         int fitting = Math.max(size, (items.length() + MAX_PARTS - 1) / MAX_PARTS);
         if (fitting > MAX_SIZE) {
-            throw new IllegalArgumentException("an answer has at most " + MAX_PARTS * MAX_SIZE + " bytes, but this has " + items.length());
+            throw new IllegalArgumentException(
+                    "an answer has at most " + MAX_PARTS * MAX_SIZE + " bytes, but this has " + items.length());
         }
         List<AnswerPart> parts = new ArrayList<>();
         for (int from = 0; from < items.length(); from += fitting) {

@@ -25,7 +25,12 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
 
     /** How an argument is compared with a value. */
     public enum Operator {
-        LESS('<'), GREATER('>'), AT_MOST('{'), AT_LEAST('}'), EQUAL('='), DIFFERENT('!');
+        LESS('<'),
+        GREATER('>'),
+        AT_MOST('{'),
+        AT_LEAST('}'),
+        EQUAL('='),
+        DIFFERENT('!');
 
         private final char sign;
 
@@ -62,9 +67,16 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
 
     /** The text of the command that sets it as rule {@code number}, 1 to 255. */
     public String text(int number) {
-        StringBuilder text = new StringBuilder().append(MARK).append((char) number).append(functor).append(END);
+        StringBuilder text = new StringBuilder()
+                .append(MARK)
+                .append((char) number)
+                .append(functor)
+                .append(END);
         for (Condition condition : conditions) {
-            text.append((char) ('0' + condition.place)).append(condition.operator.sign).append(condition.value).append(END);
+            text.append((char) ('0' + condition.place))
+                    .append(condition.operator.sign)
+                    .append(condition.value)
+                    .append(END);
         }
         if (reflex != null) {
             text.append(REFLEX).append(reflex);
@@ -109,7 +121,9 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         int place = text.charAt(0) - '0';
         Operator operator = Operator.of(text.charAt(1));
         String value = text.substring(2);
-        boolean isReadable = place >= 1 && place <= Condition.MAX_PLACE && operator != null
+        boolean isReadable = place >= 1
+                && place <= Condition.MAX_PLACE
+                && operator != null
                 && (operator == Operator.EQUAL || operator == Operator.DIFFERENT || isNumber(value));
         return isReadable ? new Condition(place, operator, value) : null;
     }

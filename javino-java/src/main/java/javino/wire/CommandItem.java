@@ -9,7 +9,8 @@ public sealed interface CommandItem {
     record Action(int number) implements CommandItem {
         public Action {
             if (number < 0 || number > MAX_ACTION) {
-                throw new IllegalArgumentException("an action that has a number has 0 to " + MAX_ACTION + ", not " + number);
+                throw new IllegalArgumentException(
+                        "an action that has a number has 0 to " + MAX_ACTION + ", not " + number);
             }
         }
 

@@ -18,7 +18,8 @@ public record CriticalReport(int rule, ReflexOutcome outcome, String percept) {
     /** Reads a payload; null: it is cut, or says something unknown of the reflex. */
     public static CriticalReport read(String payload) {
         ReflexOutcome[] outcomes = ReflexOutcome.values();
-        return payload.length() < HEADER || payload.charAt(1) >= outcomes.length ? null
+        return payload.length() < HEADER || payload.charAt(1) >= outcomes.length
+                ? null
                 : new CriticalReport(payload.charAt(0), outcomes[payload.charAt(1)], payload.substring(HEADER));
     }
 }

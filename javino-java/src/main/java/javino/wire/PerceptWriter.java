@@ -61,9 +61,13 @@ public final class PerceptWriter {
     private static void putText(StringBuilder items, String text, int id) {
         String rest = text;
         for (; rest.length() > PerceptItems.MAX_LENGTH; rest = rest.substring(PerceptItems.MAX_LENGTH)) {
-            items.append(PerceptItems.CONTINUED).append((char) PerceptItems.MAX_LENGTH).append(rest, 0, PerceptItems.MAX_LENGTH);
+            items.append(PerceptItems.CONTINUED)
+                    .append((char) PerceptItems.MAX_LENGTH)
+                    .append(rest, 0, PerceptItems.MAX_LENGTH);
         }
-        items.append((char) (text.length() > PerceptItems.MAX_LENGTH ? PerceptItems.NO_ID : id)).append((char) rest.length()).append(rest);
+        items.append((char) (text.length() > PerceptItems.MAX_LENGTH ? PerceptItems.NO_ID : id))
+                .append((char) rest.length())
+                .append(rest);
     }
 
     /** Percepts with ids that follow each other. */

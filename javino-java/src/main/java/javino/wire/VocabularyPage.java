@@ -34,9 +34,12 @@ public record VocabularyPage(int request, int first, int total, List<BoardAction
 
     /** Its bytes. */
     public String payload() {
-        StringBuilder payload = new StringBuilder().append((char) request).append((char) first).append((char) total);
+        StringBuilder payload =
+                new StringBuilder().append((char) request).append((char) first).append((char) total);
         for (BoardAction action : actions) {
-            payload.append((char) action.arguments()).append((char) action.name().length()).append(action.name());
+            payload.append((char) action.arguments())
+                    .append((char) action.name().length())
+                    .append(action.name());
         }
         return payload.toString();
     }

@@ -22,7 +22,8 @@ public record Welcome(int nonce, int credit, int longestPayload, int rules) {
 
     /** Reads a payload; null: it is cut. */
     public static Welcome read(String payload) {
-        return payload.length() < LENGTH ? null
+        return payload.length() < LENGTH
+                ? null
                 : new Welcome(payload.charAt(0), payload.charAt(1), payload.charAt(2), payload.charAt(3));
     }
 }

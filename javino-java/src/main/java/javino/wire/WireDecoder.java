@@ -155,7 +155,9 @@ public final class WireDecoder {
     private FrameKind kind() {
         int control = content.charAt(1);
         boolean isBoards = (control & FrameKind.FROM_BOARD) != 0;
-        return isBoards == fromBoard ? FrameKind.of(isBoards ? control & ~(WireFrame.REFUSED | WireFrame.BUSY) : control) : null;
+        return isBoards == fromBoard
+                ? FrameKind.of(isBoards ? control & ~(WireFrame.REFUSED | WireFrame.BUSY) : control)
+                : null;
     }
 
     private void end() {

@@ -28,7 +28,8 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
 
     public WireFrame {
         if (payload.length() > MAX_PAYLOAD) {
-            throw new IllegalArgumentException("a payload has at most " + MAX_PAYLOAD + " bytes, but this has " + payload.length());
+            throw new IllegalArgumentException(
+                    "a payload has at most " + MAX_PAYLOAD + " bytes, but this has " + payload.length());
         }
         if (number < 0 || number > 0xFF) {
             throw new IllegalArgumentException("a number is 0 to 255, but " + number + " was given");
