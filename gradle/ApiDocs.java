@@ -48,6 +48,8 @@ final class ApiDocs {
     }
 
     private static List<String> paths(String joined) {
-        return Stream.of(joined.split(File.pathSeparator)).filter(path -> new File(path).exists()).toList();
+        return Stream.of(joined.split(File.pathSeparator))
+                .filter(path -> new File(path).exists())
+                .toList();
     }
 }

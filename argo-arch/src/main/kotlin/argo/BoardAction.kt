@@ -1,8 +1,8 @@
 package argo
 
+import argo.calls.ArgumentException
 import argo.calls.Failure
 import argo.calls.wrongArgument
-import argo.calls.ArgumentException
 import jason.JasonException
 import jason.architecture.AgArch
 import jason.asSemantics.ConcurrentInternalAction

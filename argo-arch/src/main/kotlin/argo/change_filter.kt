@@ -1,11 +1,11 @@
 package argo
 
+import argo.calls.ArgumentException
 import argo.filters.FilterException
 import argo.filters.FilterNotFoundException
 import argo.filters.PerceptionFilter
 import argo.perception.EnvironmentFilter
 import argo.perception.filterOf
-import argo.calls.ArgumentException
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term

@@ -1,8 +1,8 @@
 package argo
 
 import argo.calls.wrongArgument
-import argo.perception.EnvironmentFilter
 import argo.filters.jason.perceptText
+import argo.perception.EnvironmentFilter
 import jason.asSemantics.DefaultInternalAction
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier

@@ -1,7 +1,7 @@
 package argo
 
-import argo.calls.Failure
 import argo.calls.ArgumentException
+import argo.calls.Failure
 import argo.ports.PortOptions
 import argo.ports.Ports
 import jason.asSyntax.ASSyntax

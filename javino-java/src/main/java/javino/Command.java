@@ -5,7 +5,11 @@ import java.util.concurrent.CompletableFuture;
 /** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
 final class Command {
     /** How far it has got: a command that waits can be withdrawn, one that has begun goes out. */
-    private enum State { WAITING, BEGUN, WITHDRAWN }
+    private enum State {
+        WAITING,
+        BEGUN,
+        WITHDRAWN
+    }
 
     private final Frame frame;
     private final boolean urgent;

@@ -24,7 +24,14 @@ final class CommandLoop {
     private final CommandSender acknowledged;
 
     /** @param board a name that the board has whatever its port is called */
-    CommandLoop(Transport transport, String board, FrameWriter writer, Inbox inbox, RequestChannel channel, LineClock clock, Start start) {
+    CommandLoop(
+            Transport transport,
+            String board,
+            FrameWriter writer,
+            Inbox inbox,
+            RequestChannel channel,
+            LineClock clock,
+            Start start) {
         port = transport.name();
         this.writer = writer;
         this.inbox = inbox;
@@ -153,10 +160,14 @@ final class CommandLoop {
     private PortException timeOver(Command command) {
         String subject = '"' + command.frame().text() + '"';
         return writer.withdraw(command)
-                ? new CommandWithdrawnException(port, subject + " had not begun to go out through port " + port
-                        + " when its time was over, so it was not sent; other commands, or the board, take the line's time")
-                : new ActionUnconfirmedException(port, subject + " was on its way through port " + port
-                        + " when its time was over, and is not known to have arrived; it may have been carried out");
+                ? new CommandWithdrawnException(
+                        port,
+                        subject + " had not begun to go out through port " + port
+                                + " when its time was over, so it was not sent; other commands, or the board, take the line's time")
+                : new ActionUnconfirmedException(
+                        port,
+                        subject + " was on its way through port " + port
+                                + " when its time was over, and is not known to have arrived; it may have been carried out");
     }
 
     /** Fails the commands that wait, on a line that is gone for {@code reason}. */

@@ -73,8 +73,10 @@ public abstract class DriverTransport implements Transport {
         try {
             TimedWriter.Outcome outcome = writer.write(b, off, len, timeoutMillis);
             if (outcome == TimedWriter.Outcome.TOO_LATE) {
-                throw new PortTimeoutException(name, "port " + name + " did not take " + len + " bytes within " + timeoutMillis
-                        + " ms; the far end does not read");
+                throw new PortTimeoutException(
+                        name,
+                        "port " + name + " did not take " + len + " bytes within " + timeoutMillis
+                                + " ms; the far end does not read");
             }
             if (outcome != TimedWriter.Outcome.WRITTEN) {
                 throw lost(lossWhenRefused());

@@ -59,8 +59,8 @@ public final class Frame {
 
     private Frame(int version, int flags, int sequence, String text) {
         if (text.length() > MAX_PAYLOAD) {
-            throw new IllegalArgumentException("a message has at most " + MAX_PAYLOAD + " bytes, but " + quoted(text) + " has "
-                    + text.length());
+            throw new IllegalArgumentException(
+                    "a message has at most " + MAX_PAYLOAD + " bytes, but " + quoted(text) + " has " + text.length());
         }
         this.version = version;
         this.flags = digit("flags", flags);
@@ -70,7 +70,8 @@ public final class Frame {
 
     private static int digit(String what, int value) {
         if (value < 0 || value >= SEQUENCES) {
-            throw new IllegalArgumentException(what + " of a frame is 0 to " + (SEQUENCES - 1) + ", but " + value + " was given");
+            throw new IllegalArgumentException(
+                    what + " of a frame is 0 to " + (SEQUENCES - 1) + ", but " + value + " was given");
         }
         return value;
     }
@@ -94,9 +95,11 @@ public final class Frame {
     public static Frame ofCommand(String text) {
         Matcher header = HEADER.matcher(text);
         if (header.find()) {
-            throw new IllegalArgumentException("the command " + quoted(text) + " holds " + quoted(header.group()) + " from character "
-                    + (header.start() + 1) + " on, which a board may take for the beginning of another command; leave it out, "
-                    + "or put a character in between");
+            throw new IllegalArgumentException(
+                    "the command " + quoted(text) + " holds " + quoted(header.group()) + " from character "
+                            + (header.start() + 1)
+                            + " on, which a board may take for the beginning of another command; leave it out, "
+                            + "or put a character in between");
         }
         return of(text);
     }
@@ -156,9 +159,12 @@ public final class Frame {
     public static String requireBytes(String text) {
         for (int i = 0; i < text.length(); i++) {
             if (text.charAt(i) > 0xFF) {
-                throw new IllegalArgumentException(String.format(Locale.ROOT,
+                throw new IllegalArgumentException(String.format(
+                        Locale.ROOT,
                         "a message carries one byte per character, but character %d of %s is U+%04X; the highest is U+00FF",
-                        i + 1, quoted(text), (int) text.charAt(i)));
+                        i + 1,
+                        quoted(text),
+                        (int) text.charAt(i)));
             }
         }
         return text;
@@ -234,7 +240,10 @@ public final class Frame {
     /** Whether {@code other} is a frame of the same bytes. */
     @Override
     public boolean equals(Object other) {
-        return other instanceof Frame frame && version == frame.version && flags == frame.flags && sequence == frame.sequence
+        return other instanceof Frame frame
+                && version == frame.version
+                && flags == frame.flags
+                && sequence == frame.sequence
                 && text.equals(frame.text);
     }
 

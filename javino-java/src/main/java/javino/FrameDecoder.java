@@ -27,11 +27,16 @@ public final class FrameDecoder {
     private static final int LONGEST = Frame.HEADER_LENGTH_2 + Frame.MAX_PAYLOAD + Frame.CRC_LENGTH;
     /** Where in a frame the preamble's last byte is, by which the versions differ. */
     private static final int VERSION_AT = 3;
+
     private static final int LENGTH_AT = 4;
     /** A delivered frame and an unfinished header behind it, and as much again so that bytes are seldom moved. */
     private static final int CAPACITY = 2 * (LONGEST + Frame.HEADER_LENGTH);
 
-    private enum Header { IMPOSSIBLE, UNFINISHED, COMPLETE }
+    private enum Header {
+        IMPOSSIBLE,
+        UNFINISHED,
+        COMPLETE
+    }
 
     private final long interByteTimeoutNanos;
     private final Consumer<Frame> sink;
@@ -62,7 +67,8 @@ public final class FrameDecoder {
      */
     public FrameDecoder(long interByteTimeoutNanos, Protocol protocol, Consumer<Frame> sink) {
         if (interByteTimeoutNanos < 1) {
-            throw new IllegalArgumentException("an inter-byte timeout is at least 1 ns, but " + interByteTimeoutNanos + " was given");
+            throw new IllegalArgumentException(
+                    "an inter-byte timeout is at least 1 ns, but " + interByteTimeoutNanos + " was given");
         }
         this.interByteTimeoutNanos = interByteTimeoutNanos;
         this.protocol = protocol;
@@ -189,7 +195,8 @@ public final class FrameDecoder {
     private boolean deliverVersion2OrSkip() {
         int crcAt = start + Frame.HEADER_LENGTH_2 + payloadLength();
         int length = crcAt + Frame.CRC_LENGTH - start;
-        if (!digitsFit(start + Frame.HEADER_LENGTH, start + Frame.HEADER_LENGTH_2) || !digitsFit(crcAt, start + length)) {
+        if (!digitsFit(start + Frame.HEADER_LENGTH, start + Frame.HEADER_LENGTH_2)
+                || !digitsFit(crcAt, start + length)) {
             return discardFirst();
         }
         if (end - start < length) {

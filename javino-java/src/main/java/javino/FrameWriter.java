@@ -12,7 +12,10 @@ import java.util.function.LongSupplier;
  */
 final class FrameWriter {
     /** What a frame is for: the pacer treats the two differently. */
-    enum Kind { ACTION, REQUEST }
+    enum Kind {
+        ACTION,
+        REQUEST
+    }
 
     /** What is done after a frame's turn has come and right before it is written. */
     interface BeforeWrite {
@@ -79,7 +82,8 @@ final class FrameWriter {
      */
     boolean awaitWork(Command own, long deadline) throws PortException {
         return monitor.getInterruptibly(() -> {
-            awaitZero(() -> own != null && own.isOver() || next() != null ? 0
+            awaitZero(() -> own != null && own.isOver() || next() != null
+                    ? 0
                     : own != null && own.isWaiting() ? deadline - clock.nanos() : Monitor.FOREVER);
             return (own == null || !own.isOver()) && next() != null;
         });
@@ -106,7 +110,9 @@ final class FrameWriter {
     }
 
     private long nanosUntilNext() {
-        return writing || turnsAwaited > 0 ? Monitor.FOREVER : pacer.nanosUntilAction(pacer.lengthOf(next().frame()), clock.nanos());
+        return writing || turnsAwaited > 0
+                ? Monitor.FOREVER
+                : pacer.nanosUntilAction(pacer.lengthOf(next().frame()), clock.nanos());
     }
 
     /** Records that the command under way has arrived, or failed: the next one may go. */
@@ -147,8 +153,11 @@ final class FrameWriter {
     private void awaitTurn(Kind kind, Frame frame, int timeoutMillis) throws PortException {
         long due = clock.nanos();
         long deadline = due + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        LongSupplier untilTurn = () -> writing ? Monitor.FOREVER
-                : kind == Kind.ACTION ? pacer.nanosUntilAction(frame.length(), clock.nanos()) : pacer.nanosUntilRequest(due, clock.nanos());
+        LongSupplier untilTurn = () -> writing
+                ? Monitor.FOREVER
+                : kind == Kind.ACTION
+                        ? pacer.nanosUntilAction(frame.length(), clock.nanos())
+                        : pacer.nanosUntilRequest(due, clock.nanos());
         turnsAwaited++;
         try {
             awaitZero(() -> Math.min(untilTurn.getAsLong(), deadline - clock.nanos()));
@@ -163,8 +172,10 @@ final class FrameWriter {
 
     /** Why a frame was not written whose turn did not come. */
     PortTimeoutException noTime(Frame frame, int timeoutMillis) {
-        return new PortTimeoutException(transport.name(), "port " + transport.name() + " had no time for a message of " + frame.length()
-                + " bytes within " + timeoutMillis + " ms; the line is busy with those before it");
+        return new PortTimeoutException(
+                transport.name(),
+                "port " + transport.name() + " had no time for a message of " + frame.length() + " bytes within "
+                        + timeoutMillis + " ms; the line is busy with those before it");
     }
 
     /** Writes a frame whose turn has come; as {@link #write}. */
@@ -187,7 +198,8 @@ final class FrameWriter {
 
     private long wrote(Kind kind, int bytes, long start) {
         return monitor.get(() -> kind == Kind.ACTION
-                ? pacer.wroteAction(bytes, start, clock.nanos()) : pacer.wroteRequest(bytes, start, clock.nanos()));
+                ? pacer.wroteAction(bytes, start, clock.nanos())
+                : pacer.wroteRequest(bytes, start, clock.nanos()));
     }
 
     /** Waits until the clock shows {@code nanos}. */

@@ -19,11 +19,15 @@ final class Inbox {
     }
 
     /** What a board says of an action. */
-    enum Outcome { DONE, REFUSED }
+    enum Outcome {
+        DONE,
+        REFUSED
+    }
 
     private static final int BUFFER = 1024;
     /** Messages that wait at most to be taken: nobody may ever take one of a board that speaks unasked. The newest count. */
     private static final int MAX_MESSAGES = 64;
+
     private static final System.Logger LOG = System.getLogger(Inbox.class.getName());
     /** Reads at most, one after the other, of what a line has ready: more than any driver holds, but an end for a line that never rests. */
     private static final int READS = 64;
@@ -128,7 +132,7 @@ final class Inbox {
     /** Reads what the line has ready, in at most {@code most} pieces, unless another thread reads. */
     private void readReady(int most) throws PortException {
         monitor.get(() -> {
-            for (int reads = 0; reads < most && !beingRead && readFor(0) > 0; reads++) { }
+            for (int reads = 0; reads < most && !beingRead && readFor(0) > 0; reads++) {}
             return null;
         });
     }
@@ -184,7 +188,8 @@ final class Inbox {
         int count = 0;
         beingRead = true;
         try {
-            count = monitor.unlocked(() -> transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE)));
+            count = monitor.unlocked(
+                    () -> transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE)));
         } finally {
             beingRead = false;
         }
@@ -238,8 +243,10 @@ final class Inbox {
         if (reassembler.tooLong() != toldOfLength) {
             toldOfLength = reassembler.tooLong();
             if (toldOfLength) {
-                LOG.log(System.Logger.Level.WARNING, "port " + transport.name() + " sent a message of more than " + reassembler.limit()
-                        + " bytes, which is dropped; longer ones are dropped without a word until one comes that is not");
+                LOG.log(
+                        System.Logger.Level.WARNING,
+                        "port " + transport.name() + " sent a message of more than " + reassembler.limit()
+                                + " bytes, which is dropped; longer ones are dropped without a word until one comes that is not");
             }
         }
     }

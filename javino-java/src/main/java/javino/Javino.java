@@ -89,7 +89,10 @@ public class Javino implements AutoCloseable {
             links.values().removeIf(other -> !other.isOpen());
             Link link = links.get(name);
             if (link == null) {
-                link = Link.open(port, usualRate ? settings.withBaud(Transports.usualLine(port).baud()) : settings, "Javino");
+                link = Link.open(
+                        port,
+                        usualRate ? settings.withBaud(Transports.usualLine(port).baud()) : settings,
+                        "Javino");
                 links.put(name, link);
             }
             return link;

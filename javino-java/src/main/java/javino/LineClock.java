@@ -36,7 +36,8 @@ public interface LineClock {
      * choice.
      */
     default void schedule(long nanos, Runnable action) {
-        CompletableFuture.delayedExecutor(nanos, TimeUnit.NANOSECONDS, Runnable::run).execute(action);
+        CompletableFuture.delayedExecutor(nanos, TimeUnit.NANOSECONDS, Runnable::run)
+                .execute(action);
     }
 
     /** The machine's steady clock. */

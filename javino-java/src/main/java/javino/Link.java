@@ -174,8 +174,10 @@ public final class Link implements AutoCloseable {
         return reading(() -> {
             Reply answer = channel.request(request, timeoutMillis);
             if (answer == null) {
-                throw new PortTimeoutException(port(), "port " + port() + " gave no answer to \"" + request.text() + "\" within "
-                        + timeoutMillis + " ms; " + transport.doubt());
+                throw new PortTimeoutException(
+                        port(),
+                        "port " + port() + " gave no answer to \"" + request.text() + "\" within " + timeoutMillis
+                                + " ms; " + transport.doubt());
             }
             return answer;
         });
@@ -248,7 +250,8 @@ public final class Link implements AutoCloseable {
         return reading(() -> {
             Reply message = channel.listen(timeoutMillis);
             if (message == null) {
-                throw new PortTimeoutException(port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
+                throw new PortTimeoutException(
+                        port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
             }
             return message;
         });

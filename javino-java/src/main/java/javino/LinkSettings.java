@@ -17,7 +17,13 @@ import java.util.Objects;
  * @param messageLimit bytes that a message from a version 2 board has at most, at least 255; a longer one is dropped
  */
 public record LinkSettings(
-        int baud, boolean paced, int spacingMillis, int boardQueue, int bootMillis, Protocol protocol, int messageLimit) {
+        int baud,
+        boolean paced,
+        int spacingMillis,
+        int boardQueue,
+        int bootMillis,
+        Protocol protocol,
+        int messageLimit) {
     /** Bytes of a message from a version 2 board unless another limit is set. */
     public static final int DEFAULT_MESSAGE_LIMIT = 65_536;
 

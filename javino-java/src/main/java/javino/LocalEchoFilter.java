@@ -32,7 +32,7 @@ final class LocalEchoFilter {
         }
         known |= PerceptsRequest.isIn(frame.text());
         if (known) {
-            while (!sent.remove().equals(frame)) { } // what was sent before it has been lost on the way
+            while (!sent.remove().equals(frame)) {} // what was sent before it has been lost on the way
         }
         return known;
     }

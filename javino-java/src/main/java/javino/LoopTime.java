@@ -20,6 +20,7 @@ final class LoopTime {
     static final int SAMPLES = 256;
     /** Fewer delays say nothing. */
     static final int MIN_SAMPLES = 16;
+
     private static final int OUTLIER_AMONG = 64;
     private static final int FEW = 32;
     private static final int LEARNING_REQUESTS = 32;

@@ -36,7 +36,8 @@ final class Negotiation {
     private volatile long version1From;
 
     /** @param settings of which the spacing is kept between the versions, if it is longer than boards in the field need */
-    Negotiation(RequestChannel channel, Inbox inbox, ResponseCorrelator answers, LineClock clock, LinkSettings settings) {
+    Negotiation(
+            RequestChannel channel, Inbox inbox, ResponseCorrelator answers, LineClock clock, LinkSettings settings) {
         this.channel = channel;
         this.inbox = inbox;
         this.answers = answers;

@@ -162,7 +162,9 @@ final class Pacer {
         if (minGapNanos == 0) {
             return 0;
         }
-        long loopNanos = loop.isKnown() ? loop.nanos() + GAP_BYTES * byteNanos : TimeUnit.MILLISECONDS.toNanos(UNKNOWN_GAP_MILLIS);
+        long loopNanos = loop.isKnown()
+                ? loop.nanos() + GAP_BYTES * byteNanos
+                : TimeUnit.MILLISECONDS.toNanos(UNKNOWN_GAP_MILLIS);
         return Math.max(minGapNanos, loopNanos);
     }
 

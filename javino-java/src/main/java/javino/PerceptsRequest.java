@@ -26,7 +26,8 @@ public final class PerceptsRequest {
         if (!message.startsWith(SOME)) {
             return Set.of();
         }
-        String names = message.substring(SOME.length(), message.endsWith(")") ? message.length() - 1 : message.length());
+        String names =
+                message.substring(SOME.length(), message.endsWith(")") ? message.length() - 1 : message.length());
         return Arrays.stream(names.split(",")).filter(name -> !name.isBlank()).collect(Collectors.toUnmodifiableSet());
     }
 }

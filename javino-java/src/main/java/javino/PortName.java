@@ -19,9 +19,13 @@ record PortName(String scheme, String address) {
         String name = port.strip();
         Matcher dos = DOS_DEVICE.matcher(name);
         Matcher scheme = WITH_SCHEME.matcher(name);
-        PortName parsed = dos.matches() ? new PortName(Transports.SERIAL, dos.group(1))
-                : scheme.matches() ? new PortName(scheme.group(1).toLowerCase(Locale.ROOT), scheme.group(2).strip())
-                : new PortName(Transports.SERIAL, name);
+        PortName parsed = dos.matches()
+                ? new PortName(Transports.SERIAL, dos.group(1))
+                : scheme.matches()
+                        ? new PortName(
+                                scheme.group(1).toLowerCase(Locale.ROOT),
+                                scheme.group(2).strip())
+                        : new PortName(Transports.SERIAL, name);
         if (parsed.address.isEmpty()) {
             throw new NoSuchPortException(port, "\"" + port + "\" names no port: an address is missing");
         }

@@ -86,7 +86,9 @@ final class RequestChannel {
     /** Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting. */
     Reply request(Frame request, int timeoutMillis) throws PortException {
         overheard = null;
-        return protocol == Protocol.AUTO ? negotiation.run(request, timeoutMillis, true) : requestAsAgreed(request, timeoutMillis);
+        return protocol == Protocol.AUTO
+                ? negotiation.run(request, timeoutMillis, true)
+                : requestAsAgreed(request, timeoutMillis);
     }
 
     /** As {@link #request}, in the version that is spoken, or, if that is not known yet, in turns. */
@@ -111,7 +113,9 @@ final class RequestChannel {
     /** The newest message that the board sends of its own accord, or null if none comes in time. */
     Reply listen(int timeoutMillis) throws PortException {
         listens = true;
-        Reply message = overheard != null ? overheard : inbox.next(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+        Reply message = overheard != null
+                ? overheard
+                : inbox.next(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         overheard = null;
         if (message == null) {
             return null;
@@ -180,7 +184,9 @@ final class RequestChannel {
     }
 
     private long askAsAgreed(Frame request, int timeoutMillis) throws PortException {
-        return protocol == Protocol.AUTO ? negotiation.ask(request, timeoutMillis) : ask(protocol, request, timeoutMillis);
+        return protocol == Protocol.AUTO
+                ? negotiation.ask(request, timeoutMillis)
+                : ask(protocol, request, timeoutMillis);
     }
 
     /** Writes a request in this version, and returns when its last byte leaves. */

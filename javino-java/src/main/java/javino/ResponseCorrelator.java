@@ -111,7 +111,8 @@ final class ResponseCorrelator {
                 lastAt = clock.nanos();
                 messages++;
             }
-            boolean silent = later == null && clock.nanos() - (version2 ? lastAt : inbox.lastByteNanos()) >= settlingNanos;
+            boolean silent =
+                    later == null && clock.nanos() - (version2 ? lastAt : inbox.lastByteNanos()) >= settlingNanos;
             if (silent || version2 && messages >= owed.count()) {
                 owed.settled();
                 return last;

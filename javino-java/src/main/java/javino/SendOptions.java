@@ -9,7 +9,8 @@ package javino;
 public record SendOptions(boolean urgent, int limitMillis) {
     public SendOptions {
         if (limitMillis < 0) {
-            throw new IllegalArgumentException("a time limit is at least 1 ms, or 0 for none, but " + limitMillis + " was given");
+            throw new IllegalArgumentException(
+                    "a time limit is at least 1 ms, or 0 for none, but " + limitMillis + " was given");
         }
     }
 

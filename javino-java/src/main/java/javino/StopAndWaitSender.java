@@ -16,6 +16,7 @@ final class StopAndWaitSender implements CommandSender {
     private static final int FIRST_TIMEOUT_MILLIS = 150;
     /** With it the last repetition is on time, and an action that takes five seconds is still waited for. */
     private static final long MAX_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(350);
+
     private static final int ACKNOWLEDGEMENT_LENGTH = 12;
 
     private final Inbox inbox;
@@ -36,7 +37,8 @@ final class StopAndWaitSender implements CommandSender {
         this.clock = clock;
         acknowledgementNanos = ACKNOWLEDGEMENT_LENGTH * line.byteNanos();
         // another program that had the port a moment ago is unlikely to have stopped at the same number
-        sequence = LastSequences.of(board, (int) Math.floorMod(TimeUnit.NANOSECONDS.toMillis(clock.nanos()), (long) Frame.SEQUENCES));
+        sequence = LastSequences.of(
+                board, (int) Math.floorMod(TimeUnit.NANOSECONDS.toMillis(clock.nanos()), (long) Frame.SEQUENCES));
     }
 
     @Override
@@ -47,12 +49,16 @@ final class StopAndWaitSender implements CommandSender {
         Inbox.Outcome outcome = repeat(command, command.frame().toVersion2(Frame.ACK_WANTED, sequence));
         String text = command.frame().text();
         if (outcome == null) {
-            throw new ActionUnconfirmedException(port, "port " + port + " did not say that it acted on \"" + text
-                    + "\"; it may have, or the board does not run any more");
+            throw new ActionUnconfirmedException(
+                    port,
+                    "port " + port + " did not say that it acted on \"" + text
+                            + "\"; it may have, or the board does not run any more");
         }
         if (outcome == Inbox.Outcome.REFUSED) {
-            throw new ActionRefusedException(port, "the board at port " + port + " refuses \"" + text
-                    + "\": it does not know the action, or not with these arguments");
+            throw new ActionRefusedException(
+                    port,
+                    "the board at port " + port + " refuses \"" + text
+                            + "\": it does not know the action, or not with these arguments");
         }
     }
 
@@ -87,7 +93,10 @@ final class StopAndWaitSender implements CommandSender {
     private Inbox.Outcome await(Command command, long sent, long timeout) throws PortException {
         Inbox.Outcome outcome = outcome(command, sent + timeout);
         long giveUp = sent + 2 * timeout;
-        while (outcome == null && !isOver(command) && giveUp - clock.nanos() > 0 && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS) {
+        while (outcome == null
+                && !isOver(command)
+                && giveUp - clock.nanos() > 0
+                && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS) {
             outcome = outcome(command, Math.min(giveUp, inbox.lastByteNanos() + QUIET_NANOS));
         }
         return outcome;

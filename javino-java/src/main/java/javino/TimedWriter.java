@@ -21,7 +21,12 @@ final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
 
     /** How a write ended. */
-    enum Outcome { WRITTEN, FAILED, TOO_LATE, CLOSED }
+    enum Outcome {
+        WRITTEN,
+        FAILED,
+        TOO_LATE,
+        CLOSED
+    }
 
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
@@ -48,7 +53,8 @@ final class TimedWriter {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
         CompletableFuture<Outcome> write;
         try {
-            write = CompletableFuture.supplyAsync(() -> driver.applyAsInt(bytes) == len ? Outcome.WRITTEN : Outcome.FAILED, thread);
+            write = CompletableFuture.supplyAsync(
+                    () -> driver.applyAsInt(bytes) == len ? Outcome.WRITTEN : Outcome.FAILED, thread);
         } catch (RejectedExecutionException e) {
             return Outcome.CLOSED;
         }

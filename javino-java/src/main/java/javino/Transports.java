@@ -73,13 +73,17 @@ public final class Transports {
         Map<String, TransportProvider> providers = providers();
         TransportProvider provider = providers.get(name.scheme());
         if (providers.isEmpty()) {
-            throw new NoSuchPortException(port, "port " + port + " cannot be opened: no " + TransportProvider.class.getName()
-                    + " was found, not even one for serial devices; does the program's jar hold META-INF/services,"
-                    + " merged from all it was made of?");
+            throw new NoSuchPortException(
+                    port,
+                    "port " + port + " cannot be opened: no " + TransportProvider.class.getName()
+                            + " was found, not even one for serial devices; does the program's jar hold META-INF/services,"
+                            + " merged from all it was made of?");
         }
         if (provider == null) {
-            throw new NoSuchPortException(port, "port " + port + " asks for the scheme \"" + name.scheme() + "\", but there are only: "
-                    + String.join(", ", providers.keySet()) + " (a serial device needs none)");
+            throw new NoSuchPortException(
+                    port,
+                    "port " + port + " asks for the scheme \"" + name.scheme() + "\", but there are only: "
+                            + String.join(", ", providers.keySet()) + " (a serial device needs none)");
         }
         return provider;
     }

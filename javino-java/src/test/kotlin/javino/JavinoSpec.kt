@@ -3,10 +3,10 @@ package javino
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.util.concurrent.CopyOnWriteArrayList
 import javino.sim.FakeBoard
 import javino.sim.SimulatedBoard
 import javino.sim.SimulatedBoards
+import java.util.concurrent.CopyOnWriteArrayList
 
 /** A board that says nothing, and notes in which version it is spoken to. */
 private class VersionsHeard(private val versions: MutableList<Int>) : SimulatedBoard {

@@ -1,12 +1,12 @@
 package javino
 
 import io.kotest.core.test.Enabled
-import java.util.concurrent.ConcurrentLinkedQueue
-import java.util.concurrent.TimeUnit
-import java.util.concurrent.atomic.AtomicInteger
 import javino.serial.Terminals
 import javino.sim.FakeBoard
 import javino.tcp.Loopback
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
 
 private val boards = AtomicInteger()
 

@@ -6,12 +6,12 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
-import io.kotest.matchers.string.shouldContain as shouldContainText
 import io.kotest.matchers.types.shouldBeInstanceOf
+import javino.sim.FakeBoard
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
-import javino.sim.FakeBoard
 import kotlin.time.Duration.Companion.seconds
+import io.kotest.matchers.string.shouldContain as shouldContainText
 
 private const val LIMIT_S = 30L
 private const val LIMIT_MS = 20_000

@@ -5,15 +5,15 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import javino.sim.MemoryLine
+import javino.sim.SimulatedBoard
+import javino.sim.SimulatedBoards
 import java.io.File
 import java.lang.reflect.InvocationTargetException
 import java.net.URL
 import java.net.URLClassLoader
 import java.nio.file.Files
 import java.util.Collections
-import javino.sim.MemoryLine
-import javino.sim.SimulatedBoard
-import javino.sim.SimulatedBoards
 
 /** A scheme that a program adds: its lines lead nowhere. */
 class NowhereProvider : TransportProvider {

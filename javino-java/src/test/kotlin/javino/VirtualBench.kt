@@ -1,8 +1,8 @@
 package javino
 
+import javino.sim.MemoryLine
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.Condition
-import javino.sim.MemoryLine
 
 /**
  * A link and a board on one thread, in a time of their own: whenever the link waits, time goes on by a step and the board has a look at its

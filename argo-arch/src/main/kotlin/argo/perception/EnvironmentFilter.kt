@@ -4,8 +4,8 @@ import argo.Arch
 import argo.architectures
 import argo.filters.PerceptionFilter
 import argo.platform.Platform
-import argo.platform.nowMs
 import argo.platform.Waker
+import argo.platform.nowMs
 import jason.architecture.AgArch
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal

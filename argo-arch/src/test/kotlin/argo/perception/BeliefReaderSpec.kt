@@ -92,7 +92,7 @@ class BeliefReaderSpec : FunSpec({
     }
 
     test("a stray quote that joins two percepts costs what it touches, not what follows") {
-        read("say(\"x;light(b,4);y\"") .map { it.toString() } shouldBe listOf("light(b,4)")
+        read("say(\"x;light(b,4);y\"").map { it.toString() } shouldBe listOf("light(b,4)")
     }
 
     test("a board that sends a new broken text each time does not fill the log") {

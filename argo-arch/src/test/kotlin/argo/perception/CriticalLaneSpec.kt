@@ -1,10 +1,10 @@
 package argo.perception
 
 import argo.acting.CommandLedger
-import argo.filters.matching.CriticalPercept
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
+import argo.filters.matching.CriticalPercept
 import argo.platform.RateLimitedWarning
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldHaveSize

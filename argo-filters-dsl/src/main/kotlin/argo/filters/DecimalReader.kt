@@ -1,6 +1,5 @@
 package argo.filters
 
-
 /** Reads decimal numbers as boards write them, in place. */
 internal object DecimalReader {
     /** Beyond as many digits the quotient of two exact doubles is no longer the nearest double. */

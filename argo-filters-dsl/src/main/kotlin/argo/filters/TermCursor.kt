@@ -1,6 +1,5 @@
 package argo.filters
 
-
 /** Moves over the parts of terms in [text], from [at] to [end]. Whatever returns null has found no such part. */
 internal abstract class TermCursor(protected val text: CharSequence, protected var at: Int, protected val end: Int) {
 

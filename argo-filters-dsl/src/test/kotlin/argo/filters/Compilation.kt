@@ -1,10 +1,10 @@
 package argo.filters
 
+import org.jetbrains.kotlin.cli.common.ExitCode
+import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 import java.io.ByteArrayOutputStream
 import java.io.File
 import java.io.PrintStream
-import org.jetbrains.kotlin.cli.common.ExitCode
-import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 
 /** What the compiler says to [declarations] and after them [statements], each in a function on a line of its own. */
 class Compilation(directory: File, statements: List<String>, private val declarations: String) {

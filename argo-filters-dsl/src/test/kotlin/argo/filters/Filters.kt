@@ -83,9 +83,9 @@ private val intervals: Arb<Long> = Arb.choice(Arb.long(1L..2_000), Arb.long(1L..
 
 val rates: Arb<Rate> =
     Arb.bind(intervals.orNull(), Arb.list(Arb.int(0..2).orNull(), 0..2), Arb.element(0.5, 1.0, 1e6)) { everyMs, arguments, width ->
-    val deadbands = arguments.toSet().map { Deadband(it, width) }.toSet()
-    Rate(if (deadbands.isEmpty()) everyMs ?: 1 else everyMs, deadbands)
-}
+        val deadbands = arguments.toSet().map { Deadband(it, width) }.toSet()
+        Rate(if (deadbands.isEmpty()) everyMs ?: 1 else everyMs, deadbands)
+    }
 
 /** Rules without rates, which decide over each percept by itself. */
 val timelessRules: Arb<Rule> = Arb.bind(predicates, Arb.list(conditions, 0..2), Arb.int(0..3).orNull(0.7)) { predicate, conditions, arity ->

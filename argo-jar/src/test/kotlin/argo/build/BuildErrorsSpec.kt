@@ -2,9 +2,9 @@ package argo.build
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import io.kotest.matchers.shouldBe
 import kotlin.io.path.writeText
 
 /** What `./argo` prints of the log of a build that failed. */

@@ -1,8 +1,8 @@
 package argo.build
 
+import org.w3c.dom.Element
 import java.nio.file.Path
 import javax.xml.parsers.DocumentBuilderFactory
-import org.w3c.dom.Element
 
 /** Reads what the Maven build under [root] declares. */
 fun mavenBuild(root: Path): Build {

@@ -5,14 +5,14 @@ import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
-import java.nio.file.Path
-import java.util.jar.JarFile
-import kotlin.io.path.exists
 import org.objectweb.asm.ClassReader
 import org.objectweb.asm.ClassWriter
 import org.objectweb.asm.Opcodes
 import org.objectweb.asm.commons.ClassRemapper
 import org.objectweb.asm.commons.Remapper
+import java.nio.file.Path
+import java.util.jar.JarFile
+import kotlin.io.path.exists
 
 /** What is in argo.jar. */
 class JarSpec : FunSpec({

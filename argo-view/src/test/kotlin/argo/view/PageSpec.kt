@@ -16,6 +16,7 @@ private const val AGENT = """
         argo.act(hello); !long.
     +!long <- argo.act("a command that is too long for a narrow page unless words could be broken_anywhere_in_the_middle_of_them").
 """
+
 /** A picture that would change the page's title if its script ran. */
 private const val SVG = """
     <svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">

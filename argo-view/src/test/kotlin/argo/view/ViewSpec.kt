@@ -21,6 +21,7 @@ private const val LOOKS = """
     !start.
     +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open); argo.act(hello).
 """
+
 /** Percepts that make a message as long as it may be. */
 private val FILLING = "a(1);b(2);c(3);d(\"${"x".repeat(180)}\");"
 private const val FRONT = """

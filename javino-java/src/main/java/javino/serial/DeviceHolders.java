@@ -20,9 +20,12 @@ final class DeviceHolders {
             return List.of();
         }
         Path node = Path.of(device.canonicalAddress());
-        return ProcessHandle.allProcesses().filter(process -> !process.equals(ProcessHandle.current()))
-                .map(process -> Path.of("/proc", Long.toString(process.pid()))).filter(process -> holds(process, node))
-                .map(process -> "process " + process.getFileName() + " (" + command(process) + ")").toList();
+        return ProcessHandle.allProcesses()
+                .filter(process -> !process.equals(ProcessHandle.current()))
+                .map(process -> Path.of("/proc", Long.toString(process.pid())))
+                .filter(process -> holds(process, node))
+                .map(process -> "process " + process.getFileName() + " (" + command(process) + ")")
+                .toList();
     }
 
     private static boolean holds(Path process, Path device) {

@@ -35,7 +35,9 @@ final class DriverOpening {
     OptionalInt open(String port, BooleanSupplier open, IntSupplier errorCode) throws PortInterruptedException {
         boolean alone = awaitTurn(port);
         try {
-            return open.getAsBoolean() ? OptionalInt.empty() : OptionalInt.of(alone ? errorCode.getAsInt() : UNKNOWN_CODE);
+            return open.getAsBoolean()
+                    ? OptionalInt.empty()
+                    : OptionalInt.of(alone ? errorCode.getAsInt() : UNKNOWN_CODE);
         } finally {
             if (alone) {
                 turn.unlock();

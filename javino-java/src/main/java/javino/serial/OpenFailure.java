@@ -4,18 +4,24 @@ import java.util.Set;
 
 /** What a driver's error code says about a device that could not be opened. */
 enum OpenFailure {
-    NO_SUCH_PORT, BUSY, OPEN_IN_THIS_PROGRAM, NO_PERMISSION, OTHER;
+    NO_SUCH_PORT,
+    BUSY,
+    OPEN_IN_THIS_PROGRAM,
+    NO_PERMISSION,
+    OTHER;
 
     // errno of Linux and macOS; EAGAIN, which a lock that another process holds gives, is the one that differs
-    private static final Set<Integer> POSIX_NO_DEVICE = Set.of(5 /* EIO */, 6 /* ENXIO */, 19 /* ENODEV */, 20 /* ENOTDIR */,
-            21 /* EISDIR */, 25 /* ENOTTY */);
+    private static final Set<Integer> POSIX_NO_DEVICE =
+            Set.of(5 /* EIO */, 6 /* ENXIO */, 19 /* ENODEV */, 20 /* ENOTDIR */, 21 /* EISDIR */, 25 /* ENOTTY */);
     private static final Set<Integer> POSIX_NOT_ALLOWED = Set.of(1 /* EPERM */, 13 /* EACCES */);
     private static final Set<Integer> POSIX_BUSY = Set.of(11 /* EAGAIN */, 16 /* EBUSY */, 35 /* EAGAIN on macOS */);
     private static final int POSIX_ENOENT = 2;
 
     // GetLastError of Windows, where a port that another program has open answers "access denied"
-    private static final Set<Integer> WINDOWS_NO_DEVICE = Set.of(2 /* ERROR_FILE_NOT_FOUND */, 3 /* ERROR_PATH_NOT_FOUND */);
-    private static final Set<Integer> WINDOWS_BUSY = Set.of(5 /* ERROR_ACCESS_DENIED */, 32 /* ERROR_SHARING_VIOLATION */);
+    private static final Set<Integer> WINDOWS_NO_DEVICE =
+            Set.of(2 /* ERROR_FILE_NOT_FOUND */, 3 /* ERROR_PATH_NOT_FOUND */);
+    private static final Set<Integer> WINDOWS_BUSY =
+            Set.of(5 /* ERROR_ACCESS_DENIED */, 32 /* ERROR_SHARING_VIOLATION */);
 
     /**
      * @param code errno

@@ -22,7 +22,8 @@ record SerialDevice(String name, String path) {
 
     static SerialDevice of(String name, String operatingSystem) {
         if (operatingSystem.startsWith("Windows")) {
-            return new SerialDevice(name, name.startsWith(DOS_NAMESPACE) ? name.substring(DOS_NAMESPACE.length()) : name);
+            return new SerialDevice(
+                    name, name.startsWith(DOS_NAMESPACE) ? name.substring(DOS_NAMESPACE.length()) : name);
         }
         return new SerialDevice(name, name.contains("/") ? name : "/dev/" + name);
     }

@@ -14,14 +14,21 @@ import java.util.OptionalInt;
  * @param productId the vendor's number of the product, if it is a USB device
  * @param serialNumber its serial number, if it has one
  */
-public record SerialPortInfo(String name, String path, Optional<String> product, Optional<String> manufacturer, OptionalInt vendorId,
-        OptionalInt productId, Optional<String> serialNumber) {
+public record SerialPortInfo(
+        String name,
+        String path,
+        Optional<String> product,
+        Optional<String> manufacturer,
+        OptionalInt vendorId,
+        OptionalInt productId,
+        Optional<String> serialNumber) {
     /** The port by its USB identity: {@code usb:2341:0043}, or {@code usb:2341:0043:SERIAL}; empty if it is not on USB. */
     public Optional<String> usbName() {
         if (vendorId.isEmpty() || productId.isEmpty()) {
             return Optional.empty();
         }
-        String model = String.format("%s:%04x:%04x", UsbTransportProvider.SCHEME, vendorId.getAsInt(), productId.getAsInt());
+        String model =
+                String.format("%s:%04x:%04x", UsbTransportProvider.SCHEME, vendorId.getAsInt(), productId.getAsInt());
         return Optional.of(serialNumber.map(number -> model + ':' + number).orElse(model));
     }
 }

@@ -23,8 +23,10 @@ public final class SerialPorts {
      */
     public static List<SerialPortInfo> list() throws PortFaultException {
         try {
-            return Arrays.stream(SerialPort.getCommPorts()).map(SerialPorts::info)
-                    .sorted(Comparator.comparing(SerialPortInfo::name)).toList();
+            return Arrays.stream(SerialPort.getCommPorts())
+                    .map(SerialPorts::info)
+                    .sorted(Comparator.comparing(SerialPortInfo::name))
+                    .toList();
         } catch (LinkageError e) {
             throw SerialPortErrors.noNativeLibrary("of any name", e);
         }
@@ -46,14 +48,22 @@ public final class SerialPorts {
 
     private static SerialPortInfo info(SerialPort port) {
         String name = nameOf(port);
-        return new SerialPortInfo(name, SerialDevice.of(name).path(), known(port.getPortDescription()), known(port.getManufacturer()),
-                known(port.getVendorID()), known(port.getProductID()), known(port.getSerialNumber()));
+        return new SerialPortInfo(
+                name,
+                SerialDevice.of(name).path(),
+                known(port.getPortDescription()),
+                known(port.getManufacturer()),
+                known(port.getVendorID()),
+                known(port.getProductID()),
+                known(port.getSerialNumber()));
     }
 
     /** The name to open the port by: a device that is not in {@code /dev} itself, as pseudo-terminals are, has its path. */
     private static String nameOf(SerialPort port) {
         SerialDevice device = SerialDevice.of(port.getSystemPortName());
-        return device.hasNode() && !device.path().equals(port.getSystemPortPath()) ? port.getSystemPortPath() : device.name();
+        return device.hasNode() && !device.path().equals(port.getSystemPortPath())
+                ? port.getSystemPortPath()
+                : device.name();
     }
 
     private static Optional<String> known(String text) {
@@ -81,6 +91,8 @@ public final class SerialPorts {
             return Optional.empty();
         }
         Path node = Path.of(device.path());
-        return Files.isReadable(node) && Files.isWritable(node) ? Optional.empty() : Optional.of(SerialPortErrors.permissionRemedy(device));
+        return Files.isReadable(node) && Files.isWritable(node)
+                ? Optional.empty()
+                : Optional.of(SerialPortErrors.permissionRemedy(device));
     }
 }

@@ -16,6 +16,7 @@ import javino.PortInterruptedException;
 final class SerialTransport extends DriverTransport {
     /** How long one read of the driver waits: it counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;
+
     private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(SLICE_MILLIS);
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     /** How long closing waits for a read that should have ended. */
@@ -24,12 +25,14 @@ final class SerialTransport extends DriverTransport {
     private static final long POLL_NANOS = 250_000L;
     /** How long what was written may be on its way out of the driver, which drops it when it closes the port. */
     private static final long LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+
     private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private static final DriverOpening OPENING = new DriverOpening(Duration.ofSeconds(1));
 
     /** Held while the driver reads, so that it is not closed under it. */
     final ReentrantLock reading = new ReentrantLock();
+
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
 
@@ -133,8 +136,10 @@ final class SerialTransport extends DriverTransport {
             port.closePort(); // ends a write that waits
             reading.unlock();
         } else {
-            System.getLogger(SerialTransport.class.getName()).log(System.Logger.Level.WARNING,
-                    "port " + name() + " is given up as it is: its driver does not return from reading");
+            System.getLogger(SerialTransport.class.getName())
+                    .log(
+                            System.Logger.Level.WARNING,
+                            "port " + name() + " is given up as it is: its driver does not return from reading");
         }
         if (interrupted) {
             Thread.currentThread().interrupt();

@@ -3,9 +3,9 @@ package javino.serial;
 import java.util.List;
 import javino.LineSettings;
 import javino.PortException;
-import javino.Transports;
 import javino.Transport;
 import javino.TransportProvider;
+import javino.Transports;
 
 /** Serial devices. */
 public final class SerialTransportProvider implements TransportProvider {

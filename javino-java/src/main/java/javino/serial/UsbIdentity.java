@@ -21,15 +21,23 @@ record UsbIdentity(int vendor, int product, String serialNumber) {
     static UsbIdentity of(String port, String address) throws NoSuchPortException {
         Matcher form = FORM.matcher(address);
         if (!form.matches()) {
-            throw new NoSuchPortException(port, "\"" + port + "\" is no USB identity; that is usb:VENDOR:PRODUCT or "
-                    + "usb:VENDOR:PRODUCT:SERIAL, the first two in hexadecimal digits, as usb:2341:0043");
+            throw new NoSuchPortException(
+                    port,
+                    "\"" + port + "\" is no USB identity; that is usb:VENDOR:PRODUCT or "
+                            + "usb:VENDOR:PRODUCT:SERIAL, the first two in hexadecimal digits, as usb:2341:0043");
         }
-        return new UsbIdentity(Integer.parseInt(form.group(1), HEX), Integer.parseInt(form.group(2), HEX),
+        return new UsbIdentity(
+                Integer.parseInt(form.group(1), HEX),
+                Integer.parseInt(form.group(2), HEX),
                 form.group(3) == null ? "" : form.group(3));
     }
 
     boolean fits(SerialPortInfo port) {
-        return port.vendorId().equals(OptionalInt.of(vendor)) && port.productId().equals(OptionalInt.of(product))
-                && (serialNumber.isEmpty() || port.serialNumber().filter(serialNumber::equalsIgnoreCase).isPresent());
+        return port.vendorId().equals(OptionalInt.of(vendor))
+                && port.productId().equals(OptionalInt.of(product))
+                && (serialNumber.isEmpty()
+                        || port.serialNumber()
+                                .filter(serialNumber::equalsIgnoreCase)
+                                .isPresent());
     }
 }

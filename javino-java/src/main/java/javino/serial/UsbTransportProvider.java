@@ -6,15 +6,16 @@ import java.util.stream.Collectors;
 import javino.LineSettings;
 import javino.NoSuchPortException;
 import javino.PortException;
-import javino.Transports;
 import javino.Transport;
 import javino.TransportProvider;
+import javino.Transports;
 
 /** {@code usb:2341:0043} and {@code usb:2341:0043:SERIAL}: the serial device on USB with this identity, whatever its name is now. */
 public class UsbTransportProvider implements TransportProvider {
     static final String SCHEME = "usb";
     /** macOS has each device twice, and the one that calls out is the one to open. */
     private static final String MAC_CALL_IN = "tty.";
+
     private static final String MAC_CALL_OUT = "cu.";
 
     private final String scheme;
@@ -42,7 +43,8 @@ public class UsbTransportProvider implements TransportProvider {
 
     @Override
     public Transport open(String address, LineSettings line) throws PortException {
-        return SerialTransport.open(new SerialDevice(port(address), device(address).path()), line);
+        return SerialTransport.open(
+                new SerialDevice(port(address), device(address).path()), line);
     }
 
     @Override
@@ -78,31 +80,43 @@ public class UsbTransportProvider implements TransportProvider {
     }
 
     private List<SerialPortInfo> onUsb() {
-        return onceEach(present.get().stream().filter(port -> port.usbName().isPresent()).toList());
+        return onceEach(present.get().stream()
+                .filter(port -> port.usbName().isPresent())
+                .toList());
     }
 
     private static NoSuchPortException nothing(String port, List<SerialPortInfo> present) {
-        return new NoSuchPortException(port, "there is no USB device " + port + "; "
-                + (present.isEmpty() ? "there are no serial devices on USB now (is the board plugged in?)"
-                : "the serial devices on USB are: " + listed(present)));
+        return new NoSuchPortException(
+                port,
+                "there is no USB device " + port + "; "
+                        + (present.isEmpty()
+                                ? "there are no serial devices on USB now (is the board plugged in?)"
+                                : "the serial devices on USB are: " + listed(present)));
     }
 
     private static NoSuchPortException severalAlike(String port, List<SerialPortInfo> alike) {
         long identities = alike.stream().map(SerialPortInfo::usbName).distinct().count();
-        return new NoSuchPortException(port, "port " + port + " is " + alike.size() + " devices: " + listed(alike) + "; "
-                + (identities == alike.size() ? "give the serial number, too"
-                        : "USB cannot tell them apart, so give the name of the device")
-                + " (on Linux \"/dev/serial/by-path/…\" names a socket)");
+        return new NoSuchPortException(
+                port,
+                "port " + port + " is " + alike.size() + " devices: " + listed(alike) + "; "
+                        + (identities == alike.size()
+                                ? "give the serial number, too"
+                                : "USB cannot tell them apart, so give the name of the device")
+                        + " (on Linux \"/dev/serial/by-path/…\" names a socket)");
     }
 
     private static String listed(List<SerialPortInfo> ports) {
-        return ports.stream().map(port -> port.name() + " (" + port.usbName().orElseThrow() + ")").collect(Collectors.joining(", "));
+        return ports.stream()
+                .map(port -> port.name() + " (" + port.usbName().orElseThrow() + ")")
+                .collect(Collectors.joining(", "));
     }
 
     /** Without the second names that macOS has for the same devices. */
     static List<SerialPortInfo> onceEach(List<SerialPortInfo> ports) {
         List<String> devices = ports.stream().map(SerialPortInfo::name).toList();
-        return ports.stream().filter(port -> !port.name().startsWith(MAC_CALL_IN)
-                || !devices.contains(MAC_CALL_OUT + port.name().substring(MAC_CALL_IN.length()))).toList();
+        return ports.stream()
+                .filter(port -> !port.name().startsWith(MAC_CALL_IN)
+                        || !devices.contains(MAC_CALL_OUT + port.name().substring(MAC_CALL_IN.length())))
+                .toList();
     }
 }

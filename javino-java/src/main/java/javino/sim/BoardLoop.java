@@ -149,7 +149,8 @@ public final class BoardLoop {
             return Frame.of(text).toBytes();
         }
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        List<Frame> fragments = Frame.fragments(Frame.requireBytes(text).getBytes(StandardCharsets.ISO_8859_1), sequence);
+        List<Frame> fragments =
+                Frame.fragments(Frame.requireBytes(text).getBytes(StandardCharsets.ISO_8859_1), sequence);
         sequence = (sequence + fragments.size()) % Frame.SEQUENCES;
         fragments.forEach(fragment -> bytes.writeBytes(fragment.toBytes()));
         return bytes.toByteArray();

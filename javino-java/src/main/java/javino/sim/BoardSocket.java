@@ -37,7 +37,8 @@ final class BoardSocket {
             run.thread.setDaemon(true);
             current = run;
             if (unplugged) { // asked behind the assignment: unplug() sees this run, or this sees that it is unplugged
-                throw new NoSuchPortException(port, "the simulated board " + port + " was unplugged while it was opened");
+                throw new NoSuchPortException(
+                        port, "the simulated board " + port + " was unplugged while it was opened");
             }
             run.thread.start();
             return run.line.computer();
@@ -87,8 +88,10 @@ final class BoardSocket {
             throw PortInterruptedException.remarking(port);
         }
         if (run.thread.isAlive()) {
-            throw new PortBusyException(port, "the board's own program, which still runs " + LAST_RUN_MILLIS
-                    + " ms after its port was closed (it must end when its line is gone)");
+            throw new PortBusyException(
+                    port,
+                    "the board's own program, which still runs " + LAST_RUN_MILLIS
+                            + " ms after its port was closed (it must end when its line is gone)");
         }
     }
 

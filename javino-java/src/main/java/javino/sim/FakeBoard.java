@@ -105,7 +105,8 @@ public final class FakeBoard implements AutoCloseable {
      */
     public FakeBoard queueSize(int messages) {
         if (messages < 1) {
-            throw new IllegalArgumentException("a board holds at least 1 message, but a queue of " + messages + " was asked for");
+            throw new IllegalArgumentException(
+                    "a board holds at least 1 message, but a queue of " + messages + " was asked for");
         }
         sketch.queueSize = messages;
         return this;
@@ -250,7 +251,9 @@ public final class FakeBoard implements AutoCloseable {
 
         /** Answers with what {@code answer} makes of the message; null: no answer. It is called on the board's thread. */
         public Rule answer(UnaryOperator<String> answer) {
-            reply = (message, loop) -> Optional.ofNullable(answer.apply(message)).map(loop::bytesOf).orElse(null);
+            reply = (message, loop) -> Optional.ofNullable(answer.apply(message))
+                    .map(loop::bytesOf)
+                    .orElse(null);
             return this;
         }
 

@@ -47,12 +47,16 @@ final class FakeBoardRecord {
     /** Takes the first message that is not accounted for and is {@code wanted}; {@code what} says to a person what was wanted. */
     String take(Predicate<String> wanted, String what, int timeoutMillis) {
         List<String> taken = new ArrayList<>();
-        boolean came = monitor.await(() -> {
-            unaccounted.stream().filter(wanted).findFirst().ifPresent(taken::add);
-            return !taken.isEmpty() && unaccounted.remove(taken.get(0));
-        }, timeoutMillis, "board " + port + " waited for " + what);
+        boolean came = monitor.await(
+                () -> {
+                    unaccounted.stream().filter(wanted).findFirst().ifPresent(taken::add);
+                    return !taken.isEmpty() && unaccounted.remove(taken.get(0));
+                },
+                timeoutMillis,
+                "board " + port + " waited for " + what);
         if (!came) {
-            throw new AssertionError("board " + port + " waited " + timeoutMillis + " ms for " + what + "; " + monitor.locked(this::all));
+            throw new AssertionError("board " + port + " waited " + timeoutMillis + " ms for " + what + "; "
+                    + monitor.locked(this::all));
         }
         return taken.get(0);
     }

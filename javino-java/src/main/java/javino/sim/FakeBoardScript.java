@@ -33,7 +33,10 @@ final class FakeBoardScript {
     }
 
     Optional<FakeBoard.Rule> ruleFor(String message) {
-        return entries.stream().filter(entry -> entry.kind().test(message)).map(Entry::rule).findFirst();
+        return entries.stream()
+                .filter(entry -> entry.kind().test(message))
+                .map(Entry::rule)
+                .findFirst();
     }
 
     /** One of the texts each time, and the last of them from then on. */

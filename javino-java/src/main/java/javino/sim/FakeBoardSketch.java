@@ -124,7 +124,10 @@ final class FakeBoardSketch implements SimulatedBoard {
     void awaitDrained(BooleanSupplier starting, int timeoutMillis) {
         BoardLoop first = monitor.locked(() -> open);
         int silences = first == null ? 0 : first.silences();
-        monitor.await(() -> stalled || (open == null ? !starting.getAsBoolean() : open.isDrained(open == first ? silences : 0)),
-                timeoutMillis, "waiting for a fake board");
+        monitor.await(
+                () -> stalled
+                        || (open == null ? !starting.getAsBoolean() : open.isDrained(open == first ? silences : 0)),
+                timeoutMillis,
+                "waiting for a fake board");
     }
 }

@@ -7,6 +7,7 @@ import java.util.concurrent.locks.Lock;
 final class MemoryDirection {
     /** Signalled when bytes have been put on it or taken from it. */
     final Condition changed;
+
     private final byte[] bytes;
     private final long[] readyAt;
     private final long byteNanos;

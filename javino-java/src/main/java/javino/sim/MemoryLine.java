@@ -181,8 +181,10 @@ public final class MemoryLine {
                         return;
                     }
                     if (deadline - now <= 0) {
-                        throw new PortTimeoutException(name, "port " + name + " took " + written + " of " + len + " bytes within "
-                                + timeoutMillis + " ms; nobody reads at the far end");
+                        throw new PortTimeoutException(
+                                name,
+                                "port " + name + " took " + written + " of " + len + " bytes within " + timeoutMillis
+                                        + " ms; nobody reads at the far end");
                     }
                     await(out, deadline - now);
                 }

@@ -42,7 +42,8 @@ public final class PseudoTerminals implements AutoCloseable {
     public static PseudoTerminals open() throws IOException, InterruptedException {
         Path directory = Files.createTempDirectory("argo-pty");
         String raw = "pty,raw,echo=0,link=";
-        PseudoTerminals pair = new PseudoTerminals(directory, socat(raw + directory.resolve("computer"), raw + directory.resolve("board")));
+        PseudoTerminals pair = new PseudoTerminals(
+                directory, socat(raw + directory.resolve("computer"), raw + directory.resolve("board")));
         try {
             pair.awaitDevices();
             return pair;
@@ -55,7 +56,9 @@ public final class PseudoTerminals implements AutoCloseable {
     private static Process socat(String... arguments) throws IOException {
         ProcessBuilder socat = new ProcessBuilder("socat");
         socat.command().addAll(List.of(arguments));
-        return socat.redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start();
+        return socat.redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .start();
     }
 
     /** The device that a program opens as the board's port. */

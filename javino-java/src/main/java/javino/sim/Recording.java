@@ -53,7 +53,8 @@ public record Recording(List<Entry> entries) {
         /** @throws IllegalArgumentException if the time is negative, or a character of the message is above U+00FF */
         public Entry {
             if (millis < 0) {
-                throw new IllegalArgumentException("a recording begins at 0 ms, but a message at " + millis + " ms was given");
+                throw new IllegalArgumentException(
+                        "a recording begins at 0 ms, but a message at " + millis + " ms was given");
             }
             Frame.requireBytes(message);
         }
@@ -64,20 +65,23 @@ public record Recording(List<Entry> entries) {
         entries = List.copyOf(entries);
         for (int i = 1; i < entries.size(); i++) {
             if (entries.get(i).millis() < entries.get(i - 1).millis()) {
-                throw new IllegalArgumentException("message " + (i + 1) + " of a recording is at " + entries.get(i).millis()
-                        + " ms, which is before the one in front of it");
+                throw new IllegalArgumentException("message " + (i + 1) + " of a recording is at "
+                        + entries.get(i).millis() + " ms, which is before the one in front of it");
             }
         }
     }
 
     /** What came from the board. */
     public List<Entry> received() {
-        return entries.stream().filter(entry -> entry.direction() == Direction.IN).toList();
+        return entries.stream()
+                .filter(entry -> entry.direction() == Direction.IN)
+                .toList();
     }
 
     /** Whether the board was asked for its percepts, rather than speaking by itself. */
     public boolean isOfRequests() {
-        return entries.stream().anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));
+        return entries.stream()
+                .anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));
     }
 
     /**
@@ -100,7 +104,11 @@ public record Recording(List<Entry> entries) {
             requireHeader(lines);
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 if (!line.isEmpty() && !line.startsWith("#")) {
-                    entries.add(entry(line, entries.isEmpty() ? 0 : entries.get(entries.size() - 1).millis()));
+                    entries.add(entry(
+                            line,
+                            entries.isEmpty()
+                                    ? 0
+                                    : entries.get(entries.size() - 1).millis()));
                 }
             }
         } catch (CharacterCodingException e) {
@@ -117,7 +125,8 @@ public record Recording(List<Entry> entries) {
         text.mark(MAX_HEADER);
         int count = Math.max(0, text.read(beginning));
         // an editor's mark
-        String line = new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", "");
+        String line =
+                new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", "");
         if (line.startsWith(HEADER_WORD) && !line.equals(HEADER)) {
             throw new IllegalArgumentException("a recording of format " + line.substring(HEADER_WORD.length())
                     + ", of which only 1 can be read here");
@@ -132,11 +141,13 @@ public record Recording(List<Entry> entries) {
     private static Entry entry(String line, long earliest) {
         String[] fields = line.split("\t", 3);
         if (fields.length < 3) {
-            throw new IllegalArgumentException("a message is written MILLISECONDS, a tab, \"in\" or \"out\", a tab, and its text");
+            throw new IllegalArgumentException(
+                    "a message is written MILLISECONDS, a tab, \"in\" or \"out\", a tab, and its text");
         }
         long millis = millis(fields[0]);
         if (millis < earliest) {
-            throw new IllegalArgumentException("a message at " + millis + " ms stands behind one at " + earliest + " ms");
+            throw new IllegalArgumentException(
+                    "a message at " + millis + " ms stands behind one at " + earliest + " ms");
         }
         return new Entry(millis, direction(fields[1]), RecordingText.read(fields[2]));
     }
@@ -149,7 +160,10 @@ public record Recording(List<Entry> entries) {
     }
 
     private static Direction direction(String written) {
-        return Arrays.stream(Direction.values()).filter(direction -> direction.word.equals(written)).findFirst().orElseThrow(() ->
-                new IllegalArgumentException(Frame.quoted(written) + " is no direction; a message goes \"in\" or \"out\""));
+        return Arrays.stream(Direction.values())
+                .filter(direction -> direction.word.equals(written))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(
+                        Frame.quoted(written) + " is no direction; a message goes \"in\" or \"out\""));
     }
 }

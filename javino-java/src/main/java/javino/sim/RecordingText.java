@@ -11,13 +11,16 @@ final class RecordingText {
     private RecordingText() {}
 
     static String write(String message) {
-        return SPECIAL.matcher(message).replaceAll(special -> Matcher.quoteReplacement(switch (special.group()) {
-            case "\\" -> "\\\\";
-            case "\t" -> "\\t";
-            case "\n" -> "\\n";
-            case "\r" -> "\\r";
-            default -> String.format("\\u%04X", (int) special.group().charAt(0));
-        }));
+        return SPECIAL.matcher(message)
+                .replaceAll(special -> Matcher.quoteReplacement(
+                        switch (special.group()) {
+                            case "\\" -> "\\\\";
+                            case "\t" -> "\\t";
+                            case "\n" -> "\\n";
+                            case "\r" -> "\\r";
+                            default ->
+                                String.format("\\u%04X", (int) special.group().charAt(0));
+                        }));
     }
 
     /** @throws IllegalArgumentException if there is a backslash that begins nothing {@link #write} writes */

@@ -32,7 +32,12 @@ public final class ReplayBoard implements SimulatedBoard {
     private final Consumer<String> commands;
     private final LineClock clock;
 
-    private ReplayBoard(List<Recording.Entry> said, boolean asked, boolean inTurn, boolean repeated, Consumer<String> commands,
+    private ReplayBoard(
+            List<Recording.Entry> said,
+            boolean asked,
+            boolean inTurn,
+            boolean repeated,
+            Consumer<String> commands,
             LineClock clock) {
         this.said = said;
         this.asked = asked;
@@ -56,7 +61,7 @@ public final class ReplayBoard implements SimulatedBoard {
         if (said.isEmpty()) {
             throw new IllegalArgumentException("the recording holds nothing that a board said");
         }
-        return new ReplayBoard(said, recording.isOfRequests(), false, false, command -> { }, clock);
+        return new ReplayBoard(said, recording.isOfRequests(), false, false, command -> {}, clock);
     }
 
     /** This board answering the first request with the first thing that was said, the second with the second, whatever the time. */
@@ -88,7 +93,9 @@ public final class ReplayBoard implements SimulatedBoard {
     /** When a message is due, counted from the first; numbers go on counting in further rounds. */
     private long offsetMillis(int number) {
         long rounds = number / said.size();
-        return rounds * periodMillis() + said.get(number % said.size()).millis() - said.get(0).millis();
+        return rounds * periodMillis()
+                + said.get(number % said.size()).millis()
+                - said.get(0).millis();
     }
 
     /**
@@ -96,7 +103,10 @@ public final class ReplayBoard implements SimulatedBoard {
      * frame is left out.
      */
     private static List<String> parts(String message) {
-        List<String> parts = PART.matcher(message).results().map(MatchResult::group).filter(part -> part.length() <= Frame.MAX_PAYLOAD)
+        List<String> parts = PART.matcher(message)
+                .results()
+                .map(MatchResult::group)
+                .filter(part -> part.length() <= Frame.MAX_PAYLOAD)
                 .toList();
         return parts.isEmpty() ? List.of("") : parts;
     }

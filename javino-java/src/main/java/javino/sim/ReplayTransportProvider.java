@@ -26,11 +26,14 @@ public final class ReplayTransportProvider implements TransportProvider {
         try {
             return new BoardSocket(port, ReplayBoard.of(Recording.read(Path.of(address)))).open(line);
         } catch (NoSuchFileException | InvalidPathException e) {
-            throw new NoSuchPortException(port, "there is no recording " + address + " in " + Path.of("").toAbsolutePath());
+            throw new NoSuchPortException(
+                    port,
+                    "there is no recording " + address + " in " + Path.of("").toAbsolutePath());
         } catch (PortException e) {
             throw e;
         } catch (FileSystemException e) {
-            throw new PortFaultException(port, "port " + port + " cannot be opened: its file cannot be read (" + e + ")", e);
+            throw new PortFaultException(
+                    port, "port " + port + " cannot be opened: its file cannot be read (" + e + ")", e);
         } catch (IOException | IllegalArgumentException e) {
             throw new PortFaultException(port, "port " + port + " cannot be opened: " + e.getMessage(), e);
         }

@@ -73,7 +73,8 @@ public final class SimulatedBoards {
         plugInServices();
         BoardSocket socket = SOCKETS.get(name);
         if (socket == null) {
-            throw new NoSuchPortException(portName(name), "there is no simulated board " + portName(name) + "; " + present(names()));
+            throw new NoSuchPortException(
+                    portName(name), "there is no simulated board " + portName(name) + "; " + present(names()));
         }
         return socket.open(line);
     }

@@ -28,7 +28,9 @@ final class HostLookup {
     static InetAddress[] addresses(String host, long limitNanos, Callable<InetAddress[]> resolver)
             throws UnknownHostException, InterruptedException {
         try {
-            return UNDER_WAY.computeIfAbsent(host, name -> start(name, resolver)).get(limitNanos, TimeUnit.NANOSECONDS);
+            return UNDER_WAY
+                    .computeIfAbsent(host, name -> start(name, resolver))
+                    .get(limitNanos, TimeUnit.NANOSECONDS);
         } catch (ExecutionException e) {
             throw new UnknownHostException("there is no host " + host + " in this network, or its name is misspelt");
         } catch (TimeoutException e) {

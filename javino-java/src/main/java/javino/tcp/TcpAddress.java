@@ -14,7 +14,8 @@ import javino.NoSuchPortException;
 record TcpAddress(String host, int number) {
     private static final int MAX_NUMBER = 65_535;
     // java.net.URI would do but for host names with an underscore, for which it knows neither host nor port
-    private static final Pattern FORM = Pattern.compile("(?://)?(?:\\[([^\\]\\s]+)]|([^\\[\\]\\s:/?#@]*))(?::([^:/\\]]*))?/?");
+    private static final Pattern FORM =
+            Pattern.compile("(?://)?(?:\\[([^\\]\\s]+)]|([^\\[\\]\\s:/?#@]*))(?::([^:/\\]]*))?/?");
 
     /**
      * @param port as it was given, for messages
@@ -23,7 +24,8 @@ record TcpAddress(String host, int number) {
     static TcpAddress of(String port, String address) throws NoSuchPortException {
         Matcher form = FORM.matcher(address);
         if (!form.matches()) {
-            throw malformed(port, "that is no host's name; an IPv6 address is written in brackets, as tcp://[fe80::1]:4000");
+            throw malformed(
+                    port, "that is no host's name; an IPv6 address is written in brackets, as tcp://[fe80::1]:4000");
         }
         String host = form.group(1) != null ? form.group(1) : form.group(2);
         String number = form.group(3);
@@ -41,8 +43,10 @@ record TcpAddress(String host, int number) {
     }
 
     private static NoSuchPortException malformed(String port, String why) {
-        return new NoSuchPortException(port, "\"" + port + "\" names no port: " + why
-                + " (a port on the network is tcp://HOST:PORT, as tcp://192.168.1.20:4000)");
+        return new NoSuchPortException(
+                port,
+                "\"" + port + "\" names no port: " + why
+                        + " (a port on the network is tcp://HOST:PORT, as tcp://192.168.1.20:4000)");
     }
 
     /** The same for all spellings of one place; the host is not looked up. */

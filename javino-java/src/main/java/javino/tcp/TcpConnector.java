@@ -43,7 +43,8 @@ final class TcpConnector {
         long limit = TimeUnit.MILLISECONDS.toNanos(LIMIT_MILLIS);
         long deadline = System.nanoTime() + limit;
         try {
-            InetAddress[] hosts = HostLookup.addresses(address.host(), limit, () -> InetAddress.getAllByName(address.host()));
+            InetAddress[] hosts =
+                    HostLookup.addresses(address.host(), limit, () -> InetAddress.getAllByName(address.host()));
             IOException first = new UnknownHostException("the host " + address.host() + " has no address");
             for (int i = 0; i < hosts.length; i++) {
                 long left = TimeUnit.NANOSECONDS.toMillis(deadline - System.nanoTime()) / (hosts.length - i);
@@ -67,9 +68,10 @@ final class TcpConnector {
         try {
             configure(socket);
             return BlockingCall.start("connect " + place, () -> {
-                socket.connect(place, timeoutMillis);
-                return socket;
-            }).get();
+                        socket.connect(place, timeoutMillis);
+                        return socket;
+                    })
+                    .get();
         } catch (IOException | InterruptedException e) {
             socket.close();
             throw e;
@@ -97,15 +99,21 @@ final class TcpConnector {
             return new NoSuchPortException(port, start + cause.getMessage());
         }
         if (cause instanceof SocketTimeoutException) {
-            return new NoSuchPortException(port, start + address + " did not answer within " + LIMIT_MILLIS
-                    + " ms; is the board on, and in this network?");
+            return new NoSuchPortException(
+                    port,
+                    start + address + " did not answer within " + LIMIT_MILLIS
+                            + " ms; is the board on, and in this network?");
         }
-        if (cause instanceof NoRouteToHostException || String.valueOf(cause.getMessage()).contains("unreachable")) {
-            return new NoSuchPortException(port, start + address.host() + " cannot be reached; is the board on, and in this network?");
+        if (cause instanceof NoRouteToHostException
+                || String.valueOf(cause.getMessage()).contains("unreachable")) {
+            return new NoSuchPortException(
+                    port, start + address.host() + " cannot be reached; is the board on, and in this network?");
         }
         if (cause instanceof ConnectException) {
-            return new NoSuchPortException(port, start + "nothing listens at " + address + "; does the board's program run, and is "
-                    + address.number() + " its port?");
+            return new NoSuchPortException(
+                    port,
+                    start + "nothing listens at " + address + "; does the board's program run, and is "
+                            + address.number() + " its port?");
         }
         return new PortFaultException(port, start + "the system reports \"" + cause.getMessage() + '"', cause);
     }

@@ -14,6 +14,7 @@ final class TcpTransport extends DriverTransport {
     private static final System.Logger LOG = System.getLogger(TcpTransport.class.getName());
     /** How long one read of the socket waits, which no interrupt ends. */
     private static final int MAX_SLICE_MILLIS = 100;
+
     private static final int DRAIN_BYTES = 65_536;
 
     private final Socket socket;
@@ -42,7 +43,8 @@ final class TcpTransport extends DriverTransport {
             if (nanos <= 0 && in.available() == 0) {
                 return 0;
             }
-            socket.setSoTimeout((int) Math.min(MAX_SLICE_MILLIS, 1 + TimeUnit.NANOSECONDS.toMillis(Math.max(0, nanos))));
+            socket.setSoTimeout(
+                    (int) Math.min(MAX_SLICE_MILLIS, 1 + TimeUnit.NANOSECONDS.toMillis(Math.max(0, nanos))));
             int count = in.read(b, off, len);
             if (count >= 0) {
                 return count;

@@ -7,14 +7,14 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.types.shouldBeInstanceOf
-import java.nio.file.Files
-import java.nio.file.Path
-import java.nio.file.attribute.PosixFilePermissions
 import javino.LineSettings
 import javino.NoSuchPortException
 import javino.PortBusyException
 import javino.PortFaultException
 import javino.PortPermissionException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.attribute.PosixFilePermissions
 
 private val onWindows = System.getProperty("os.name").startsWith("Windows")
 private val onPosix = if (onWindows) Enabled.disabled("needs devices in the file system") else Enabled.enabled

@@ -6,8 +6,8 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.optional.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith
-import java.io.File
 import javino.Transports
+import java.io.File
 
 class SerialPortsSpec : FunSpec({
     test("the devices that are described are those that can be opened") {

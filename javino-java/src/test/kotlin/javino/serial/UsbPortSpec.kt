@@ -5,10 +5,6 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import java.nio.file.Path
-import java.util.Optional
-import java.util.OptionalInt
-import java.util.concurrent.CopyOnWriteArrayList
 import javino.LineSettings
 import javino.Link
 import javino.LinkSettings
@@ -17,6 +13,10 @@ import javino.PortBusyException
 import javino.TransportProvider
 import javino.Transports
 import javino.withServices
+import java.nio.file.Path
+import java.util.Optional
+import java.util.OptionalInt
+import java.util.concurrent.CopyOnWriteArrayList
 
 private val UNO = usbDevice("ttyACM0", 0x2341, 0x0043, "75830303")
 private val OTHER_UNO = usbDevice("ttyACM1", 0x2341, 0x0043, "95234343")
@@ -96,20 +96,20 @@ class UsbPortSpec : FunSpec({
 
     test("a device by its identity and by its name is one port with one owner")
         .config(enabledOrReasonIf = { Terminals.available }, blockingTest = true) {
-        Terminals.open().use { terminals ->
-            val device = usbDevice(terminals.computer, 0xfff1, 0x0001, "A1")
-            withUsb(device) {
-                Transports.canonicalName("plugged:fff1:1") shouldBe "serial:" + Path.of(terminals.computer).toRealPath()
-                Link.open("plugged:FFF1:0001", LinkSettings.defaults(), "agent bob").use { link ->
-                    link.port() shouldBe "plugged:FFF1:0001"
-                    ownerMetBy("agent alice", terminals.computer) shouldBe "agent bob"
-                }
-                Link.open(terminals.computer, LinkSettings.defaults(), "agent alice").use {
-                    ownerMetBy("agent bob", "plugged:fff1:0001:a1") shouldBe "agent alice"
+            Terminals.open().use { terminals ->
+                val device = usbDevice(terminals.computer, 0xfff1, 0x0001, "A1")
+                withUsb(device) {
+                    Transports.canonicalName("plugged:fff1:1") shouldBe "serial:" + Path.of(terminals.computer).toRealPath()
+                    Link.open("plugged:FFF1:0001", LinkSettings.defaults(), "agent bob").use { link ->
+                        link.port() shouldBe "plugged:FFF1:0001"
+                        ownerMetBy("agent alice", terminals.computer) shouldBe "agent bob"
+                    }
+                    Link.open(terminals.computer, LinkSettings.defaults(), "agent alice").use {
+                        ownerMetBy("agent bob", "plugged:fff1:0001:a1") shouldBe "agent alice"
+                    }
                 }
             }
         }
-    }
 })
 
 private fun SerialPortInfo.at(name: String) = SerialPortInfo(name, name, product, manufacturer, vendorId, productId, serialNumber)

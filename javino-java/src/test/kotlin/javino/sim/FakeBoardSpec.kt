@@ -6,7 +6,6 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.util.concurrent.atomic.AtomicInteger
 import javino.ActionRefusedException
 import javino.Frame
 import javino.LineClock
@@ -19,6 +18,7 @@ import javino.PortTimeoutException
 import javino.Protocol
 import javino.Transports
 import javino.failure
+import java.util.concurrent.atomic.AtomicInteger
 
 private const val LONG_MILLIS = 20_000
 private val names = AtomicInteger()

@@ -7,10 +7,6 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
-import java.util.concurrent.LinkedBlockingQueue
-import java.util.concurrent.TimeUnit
-import java.util.concurrent.atomic.AtomicLong
-import java.util.concurrent.locks.Condition
 import javino.LineClock
 import javino.Link
 import javino.LinkSettings
@@ -19,6 +15,10 @@ import javino.PortFaultException
 import javino.Protocol
 import javino.sim.Recording.Direction.IN
 import javino.sim.Recording.Direction.OUT
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicLong
+import java.util.concurrent.locks.Condition
 
 class ReplayBoardSpec : FunSpec({
     val asked =

@@ -6,14 +6,14 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.util.concurrent.CountDownLatch
-import java.util.concurrent.TimeUnit
-import java.util.concurrent.atomic.AtomicInteger
 import javino.LineSettings
 import javino.NoSuchPortException
 import javino.PortBusyException
 import javino.PortGoneException
 import javino.Transports
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
 
 private fun <T> plugged(name: String, board: SimulatedBoard, work: () -> T): T {
     SimulatedBoards.plugIn(name, board)

@@ -1,11 +1,11 @@
 package javino.tcp
 
+import javino.LineSettings
+import javino.Transport
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.ServerSocket
 import java.net.Socket
-import javino.LineSettings
-import javino.Transport
 
 /** A program that listens on this machine's loopback address, as a board on a network does. */
 internal class Loopback : AutoCloseable {

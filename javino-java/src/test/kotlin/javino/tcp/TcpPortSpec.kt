@@ -5,12 +5,6 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.net.InetAddress
-import java.net.UnknownHostException
-import java.util.concurrent.Callable
-import java.util.concurrent.CompletableFuture
-import java.util.concurrent.TimeUnit
-import java.util.concurrent.atomic.AtomicInteger
 import javino.LineSettings
 import javino.NoSuchPortException
 import javino.PortGoneException
@@ -19,6 +13,12 @@ import javino.PortTimeoutException
 import javino.Transports
 import javino.async
 import javino.readFully
+import java.net.InetAddress
+import java.net.UnknownHostException
+import java.util.concurrent.Callable
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 

@@ -10,8 +10,8 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import java.io.File
 import org.jetbrains.kotlin.cli.common.ExitCode
+import java.io.File
 
 /** The page on filters shows nothing that does not work. */
 class FilterDocumentationSpec : StringSpec({

@@ -250,7 +250,7 @@ class FilterSessionSpec : FreeSpec({
         session.perceive(listOf("dist(f,1)"), 0)
         session.explain("dist(f,2)", 40).toString() shouldBe
             "dist(f,2) is held back for another 60 ms by filter test: rule 1 meets it: " +
-                "dist where the last one was less than 100 ms ago; dist(f,1) stands for it"
+            "dist where the last one was less than 100 ms ago; dist(f,1) stands for it"
         session.explain("dist(b,2)", 40).toString() shouldContain "dist(b,2) is kept by filter test: rule 1 holds nothing back now"
         session.nextDueMs shouldBe null
         FilterSession.ofTexts().explain("a", 0).toString() shouldBe "a is kept: there is no filter"
