@@ -10,7 +10,8 @@ import java.util.concurrent.TimeUnit;
  * restart if the beginning of a frame follows a message in what they read. They do not read while they send an answer. So
  * <ul>
  *   <li>a frame starts an inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
- *       far as {@link LoopTime} knows it, and at least what was asked for;
+ *       far as {@link LoopTime} knows it, and at least what was asked for. Exception: the first action behind the answer to the only
+ *       request, if no action was written since, starts at once. The board has handled all that it received;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
  *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms.
  * </ul>
@@ -41,6 +42,8 @@ final class Pacer {
     private boolean answerBegun;
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
+    private int unanswered; // requests
+    private boolean boardIsIdle; // it has nothing to handle, so what comes next meets no message
     private long busyUntil;
     private int actionsMeanwhile; // written while the board may have been busy with the last request
     private int bytesMeanwhile;
@@ -69,7 +72,8 @@ final class Pacer {
 
     /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
     long nanosUntilAction(int bytes, long now) {
-        return nanosUntil(overfills(bytes) ? later(earliest(), busyUntil) : earliest(), now);
+        long free = boardIsIdle ? lineFreeAt : earliest();
+        return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
     }
 
     /**
@@ -110,6 +114,7 @@ final class Pacer {
     /** Records that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wrote(bytes, start, now);
+        unanswered++;
         loop.asked();
         answerBegun = false;
         actionSinceRequest = false;
@@ -129,6 +134,7 @@ final class Pacer {
             lineFreeAt = now;
         }
         lastEnd = lineFreeAt;
+        boardIsIdle = false;
         return lastEnd;
     }
 
@@ -155,6 +161,8 @@ final class Pacer {
             lastEnd = now;
         }
         lastEnd = later(lastEnd, now);
+        boardIsIdle = !actionSinceRequest && unanswered == 1 && loop.isKnown();
+        unanswered = 0;
     }
 
     /** The inter-frame gap. */

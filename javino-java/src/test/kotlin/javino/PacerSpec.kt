@@ -1,6 +1,7 @@
 package javino
 
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 
 private const val MILLI = 1_000_000L
@@ -51,6 +52,29 @@ class PacerSpec : FunSpec({
             pacer.nanosUntilAction(length, end + GAP) shouldBe 0
             pacer.nanosUntilRequest(0, end) shouldBe GAP
         }
+    }
+
+    test("the first action behind an answer starts at once, the next after the gap") {
+        val (pacer, now) = timed(LinkSettings.defaults(), List(16) { 5 * MILLI })
+        pacer.nanosUntilAction(11, now) shouldBe 0
+        val end = pacer.wroteAction(11, now, now)
+        pacer.nanosUntilAction(11, end) shouldBeGreaterThan 0
+    }
+
+    test("an action behind an answer keeps the gap where the board may have more to handle") {
+        val untimed = timed(LinkSettings.defaults(), List(15) { 5 * MILLI })
+        untimed.first.nanosUntilAction(11, untimed.second) shouldBe GAP
+
+        val (acted, then) = timed(LinkSettings.defaults(), List(16) { 5 * MILLI })
+        val asked = acted.wroteRequest(17, then, then)
+        acted.wroteAction(11, asked + 20 * MILLI, asked + 20 * MILLI)
+        acted.answered(asked + 200 * MILLI)
+        acted.nanosUntilAction(11, asked + 200 * MILLI) shouldBeGreaterThan 0
+
+        val (asking, later) = timed(LinkSettings.defaults(), List(16) { 5 * MILLI })
+        val again = asking.wroteRequest(17, asking.wroteRequest(17, later, later), later + 100 * MILLI)
+        asking.answered(again + 200 * MILLI)
+        asking.nanosUntilAction(11, again + 200 * MILLI) shouldBeGreaterThan 0
     }
 
     test("a driver that took its time moves the line on") {
