@@ -1,78 +1,79 @@
 package benchmarks
 
-import javino.Frame
-import javino.FrameDecoder
-import javino.LineSettings
-import javino.PerceptsRequest
-import javino.Transport
-import javino.Transports
-import javino.sim.PseudoTerminals
+import java.io.File
 import java.util.Locale
-import kotlin.concurrent.thread
 
-private const val EXCHANGES = 1500
-private val FIRST_MINUTE = 300 until 300 + EXCHANGES
-private val WARM = 3300 until 3300 + EXCHANGES
-private const val BAUD = 115_200
-private const val INTERVAL_MS = 20L
-private const val LIMIT_MS = 10_000
+/** A part of a course, by its exchanges at 50 a second. */
+private enum class Part(val title: String, val exchanges: IntRange) {
+    FIRST_SECOND("first second", 0 until 50),
+    FIRST_20_SECONDS("first 20 seconds", 0 until 1000),
+    AFTER_20_SECONDS("after 20 seconds", 1000 until 3000),
+}
 
-/** How long agents took, while Java still compiles what they do and when it has. */
-internal class Latencies(val firstMinute: Distribution, val warm: Distribution)
+private const val ROUNDS = 3
 
-/**
- * From the last byte of a frame with twelve percepts, written to a pseudo-terminal, to the first byte of the command that it
- * causes: the board's end, `socat`, jSerialComm, the sensing thread, Jason's belief update, event, plan and `argo.act`, and back.
- */
-internal fun measureLatency(): Latencies = PseudoTerminals.open().use { line ->
-    val board = PingBoard(line.board(), WARM.last + 1)
-    Agents().use { agents ->
-        agents.start(
-            "ping",
-            "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud($BAUD)]); argo.limit($INTERVAL_MS); " +
-                "argo.percepts(open).\n+ping(N) <- argo.act(pong(N)).\n",
-        )
-        val latencies = board.measure()
-        Latencies(Distribution(latencies.sliceArray(FIRST_MINUTE)), Distribution(latencies.sliceArray(WARM)))
-    }
+/** How long it took in each part of a course, over all rounds. */
+internal class Latencies(private val rounds: List<LongArray>) {
+    val firstSecond get() = of(Part.FIRST_SECOND)
+    val first20Seconds get() = of(Part.FIRST_20_SECONDS)
+    val warm get() = of(Part.AFTER_20_SECONDS)
+
+    private fun of(part: Part) = Distribution(rounds.flatMap { it.slice(part.exchanges) }.toLongArray())
 }
 
 /**
- * The same line and the same frames without an agent: a thread that reads the frame through jSerialComm and writes the command at once.
- * What of [measureLatency] is not ARGO's and Jason's.
+ * From the last byte of a frame with twelve percepts, written to a pseudo-terminal, to the first byte of the command that it causes.
+ * The courses take turns, so that what else the machine does meets all of them, and each starts a Java machine of its own.
  */
-internal fun measureBareLatency(): Distribution = PseudoTerminals.open().use { line ->
-    val board = PingBoard(line.board(), FIRST_MINUTE.last + 1)
-    Transports.open("${line.computer()}", LineSettings(BAUD)).use { computer ->
-        val partner = thread(isDaemon = true, name = "partner") { answerPings(computer) }
-        Distribution(board.measure().sliceArray(FIRST_MINUTE)).also { partner.join() }
-    }
+internal fun measureLatencies(): Map<LatencyCourse, Latencies> {
+    val rounds = List(ROUNDS) { LatencyCourse.entries.associateWith(::measureApart) }
+    return LatencyCourse.entries.associateWith { course -> Latencies(rounds.map { it.getValue(course) }) }
 }
 
-private fun answerPings(computer: Transport) {
-    var pings = 0
-    val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(computer.line())) { computer.write(Frame.of("pong(${++pings})")) }
-    val buffer = ByteArray(512)
-    for (exchange in 1..FIRST_MINUTE.last + 1) {
-        computer.write(Frame.of(PerceptsRequest.ALL))
-        while (pings < exchange) decoder.accept(buffer, 0, computer.read(buffer, 0, buffer.size, LIMIT_MS), System.nanoTime())
-        Thread.sleep(INTERVAL_MS) // as the agent does between requests
+/** The name of the program in the Java machine of a course. */
+internal const val LATENCY_COURSE = "latency-course"
+
+private fun measureApart(course: LatencyCourse): LongArray {
+    val java = File(System.getProperty("java.home"), "bin/java").path
+    val process = ProcessBuilder(
+        java, "--enable-native-access=ALL-UNNAMED", "-cp", System.getProperty("java.class.path"), "benchmarks.MainKt", LATENCY_COURSE,
+        course.name,
+    ).redirectError(ProcessBuilder.Redirect.INHERIT).start()
+    val latencies = process.inputStream.bufferedReader().readLines().lastOrNull()?.split(' ')?.mapNotNull(String::toLongOrNull).orEmpty()
+    check(process.waitFor() == 0 && latencies.size > Part.entries.maxOf { it.exchanges.last }) {
+        "${course.title} ended with ${process.exitValue()} after ${latencies.size} exchanges"
     }
+    return latencies.toLongArray()
 }
 
-private fun Transport.write(frame: Frame) = frame.toBytes().let { write(it, 0, it.size, LIMIT_MS) }
+/** The program in the Java machine of a course: prints its latencies in ns. */
+internal fun latencyCourse(name: String) {
+    val exchanges = Part.entries.maxOf { it.exchanges.last } + 1
+    println(LatencyCourse.valueOf(name).measure(exchanges).joinToString(" "))
+}
 
-/** Measures both and prints the figures. */
+/** Measures all courses and prints the figures, and what an agent with ARGO takes of the time of the one on one thread. */
 fun latency() {
-    println("frame to command over a pseudo-terminal, 12 percepts, $EXCHANGES exchanges each, ${machine()}:")
-    val agent = measureLatency()
-    mapOf(
-        "an agent" to agent.warm, "an agent in its first minute" to agent.firstMinute, "the line without an agent" to measureBareLatency(),
-    ).forEach { (what, latencies) ->
-        println(
-            "%-29s median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(
-                Locale.ROOT, what, latencies.ms(0.5), latencies.ms(0.99), latencies.ms(1.0),
-            ),
-        )
+    println("frame to command over a pseudo-terminal, 12 percepts, $ROUNDS rounds, ${machine()}:")
+    val measured = measureLatencies()
+    measured.forEach { (course, latencies) ->
+        val parts = listOf(latencies.firstSecond, latencies.first20Seconds, latencies.warm)
+        Part.entries.zip(parts).forEach { (part, it) -> println(row("${course.title}, ${part.title}", it)) }
     }
+    val argo = measured.getValue(LatencyCourse.ARGO)
+    val reference = measured.getValue(LatencyCourse.ONE_THREAD)
+    println("ARGO in times of one thread:")
+    printRatio(Part.FIRST_SECOND, argo.firstSecond, reference.firstSecond)
+    printRatio(Part.FIRST_20_SECONDS, argo.first20Seconds, reference.first20Seconds)
+    printRatio(Part.AFTER_20_SECONDS, argo.warm, reference.warm)
 }
+
+private fun row(what: String, latencies: Distribution) = "%-45s median %.3f ms, 99th percentile %.3f ms, longest %.3f ms".format(
+    Locale.ROOT, what, latencies.ms(0.5), latencies.ms(0.99), latencies.ms(1.0),
+)
+
+private fun printRatio(part: Part, argo: Distribution, reference: Distribution) = println(
+    "%-45s median %.2f, 99th percentile %.2f".format(
+        Locale.ROOT, part.title, argo.ms(0.5) / reference.ms(0.5), argo.ms(0.99) / reference.ms(0.99),
+    ),
+)

@@ -11,6 +11,7 @@ fun main(args: Array<String>) {
         "realtime" -> realtime(File(args.getOrElse(1) { "realtime.json" }))
         "soak" -> if (!soak()) exitProcess(1)
         Crowd.NAME -> Crowd().run()
+        LATENCY_COURSE -> latencyCourse(args[1])
         else -> {
             System.err.println("usage: ./argo bench latency|filters|realtime|faults|soak")
             exitProcess(2)

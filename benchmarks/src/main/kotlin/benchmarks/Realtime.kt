@@ -36,15 +36,14 @@ private class Realtime {
         println("%-84s %10.3f %-4s %s".format(Locale.ROOT, name, value, unit, target).trimEnd())
     }
 
-    private fun latency() {
-        val agent = measureLatency()
-        show("frame to command over a pseudo-terminal, after a minute, median", agent.warm.ms(0.5), "ms", "at most 0.5")
-        show("frame to command over a pseudo-terminal, after a minute, 99th percentile", agent.warm.ms(0.99), "ms", "at most 3")
-        show("the same in the first minute, while Java compiles, median", agent.firstMinute.ms(0.5), "ms")
-        show("the same in the first minute, 99th percentile", agent.firstMinute.ms(0.99), "ms")
-        val line = measureBareLatency()
-        show("the same without an agent: what the line and its driver take, median", line.ms(0.5), "ms")
-        show("the same without an agent, 99th percentile", line.ms(0.99), "ms")
+    private fun latency() = measureLatencies().forEach { (course, latencies) ->
+        val parts = mapOf(
+            "first second" to latencies.firstSecond, "first 20 seconds" to latencies.first20Seconds, "after 20 seconds" to latencies.warm,
+        )
+        parts.forEach { (part, distribution) ->
+            show("frame to command, ${course.title}, $part, median", distribution.ms(0.5), "ms")
+            show("frame to command, ${course.title}, $part, 99th percentile", distribution.ms(0.99), "ms")
+        }
     }
 
     private fun lineUse() {

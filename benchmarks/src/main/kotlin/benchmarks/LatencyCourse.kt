@@ -1,0 +1,76 @@
+package benchmarks
+
+import javino.Frame
+import javino.FrameDecoder
+import javino.LineSettings
+import javino.PerceptsRequest
+import javino.Transport
+import javino.Transports
+import javino.sim.PseudoTerminals
+import kotlin.concurrent.thread
+
+/**
+ * Who answers the board's frames, each in a Java machine of its own: `ping(N)` among twelve percepts by the command `pong(N)`, over a
+ * pseudo-terminal with `socat` and jSerialComm, at 50 Hz.
+ */
+internal enum class LatencyCourse(val title: String) {
+    /** An agent with ARGO. */
+    ARGO("an agent with ARGO") {
+        override fun run(port: String, measure: () -> LongArray) = agent(
+            "argo.Arch",
+            "!start.\n+!start <- argo.port(\"$port\", [baud($BAUD)]); argo.limit($INTERVAL_MS); argo.percepts(open).\n" +
+                "+ping(N) <- argo.act(pong(N)).\n",
+            measure,
+        )
+    },
+
+    /** An agent that reads, decides and writes on one thread. */
+    ONE_THREAD("an agent on one thread") {
+        override fun run(port: String, measure: () -> LongArray): LongArray {
+            SingleThread.port = port
+            return agent(SingleThread::class.java.name, "+ping(N) <- benchmarks.say(pong(N)).\n", measure)
+        }
+    },
+
+    /** No agent: a thread that writes the command when it has read the frame. */
+    LINE("the line without an agent") {
+        override fun run(port: String, measure: () -> LongArray): LongArray = Transports.open(port, LineSettings(BAUD)).use { computer ->
+            thread(isDaemon = true, name = "partner") { answerPings(computer) }
+            measure()
+        }
+    }, ;
+
+    /** Lets the answers be [measure]d through [port]. */
+    protected abstract fun run(port: String, measure: () -> LongArray): LongArray
+
+    /** The latencies in ns, in their order. */
+    fun measure(exchanges: Int): LongArray = PseudoTerminals.open().use { line ->
+        val board = PingBoard(line.board(), exchanges)
+        run("${line.computer()}", board::measure)
+    }
+
+    companion object {
+        const val BAUD = 115_200
+        const val INTERVAL_MS = 20L
+        const val LIMIT_MS = 10_000
+
+        private fun agent(arch: String, program: String, measure: () -> LongArray): LongArray = Agents().use { agents ->
+            agents.start("ping", program, arch)
+            measure()
+        }
+
+        private fun answerPings(computer: Transport) {
+            var pings = 0
+            val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(computer.line())) { computer.write(Frame.of("pong(${++pings})")) }
+            val buffer = ByteArray(512)
+            while (true) {
+                val before = pings
+                computer.write(Frame.of(PerceptsRequest.ALL))
+                while (pings == before) decoder.accept(buffer, 0, computer.read(buffer, 0, buffer.size, LIMIT_MS), System.nanoTime())
+                Thread.sleep(INTERVAL_MS) // as the agents do between requests
+            }
+        }
+
+        private fun Transport.write(frame: Frame) = frame.toBytes().let { write(it, 0, it.size, LIMIT_MS) }
+    }
+}
