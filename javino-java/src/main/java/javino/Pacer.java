@@ -13,18 +13,18 @@ import java.util.concurrent.TimeUnit;
  *       far as {@link LoopTime} knows it, and at least what was asked for. Exception: the first action behind the answer to the only
  *       request, if no action was written since, starts at once. The board has handled all that it received;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
- *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms.
+ *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms behind a byte of it,
+ *       or for {@value #MAX_ANSWER_DELAY_MILLIS} ms behind the request.
  * </ul>
  * Version 2 boards keep what they receive, and acknowledge actions, of which one is on its way at a time. For them only the receive buffer
  * counts. A line that is not paced knows neither. Times are nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
+    /** A board begins its answer by then: its loop may take 50 ms, and so may reading its sensors. */
+    static final int MAX_ANSWER_DELAY_MILLIS = 150;
     /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
-
-    /** The least gap while the board's loop is not known. */
-    static final int UNKNOWN_GAP_MILLIS = 12; // longer than a sketch with delay(10) takes
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
     private static final int GAP_BYTES = 2;
@@ -114,14 +114,16 @@ final class Pacer {
     /** Records that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wrote(bytes, start, now);
-        unanswered++;
+        if (unanswered++ > 0) {
+            loop.forget(); // it may have grown
+        }
         loop.asked();
         answerBegun = false;
         actionSinceRequest = false;
         actionsMeanwhile = 0;
         bytesMeanwhile = 0;
         awaitingAnswer = true;
-        busyUntil = requestEnd + QUIET_NANOS;
+        busyUntil = requestEnd + TimeUnit.MILLISECONDS.toNanos(MAX_ANSWER_DELAY_MILLIS);
         return requestEnd;
     }
 
@@ -161,7 +163,7 @@ final class Pacer {
             lastEnd = now;
         }
         lastEnd = later(lastEnd, now);
-        boardIsIdle = !actionSinceRequest && unanswered == 1 && loop.isKnown();
+        boardIsIdle = !actionSinceRequest && unanswered == 1;
         unanswered = 0;
     }
 
@@ -170,10 +172,7 @@ final class Pacer {
         if (minGapNanos == 0) {
             return 0;
         }
-        long loopNanos = loop.isKnown()
-                ? loop.nanos() + GAP_BYTES * byteNanos
-                : TimeUnit.MILLISECONDS.toNanos(UNKNOWN_GAP_MILLIS);
-        return Math.max(minGapNanos, loopNanos);
+        return Math.max(minGapNanos, loop.nanos() + GAP_BYTES * byteNanos);
     }
 
     private boolean overfills(int bytes) {
