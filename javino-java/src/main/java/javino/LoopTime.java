@@ -8,9 +8,11 @@ import java.util.concurrent.TimeUnit;
  * until the board's next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is
  * always about the same. So the differences of delays show the loop.
  *
- * <p>The estimate is twice the range of the last {@value #SAMPLES} delays, and four times that of fewer than {@value #FEW}, which may
- * not have met the whole of the loop. One in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of
- * this computer does not slow commands down.
+ * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have met
+ * the whole of the loop. Of n delays at random the range is less than a part x of the loop with the probability n x^(n-1) - (n-1) x^n, which
+ * is at most one in a thousand for each multiple. It is at most {@value #MAX_MILLIS} ms, since sensors may make the difference, and that
+ * until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY} delays and more one in {@value #OUTLIER_AMONG} is left out at each end, and
+ * always the longest, so that one stall of this computer does not slow commands down.
  *
  * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
  * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.
@@ -18,18 +20,23 @@ import java.util.concurrent.TimeUnit;
  */
 final class LoopTime {
     static final int SAMPLES = 256;
+    /** The longest estimate, and what the loop is taken for while it is not known: sensors take that long in many sketches. */
+    static final int MAX_MILLIS = 50;
     /** Fewer delays say nothing. */
-    static final int MIN_SAMPLES = 16;
+    static final int MIN_SAMPLES = 4;
 
+    private static final long MAX_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS);
     private static final int OUTLIER_AMONG = 64;
-    private static final int FEW = 32;
+    /** Of so many delays one can be spared. */
+    private static final int MANY = 16;
+
     private static final int LEARNING_REQUESTS = 32;
     private static final int PROBE_AMONG = 8;
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
     /** The fractional parts of its multiples are spread evenly. */
     private static final double GOLDEN_RATIO = 0.6180339887498949;
-    /** A later answer belongs to an earlier request, or the board waits for a sensor. */
-    private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+    /** A later answer belongs to an earlier request. */
+    private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
     private final long[] delays = new long[SAMPLES];
     private int count;
@@ -49,8 +56,17 @@ final class LoopTime {
         long[] sorted = Arrays.copyOf(delays, count);
         Arrays.sort(sorted);
         int outliers = count / OUTLIER_AMONG;
-        range = count < MIN_SAMPLES ? 0 : sorted[count - 1 - Math.max(1, outliers)] - sorted[outliers];
+        int longestLeftOut = count < MANY ? 0 : Math.max(1, outliers);
+        range = sorted[count - 1 - longestLeftOut] - sorted[outliers];
         longest = sorted[count - 1];
+    }
+
+    /** Forgets all delays: an answer has not come, and the loop may take longer than before. */
+    void forget() {
+        count = 0;
+        next = 0;
+        range = 0;
+        requests = 0;
     }
 
     /** Records that a request was written. */
@@ -67,13 +83,15 @@ final class LoopTime {
         return (long) (probe * GOLDEN_RATIO % 1 * Math.max(MIN_PROBE_NANOS, longest));
     }
 
-    /** Whether enough answers have been timed for an estimate. */
-    boolean isKnown() {
-        return count >= MIN_SAMPLES;
-    }
-
     /** The estimate. */
     long nanos() {
-        return (count < FEW ? 4 : 2) * range;
+        return count < MIN_SAMPLES ? MAX_NANOS : Math.min(MAX_NANOS, multiple() * range);
+    }
+
+    private int multiple() {
+        if (count < 6) {
+            return 16;
+        }
+        return count < 10 ? 8 : count < 32 ? 4 : 2;
     }
 }

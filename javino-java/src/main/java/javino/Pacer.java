@@ -10,20 +10,21 @@ import java.util.concurrent.TimeUnit;
  * restart if the beginning of a frame follows a message in what they read. They do not read while they send an answer. So
  * <ul>
  *   <li>a frame starts an inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
- *       far as {@link LoopTime} knows it, and at least what was asked for;
+ *       far as {@link LoopTime} knows it, and at least what was asked for. Exception: the first action behind the answer to the only
+ *       request, if no action was written since, starts at once. The board has handled all that it received;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
- *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms.
+ *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms behind a byte of it,
+ *       or for {@value #MAX_ANSWER_DELAY_MILLIS} ms behind the request.
  * </ul>
  * Version 2 boards say how much they can receive, so for them the pace alone counts. A line that is not paced knows neither. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
+    /** A board begins its answer by then: its loop may take 50 ms, and so may reading its sensors. */
+    static final int MAX_ANSWER_DELAY_MILLIS = 150;
     /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
-
-    /** The least gap while the board's loop is not known. */
-    static final int UNKNOWN_GAP_MILLIS = 12; // longer than a sketch with delay(10) takes
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
     private static final int GAP_BYTES = 2;
@@ -40,6 +41,8 @@ final class Pacer {
     private boolean answerBegun;
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
+    private int unanswered; // requests
+    private boolean boardIsIdle; // it has nothing to handle, so what comes next meets no message
     private long busyUntil;
     private int actionsMeanwhile; // written while the board may have been busy with the last request
     private int bytesMeanwhile;
@@ -62,7 +65,8 @@ final class Pacer {
 
     /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
     long nanosUntilAction(int bytes, long now) {
-        return nanosUntil(overfills(bytes) ? later(earliest(), busyUntil) : earliest(), now);
+        long free = boardIsIdle ? lineFreeAt : earliest();
+        return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
     }
 
     /**
@@ -103,13 +107,16 @@ final class Pacer {
     /** Records that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wrote(bytes, start, now);
+        if (unanswered++ > 0) {
+            loop.forget(); // it may have grown
+        }
         loop.asked();
         answerBegun = false;
         actionSinceRequest = false;
         actionsMeanwhile = 0;
         bytesMeanwhile = 0;
         awaitingAnswer = true;
-        busyUntil = requestEnd + QUIET_NANOS;
+        busyUntil = requestEnd + TimeUnit.MILLISECONDS.toNanos(MAX_ANSWER_DELAY_MILLIS);
         return requestEnd;
     }
 
@@ -132,6 +139,7 @@ final class Pacer {
             lineFreeAt = now;
         }
         lastEnd = lineFreeAt;
+        boardIsIdle = false;
         return lastEnd;
     }
 
@@ -158,6 +166,8 @@ final class Pacer {
             lastEnd = now;
         }
         lastEnd = later(lastEnd, now);
+        boardIsIdle = !actionSinceRequest && unanswered == 1;
+        unanswered = 0;
     }
 
     /** The inter-frame gap. */
@@ -165,10 +175,7 @@ final class Pacer {
         if (minGapNanos == 0) {
             return 0;
         }
-        long loopNanos = loop.isKnown()
-                ? loop.nanos() + GAP_BYTES * byteNanos
-                : TimeUnit.MILLISECONDS.toNanos(UNKNOWN_GAP_MILLIS);
-        return Math.max(minGapNanos, loopNanos);
+        return Math.max(minGapNanos, loop.nanos() + GAP_BYTES * byteNanos);
     }
 
     private boolean overfills(int bytes) {

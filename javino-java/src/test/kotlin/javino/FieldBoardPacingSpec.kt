@@ -9,6 +9,7 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 
 private const val STEP = 20_000L // ns
@@ -82,8 +83,8 @@ private class FieldExchange(
 
 class FieldBoardPacingSpec : FunSpec({
     val bauds = Arb.element(9_600, 19_200, 57_600, 115_200, 1_000_000)
-    val loops = Arb.element(0L, 1 * MILLI, 2 * MILLI, 3 * MILLI, 5 * MILLI, 8 * MILLI, 10 * MILLI)
-    val builds = Arb.element(0L, 0L, 1 * MILLI, 11 * MILLI)
+    val loops = Arb.element(listOf(0, 1, 2, 3, 5, 8, 10, 15, 20, 35, 50)).map { it * MILLI }
+    val builds = Arb.element(0L, 0L, 1 * MILLI, 11 * MILLI, 40 * MILLI)
     val answers = Arb.element(0, 37, 150, 200, 255)
     val intervals = Arb.element(0L, 0L, 5 * MILLI, 20 * MILLI)
     val orders = Arb.list(Arb.int(0..600), 0..25)
@@ -92,7 +93,7 @@ class FieldBoardPacingSpec : FunSpec({
         checkAll(1000, bauds, loops, answers, intervals, orders, builds) { baud, loop, answer, interval, times, build ->
             val longest = if (loop == 0L) 150 else 50 // no link can help a board whose receive buffer is shorter than one message
             val exchange = FieldExchange(baud, loop, answer, interval, times.mapIndexed { i, at -> Order(at, 2 + i * 37 % longest) }, build)
-            exchange.runUntil(6_000 * MILLI)
+            exchange.runUntil(12_000 * MILLI)
             exchange.board.restarts shouldBe 0
             exchange.board.lost.shouldBeEmpty()
             exchange.board.overflowed shouldBe 0
@@ -103,7 +104,7 @@ class FieldBoardPacingSpec : FunSpec({
 
     test("an agent that acts all the time still perceives, and one that perceives all the time still acts") {
         val exchange = FieldExchange(9_600, 5 * MILLI, 150, 0, (0 until 1_000 step 10).map { Order(it, 5) })
-        exchange.runUntil(4_000 * MILLI)
+        exchange.runUntil(8_000 * MILLI)
         exchange.board.handled.filter { it != FieldBoardModel.REQUEST } shouldContainExactly exchange.actions
         exchange.answers shouldBeGreaterThan 5
     }

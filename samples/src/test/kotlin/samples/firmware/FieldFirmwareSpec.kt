@@ -28,7 +28,7 @@ class FieldFirmwareSpec : FunSpec({
         if (SimulatedUno.isBuilt()) Enabled.enabled else Enabled.disabled("the firmware is not built: ./argo firmware says what it needs")
     }
 
-    for (buildMs in listOf(0, 11)) for (loopMs in listOf(0, 2, 3, 5, 10)) {
+    for (buildMs in listOf(0, 11)) for (loopMs in listOf(0, 2, 3, 5, 10, 20, 50)) {
         test("a board of the field acts on every command and never restarts: loop() of $loopMs ms, answers built in $buildMs ms").config(
             enabledOrReasonIf = built,
         ) {
