@@ -222,7 +222,8 @@ internal class AgentIo(
     fun dueInMs(): Long? = listOfNotNull(percepts.dueInMs().takeIf { isPerceiving }, stale.dueInMs().takeIf { it != 0L }).minOrNull()
 
     /** Whether [update] has something to do now. Any thread. */
-    fun hasNews(): Boolean = handOver.isReady() || states.hasNews() || stale.hasNews() || reflexes.hasNews() || isPerceiving && percepts.dueInMs() == 0L
+    fun hasNews(): Boolean = handOver.isReady() || states.hasNews() || stale.hasNews() || reflexes.hasNews() ||
+        isPerceiving && percepts.dueInMs() == 0L
 
     /** Whether the agent believes that [port] is stale. Any thread. */
     fun isStale(port: Term): Boolean = stale.isStale(port)

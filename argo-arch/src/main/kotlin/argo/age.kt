@@ -37,7 +37,8 @@ open class age : DefaultInternalAction() {
         }
         if (!args[1].isVar && args[1] !is NumberTerm) throw wrongArgument("an age is a number of milliseconds, not ${args[1]}").of(call)
         val arch = archOf(ts) ?: throw notArgo(ts).of(call)
-        val (youngest, ageMs) = arch.youngest(percept, un) ?: return if (isStepOf<age>(ts, un)) throw notPerceived(percept).of(call) else false
+        val (youngest, ageMs) = arch.youngest(percept, un)
+            ?: return if (isStepOf<age>(ts, un)) throw notPerceived(percept).of(call) else false
         return un.unifies(percept, youngest) && un.unifies(args[1], ASSyntax.createNumber(ageMs.toDouble()))
     }
 

@@ -297,7 +297,10 @@ final class FrameWriter implements WaitingCommands<Command> {
         isWriting = true;
     }
 
-    /** Writes a frame of version 2, and {@code whenWritten} is given when its last byte leaves. The caller does not hold the monitor's lock. */
+    /**
+     * Writes a frame of version 2, and {@code whenWritten} is given when its last byte leaves. The caller does not hold the monitor's
+     * lock.
+     */
     void writeFrame(byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
         try {
             hand(frame, timeoutMillis, (start, now) -> {

@@ -229,7 +229,8 @@ public final class Link implements AutoCloseable {
      * times, which the board takes for one, and is waited for up to some five seconds, less if the board is known to be quick. Else it is
      * completed with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
      * {@link ActionUnconfirmedException} if it may or may not have been carried out; {@link CommandWithdrawnException} if its time was
-     * over before it began to go out; {@link CommandReplacedException} if a later one took its place before that; {@link PortTimeoutException} if the line had no time for it, or the driver did not take it;
+     * over before it began to go out; {@link CommandReplacedException} if a later one took its place before that;
+     * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it;
      * {@link PortGoneException} if the line is gone; or with what a transport threw. A command whose future is completed by others,
      * cancelled for example, does not go out unless it has begun to.
      *

@@ -8,11 +8,12 @@ import java.util.concurrent.TimeUnit;
  * until the board's next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is
  * always about the same. So the differences of delays show the loop.
  *
- * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have met
- * the whole of the loop. Of n delays at random the range is less than a part x of the loop with the probability n x^(n-1) - (n-1) x^n, which
- * is at most one in a thousand for each multiple. It is at most {@value #MAX_MILLIS} ms, since sensors may make the difference, and that
- * until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY} delays and more one in {@value #OUTLIER_AMONG} is left out at each end, and
- * always the longest, so that one stall of this computer does not slow commands down.
+ * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have
+ * met the whole of the loop. Of n delays at random the range is less than a part x of the loop with the probability
+ * n x^(n-1) - (n-1) x^n, which is at most one in a thousand for each multiple. It is at most {@value #MAX_MILLIS} ms, since sensors may
+ * make the difference, and that until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY} delays and more one in
+ * {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this computer does not slow commands
+ * down.
  *
  * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
  * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.

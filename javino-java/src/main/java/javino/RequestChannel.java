@@ -2,7 +2,9 @@ package javino;
 
 import java.util.concurrent.TimeUnit;
 
-/** Asks and listens in the version that the board speaks, and finds that out. One thread at a time, but for what says that any may call it. */
+/**
+ * Asks and listens in the version that the board speaks, and finds that out. One thread at a time, but for what says that any may call it.
+ */
 final class RequestChannel {
     /** What is asked of a board to find out whether it runs, and in which version. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);

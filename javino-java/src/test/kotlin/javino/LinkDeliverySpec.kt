@@ -213,7 +213,8 @@ class LinkDeliverySpec : FunSpec({
             val frames = board.received.size
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("fly", 500) }.message shouldContain
                 "it has no action fly; it has on, speed with 1 argument, say with any number of arguments"
-            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("speed(1,2)", 500) }.message shouldContain "speed takes 1 argument, not 2"
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("speed(1,2)", 500) }.message shouldContain
+                "speed takes 1 argument, not 2"
             board.received.size shouldBe frames
         }
     }
@@ -242,7 +243,8 @@ class LinkDeliverySpec : FunSpec({
         val board = VirtualBoard2()
         bench(board).use { bench ->
             val done = CompletableFuture<Boolean>()
-            bench.link.send("a", SendOptions.defaults()).thenRun { done.complete(async { bench.link.vocabulary() }.handle { _, _ -> true }.join()) }
+            bench.link.send("a", SendOptions.defaults())
+                .thenRun { done.complete(async { bench.link.vocabulary() }.handle { _, _ -> true }.join()) }
             bench.link.sendAndAwait("b", 500)
             done.join() shouldBe true
         }

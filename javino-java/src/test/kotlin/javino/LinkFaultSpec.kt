@@ -57,7 +57,9 @@ private class Outcomes(private val exchanges: Int, toBoard: LineFaults, toComput
             }
             corruptFrames = line.link.corruptFrames()
         }
-        for (i in confirmed.indices) if (confirmed[i] && carriedOut[i].toInt() == 0) wrong += "speed($i) is confirmed and was not carried out"
+        for (i in confirmed.indices) {
+            if (confirmed[i] && carriedOut[i].toInt() == 0) wrong += "speed($i) is confirmed and was not carried out"
+        }
     }
 
     private fun note(handled: String) {
@@ -129,18 +131,22 @@ private fun report(words: String, outcomes: Outcomes, exchanges: Int) = println(
 
 class LinkFaultSpec : FunSpec({
     for (rate in listOf(1e-5, 1e-4, 1e-3)) {
-        test("with one bit in ${(1 / rate).roundToInt()} wrong no action is carried out twice or wrongly, and no percept is").config(timeout = 30.minutes) {
+        test("with one bit in ${(1 / rate).roundToInt()} wrong no action is carried out twice or wrongly, and no percept is").config(
+            timeout = 30.minutes,
+        ) {
             val outcomes = Outcomes(EXCHANGES, RandomFaults(rate, seed = 2026), RandomFaults(rate, seed = 7))
             val half = EXCHANGES / 2
             val answer = ANSWER_BYTES
             val requests = inThreeTries(rate, 0.0, ASK_BYTES, answer)
             val missed = missed(rate, 3.0 * half, answer)
             report("one bit in ${(1 / rate).roundToInt()} wrong", outcomes, EXCHANGES)
-            println("measured: confirmed %.5f, answered %.5f, of which three tries leave possible %.5f; %d corrupted percepts believed, %.3g expected of a 16-bit checksum"
-                .format(outcomes.confirmations / half.toDouble(), outcomes.answered / half.toDouble(), requests, outcomes.corruptBelieved.size, missed))
+            println(("measured: confirmed %.5f, answered %.5f, of which three tries leave possible %.5f; " +
+                "%d corrupted percepts believed, %.3g expected of a 16-bit checksum").format(outcomes.confirmations / half.toDouble(), outcomes.answered / half.toDouble(), requests, outcomes.corruptBelieved.size, missed))
             outcomes.wrong.shouldBeEmpty()
             outcomes.twice shouldBe 0
-            withClue(outcomes.corruptBelieved) { outcomes.corruptBelieved.size shouldBeLessThanOrEqual if (rate < 5e-4) 0 else maxOf(1, most(missed)) }
+            withClue(outcomes.corruptBelieved) {
+                outcomes.corruptBelieved.size shouldBeLessThanOrEqual if (rate < 5e-4) 0 else maxOf(1, most(missed))
+            }
             outcomes.confirmations / half.toDouble() shouldBeGreaterThan if (rate < 5e-4) 0.99999 else 0.999
             outcomes.answered / half.toDouble() shouldBeGreaterThan requests - 0.01
         }
@@ -150,7 +156,8 @@ class LinkFaultSpec : FunSpec({
         Triple("lost", 0.0) { RandomFaults(lost = 1e-3, seed = it) },
         Triple("doubled", 0.0) { RandomFaults(doubled = 1e-3, seed = it) },
         Triple("up to 30 ms late", 0.0) { RandomFaults(late = 1e-3, latestNanos = 30_000_000, seed = it) },
-        Triple("up to 400 ms late", 0.1) { RandomFaults(late = 1e-3, latestNanos = 400_000_000, seed = it) }, // 500 ms have no room for three tries
+        // 500 ms have no room for three tries
+        Triple("up to 400 ms late", 0.1) { RandomFaults(late = 1e-3, latestNanos = 400_000_000, seed = it) },
     )) {
         test("with one byte in 1000 $words no action is carried out twice or wrongly, and no percept is").config(timeout = 30.minutes) {
             val exchanges = maxOf(2_000, EXCHANGES / 10)
@@ -173,7 +180,10 @@ class LinkFaultSpec : FunSpec({
                     line.link.protocol() == Protocol.V2
                 }
             }
-            println("measured: one bit in ${(1 / rate).roundToInt()} wrong: $found of $LINKS version 2 boards are found to be that with the first request")
+            println(
+                "measured: one bit in ${(1 / rate).roundToInt()} wrong: " +
+                    "$found of $LINKS version 2 boards are found to be that with the first request",
+            )
             found / LINKS.toDouble() shouldBeGreaterThan least
         }
     }
@@ -184,7 +194,9 @@ class LinkFaultSpec : FunSpec({
             "lost" to { bytes, at -> listOf(Piece(bytes.copyOf(at) + bytes.drop(at + 1))) },
             "doubled" to { bytes, at -> listOf(Piece(bytes.copyOf(at + 1) + bytes.drop(at))) },
         ) + listOf(5L, 60, 150, 400).associate { late ->
-            "$late ms late" to { bytes: ByteArray, at: Int -> listOf(Piece(bytes.copyOf(at)), Piece(bytes.copyOfRange(at, bytes.size), late * 1_000_000)) }
+            "$late ms late" to { bytes: ByteArray, at: Int ->
+                listOf(Piece(bytes.copyOf(at)), Piece(bytes.copyOfRange(at, bytes.size), late * 1_000_000))
+            }
         }
         var tried = 0
         for ((name, fault) in faults) for (toBoard in listOf(true, false)) for (turn in 2..3) {
@@ -194,9 +206,11 @@ class LinkFaultSpec : FunSpec({
                 val one = OneFault(turn) { bytes -> length = bytes.size; fault(bytes, at) }
                 val board = VirtualBoard2().apply { answer = { percepts(it) } }
                 withClue("$name at byte $at of write $turn, to the board: $toBoard") {
-                    EventLine(FAST.withProtocol(Protocol.V2), board, if (toBoard) one else FAULTLESS, if (toBoard) FAULTLESS else one).use { line ->
+                    val (there, back) = if (toBoard) one to FAULTLESS else FAULTLESS to one
+                    EventLine(FAST.withProtocol(Protocol.V2), board, there, back).use { line ->
                         for (i in 1..3) {
-                            line.link.request(REQUEST, 1_000).text().let { it shouldBe percepts(it.substringAfter('(').substringBefore(',').toInt()) }
+                            val text = line.link.request(REQUEST, 1_000).text()
+                            text shouldBe percepts(text.substringAfter('(').substringBefore(',').toInt())
                             line.link.sendAndAwait("speed($i)", 1_000)
                         }
                     }
@@ -206,7 +220,10 @@ class LinkFaultSpec : FunSpec({
                 tried++
             }
         }
-        println("measured: a frame of version 2 cut, or short of a byte, or with one doubled or late, $tried ways: all actions carried out once, all requests answered")
+        println(
+            "measured: a frame of version 2 cut, or short of a byte, or with one doubled or late, $tried ways: " +
+                "all actions carried out once, all requests answered",
+        )
     }
 
     test("when the plug is pulled every action has been carried out at most once, and each that was confirmed has") {
@@ -232,7 +249,10 @@ class LinkFaultSpec : FunSpec({
             }
         }
         val done = board.handled.filter { REQUEST !in it }.map { it.drop(2) }
-        println("measured: $DISCONNECTIONS disconnections: $number actions, ${confirmed.size} confirmed, ${done.size} carried out, ${done.size - done.toSet().size} twice")
+        println(
+            "measured: $DISCONNECTIONS disconnections: $number actions, ${confirmed.size} confirmed, ${done.size} carried out, " +
+                "${done.size - done.toSet().size} twice",
+        )
         done.toSet().size shouldBe done.size
         (confirmed - done.toSet()).shouldBeEmpty()
     }

@@ -56,7 +56,8 @@ class LinkQueueSpec : FunSpec({
 
     link("the latest command takes the place of those of its functor that wait, which fail with what replaced them") { board, link ->
         val old = link.send("speed(1)", SendOptions.defaults())
-        val sent = listOf("a", "speedy(1)").map { link.send(it, SendOptions.defaults()) } + link.send("speed(2)", SendOptions(false, 0, true))
+        val sent = listOf("a", "speedy(1)").map { link.send(it, SendOptions.defaults()) } +
+            link.send("speed(2)", SendOptions(false, 0, true))
         old.failure().shouldBeInstanceOf<CommandReplacedException>().message shouldContainText "\"speed(2)\" took its place"
         val urgent = link.send("a(1)", SendOptions(true, 0, true))
         sent[0].failure().shouldBeInstanceOf<CommandReplacedException>()

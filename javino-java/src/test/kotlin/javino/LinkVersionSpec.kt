@@ -189,7 +189,7 @@ class LinkVersionSpec : FunSpec({
         }
     }
 
-    for (at in listOf(5.0, 40.0, 90.0, 200.0)) test("what a version 1 board says unasked $at ms after it is probed for an action reaches who listens") {
+    for (at in listOf(5.0, 40.0, 90.0, 200.0)) test("what a version 1 board says unasked $at ms after a probe reaches who listens") {
         val board = VirtualBoard().apply { say(1.0, "ready;") }
         bench(board).use { bench ->
             bench.link.listen(1_000).text() shouldBe "ready;"

@@ -56,7 +56,8 @@ internal class VirtualBoard2(
     private val version1 = FrameDecoder(TIMEOUT_NANOS) { handleVersion1(it.text()) }
 
     override val dueMillis: Double
-        get() = if (stopped) Double.POSITIVE_INFINITY else minOf(outgoing.firstOrNull()?.first ?: Double.POSITIVE_INFINITY, idleMillis(), finishAt)
+        get() = if (stopped) Double.POSITIVE_INFINITY
+        else minOf(outgoing.firstOrNull()?.first ?: Double.POSITIVE_INFINITY, idleMillis(), finishAt)
 
     private fun idleMillis(): Double {
         val nanos = minOf(version1.nanosUntilIdle(nanos()), version2.nanosUntilIdle(nanos()))

@@ -178,7 +178,8 @@ class BoardRulesSpec : FunSpec({
             mapped() shouldBe "\u0001\u0007dist|\u0002stop"
             mapped(argument(0, Operator.EQ, "front"), argument(1, Operator.LT, "15")) shouldBe "\u0001\u0007dist|1=front|2<15|\u0002stop"
             mapped(argument(0, Operator.GE, "-1.50"), argument(0, Operator.LE, "1e3")) shouldBe "\u0001\u0007dist|1}-1.5|1{1000|\u0002stop"
-            mapped(argument(8, Operator.GT, "0.0001"), argument(1, Operator.NE, "'a b'")) shouldBe "\u0001\u0007dist|9>0.0001|2!'a b'|\u0002stop"
+            mapped(argument(8, Operator.GT, "0.0001"), argument(1, Operator.NE, "'a b'")) shouldBe
+                "\u0001\u0007dist|9>0.0001|2!'a b'|\u0002stop"
             mapped(predicate = "~open") shouldBe "\u0001\u0007~open|\u0002stop"
         }
 

@@ -35,7 +35,9 @@ class ReflexesSpec : FunSpec({
     )
     val board = FakeBoard.plugIn("reflexes").lenient()
     val port = OpenPort(
-        mapOf(ASSyntax.createAtom("reflexes") to "sim:reflexes"), Link.open("sim:reflexes", LinkSettings.defaults(), "test"), PortOptions(), 0, 0,
+        mapOf(ASSyntax.createAtom("reflexes") to "sim:reflexes"),
+        Link.open("sim:reflexes", LinkSettings.defaults(), "test"),
+        PortOptions(), 0, 0,
     ) { AutoCloseable { } }
     afterSpec {
         port.close()

@@ -63,7 +63,9 @@ class ActingOptionsSpec : FunSpec({
                 bob.shouldBelieve("done(say(2))", within = 10.seconds).sent shouldBe listOf("walk(1)", "speed(3)", "say(1)", "say(2)")
                 bob.shouldBelieve("failed(walk(0),act_replaced) & failed(speed(1),act_replaced) & failed(speed(2),act_replaced)")
                 bob.shouldBelieve("done(walk(1)) & done(speed(3)) & not failed(speed(3),_)")
-                bob.shouldPrint("\"speed(1)\" had not begun to go out through port ttyACM0 when \"speed(2)\" took its place, so it was not sent")
+                bob.shouldPrint(
+                    "\"speed(1)\" had not begun to go out through port ttyACM0 when \"speed(2)\" took its place, so it was not sent",
+                )
             }
         }
     }

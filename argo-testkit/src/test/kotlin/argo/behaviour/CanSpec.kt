@@ -21,7 +21,8 @@ class CanSpec : FunSpec({
     test("of a board of version 1 nothing is known: false in a context, and a step fails its plan") {
         agentOf(asks(1)).use { bob ->
             bob.hears("user", "achieve", "context(speed(1))").shouldPrint("cannot speed(1)")
-            bob.shouldSend("ready", within = 5.seconds).hears("user", "achieve", "step(speed(1))").shouldPrint("<no_vocabulary argo.can(speed(1)): ")
+            bob.shouldSend("ready", within = 5.seconds).hears("user", "achieve", "step(speed(1))")
+                .shouldPrint("<no_vocabulary argo.can(speed(1)): ")
             bob.printed.last() shouldContain "the board on port ttyACM0 has not described its actions"
         }
     }
@@ -29,7 +30,8 @@ class CanSpec : FunSpec({
     test("without a port nothing is known, and what is no literal is refused") {
         agentOf(asks(1).lines().filterNot { "!start" in it }.joinToString("\n")).use { bob ->
             bob.hears("user", "achieve", "context(speed(1))").shouldPrint("cannot speed(1)")
-            bob.hears("user", "achieve", "step(speed(1))").shouldPrint("<no_vocabulary argo.can(speed(1)): no port is in use")
+            bob.hears("user", "achieve", "step(speed(1))")
+                .shouldPrint("<no_vocabulary argo.can(speed(1)): no port is in use")
             bob.hears("user", "achieve", "step(3)").shouldPrint("<wrong_arguments argo.can(3): an action is a literal")
         }
     }
@@ -51,7 +53,8 @@ class CanSpec : FunSpec({
             bob.hears("user", "achieve", "all").after(100.milliseconds).printed.last().replace(Regex("_[0-9]*"), "_") shouldBe
                 "[ready,speed(_),turn(_,_),say]"
             bob.hears("user", "achieve", "fly").shouldPrint("act_refused argo.act(fly(1)): the board at port ttyACM0 refuses \"fly(1)\"")
-            bob.printed.last() shouldContain "it has no action fly; it has ready, speed with 1 argument, turn with 2 arguments, say with any"
+            bob.printed.last() shouldContain
+                "it has no action fly; it has ready, speed with 1 argument, turn with 2 arguments, say with any"
             bob.sent shouldNotContain "fly(1)"
         }
     }

@@ -64,7 +64,8 @@ class CommandsSpec : FunSpec({
                 listOf("failed(one,port_gone)", "failed(three,port_gone)", "failed(two,port_gone)")
             agent.isTo("do(four)").shouldPrint("failed(four,port_gone)")
             agent.board.reconnects()
-            agent.shouldBelieve("port(ttyACM0,on)", within = 3.seconds).isTo("do(five)").after(300.milliseconds).sent.shouldBeEmpty() // still at 300 baud
+            // still at 300 baud
+            agent.shouldBelieve("port(ttyACM0,on)", within = 3.seconds).isTo("do(five)").after(300.milliseconds).sent.shouldBeEmpty()
             agent.after(300.milliseconds).sent shouldBe listOf("five")
         }
     }

@@ -67,7 +67,7 @@ class ViewSpec : FunSpec({
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().version2().holdsRules(1).whenAsked("getPercepts").answer("dist(f,9);temp(99);")
             ViewedMas().use { mas ->
-                val near = """<critical reflex="stop"><predicate>dist</predicate><parameter id="1" operator="LT">15</parameter></critical>"""
+                val near = "<critical reflex='stop'><predicate>dist</predicate><parameter id='1' operator='LT'>15</parameter></critical>"
                 val hot = """<critical reflex="fan"><predicate>temp</predicate><parameter id="0" operator="GT">80</parameter></critical>"""
                 mas.file("front.xml", "<PerceptionFilter>$near$hot</PerceptionFilter>")
                 mas.agent("bob", LOOKS)

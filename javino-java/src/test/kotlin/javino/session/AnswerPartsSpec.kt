@@ -19,6 +19,7 @@ class AnswerPartsSpec : FunSpec({
             val frame = WireFrame.of(KINDS.getValue(bytes[0].code and 0x1f), 0, bytes.drop(1))
             parts.accept(frame)?.takeIf { it.items() != null }
         }
-        answers shouldBe case["answers"].items().map { it.jsonObject }.map { AnswerParts.Answer(it["request"].number(), it["itemsHex"].octets()) }
+        answers shouldBe case["answers"].items().map { it.jsonObject }
+            .map { AnswerParts.Answer(it["request"].number(), it["itemsHex"].octets()) }
     }
 })

@@ -88,7 +88,7 @@ class ComputerSessionPropertySpec : FunSpec({
     fun numbers(texts: Collection<String>) = texts.map { it.substringAfter('(').dropLast(1).toInt() }
 
     for (loss in listOf(0.0, 0.02, 0.2, 0.4)) for (restarts in listOf(0.0, 0.001)) {
-        test("with $loss of the frames lost and $restarts restarts a millisecond each command is carried out once, in order, and its outcome is right") {
+        test("with $loss of the frames lost and $restarts restarts a millisecond each command is carried out once, in order, as is said") {
             for (seed in 1L..25) withClue("seed $seed") {
                 val run = Run(seed, loss, restarts)
                 numbers(run.carriedOut).shouldBeUnique().shouldBeSorted()

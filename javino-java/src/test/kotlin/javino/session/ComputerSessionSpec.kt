@@ -140,7 +140,7 @@ class ComputerSessionSpec : FunSpec({
         waits shouldContainExactly listOf(60L, 120L, 240L, 480L, 500L, 500L)
     }
 
-    test("a board that is busy is asked again every 250 ms, and the commands behind the one that it is busy with go out again when it is done") {
+    test("a busy board is asked again every 250 ms, and the commands behind the one that it is busy with go out again then") {
         val board = board()
         val probe = opened(board)
         val orders = probe.offer("walk", "on")

@@ -39,7 +39,9 @@ internal class PortsCommand : DataCommand() {
 
     @Option(
         names = ["--describe"],
-        description = ["as --probe, and asks each board for its actions; prints them with its percepts and how many critical rules it holds"],
+        description = [
+            "as --probe, and asks each board for its actions; prints them with its percepts and how many critical rules it holds",
+        ],
     )
     private var describe = false
 
