@@ -141,7 +141,11 @@ class LinkFaultSpec : FunSpec({
             val missed = missed(rate, 3.0 * half, answer)
             report("one bit in ${(1 / rate).roundToInt()} wrong", outcomes, EXCHANGES)
             println(("measured: confirmed %.5f, answered %.5f, of which three tries leave possible %.5f; " +
-                "%d corrupted percepts believed, %.3g expected of a 16-bit checksum").format(outcomes.confirmations / half.toDouble(), outcomes.answered / half.toDouble(), requests, outcomes.corruptBelieved.size, missed))
+                "%d corrupted percepts believed, %.3g expected of a 16-bit checksum").format(
+                outcomes.confirmations / half.toDouble(), outcomes.answered / half.toDouble(), requests,
+                outcomes.corruptBelieved.size, missed,
+            ),
+            )
             outcomes.wrong.shouldBeEmpty()
             outcomes.twice shouldBe 0
             withClue(outcomes.corruptBelieved) {
