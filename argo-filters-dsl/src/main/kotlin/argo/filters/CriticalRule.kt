@@ -6,7 +6,7 @@ package argo.filters
  *
  * @property rule which percepts they are; it has no rate
  * @property reflex the command that is sent when such a percept comes, before the agent reasons: 1 to [MAX_REFLEX_LENGTH] characters up to
- * U+00FF, none of them a control character, no blanks around them, and no `fffe` or `fffd` with two hexadecimal digits; null: none
+ * U+00FF, none of them a control character, no blanks around them, and no `fffe` with two hexadecimal digits; null: none
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null) {
@@ -24,7 +24,7 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
         /** The most characters of a reflex. */
         const val MAX_REFLEX_LENGTH: Int = 255
 
-        private val FRAME_HEADER = Regex("fff[ed]\\p{XDigit}{2}")
+        private val FRAME_HEADER = Regex("fffe\\p{XDigit}{2}")
 
         internal fun requireSendable(reflex: String) {
             require(reflex.isNotBlank() && reflex == reflex.trim()) {

@@ -150,7 +150,7 @@ class CriticalRuleSpec : FreeSpec({
         val xmlRefusals = mapOf(
             "<critical ¦reflex=''><predicate>d</predicate></critical>" to "the reflex '' is empty",
             "<critical ¦reflex='€'><predicate>d</predicate></critical>" to "U+20AC",
-            "<critical ¦reflex='say(fffd05front)'><predicate>d</predicate></critical>" to "'fffd05'",
+            "<critical ¦reflex='say(fffe05front)'><predicate>d</predicate></critical>" to "'fffe05'",
             "<critical ¦everyMs='5'><predicate>d</predicate></critical>" to
                 "the attribute 'everyMs' on <critical>; expected arity or reflex",
             "<critical ¦deadband='5'><predicate>d</predicate></critical>" to "the attribute 'deadband' on <critical>",
