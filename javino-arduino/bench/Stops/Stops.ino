@@ -53,6 +53,7 @@ void setup() {
   javino.act["ledTempOn"] = lamp;
   javino.act["ledTempOff"] = lamp;
   javino.perceive(look);
+  javino.watchRules();
   javino.start(BAUD);
 }
 
