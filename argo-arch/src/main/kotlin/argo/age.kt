@@ -12,6 +12,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.PlanBody
 import jason.asSyntax.Term
+import jason.asSyntax.VarTerm
 
 /**
  * The internal action `argo.age(Literal, Ms)`: unifies Ms with the age in ms of the percept belief that unifies with Literal. The age is
@@ -49,7 +50,7 @@ open class age : DefaultInternalAction() {
     private fun isPlanStep(ts: TransitionSystem, un: Unifier): Boolean {
         val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
         val step = means.currentStep ?: return false
-        return means.unif === un && step.bodyType == PlanBody.BodyType.internalAction &&
-            (step.bodyTerm as? InternalActionLiteral)?.getIA(ts.ag) is age
+        val called = step.bodyTerm.let { if (it is VarTerm) un[it] else it }
+        return means.unif === un && step.bodyType != PlanBody.BodyType.test && (called as? InternalActionLiteral)?.getIA(ts.ag) is age
     }
 }
