@@ -29,6 +29,14 @@ class FrontDoorSpec : FunSpec({
         bash("-c", rounds).second shouldNotContain "earlier"
     }
 
+    mapOf("" to "formatting", "--check" to "checking the format").forEach { (option, work) ->
+        test("./argo format $option says first what it does and how long that takes") {
+            val folder = tempdir().toPath()
+            val set = "touch '$folder/format.classpath'; printf '#!/bin/sh' >'$folder/java'; chmod +x '$folder/java'; PATH=$folder:\$PATH"
+            bash("-c", "$set; . ../argo; logs='$folder'; format $option").second shouldStartWith "$work; takes about "
+        }
+    }
+
     listOf("bench", "bench a b", "bench latency soak", "bench fly").forEach { line ->
         test("./argo $line is refused before anything is built, with exit status 2") {
             val (status, said) = bash("../argo", *line.split(' ').toTypedArray())
