@@ -2,6 +2,7 @@ package argo
 
 import argo.filters.PerceptionFilter
 import argo.observing.AgentObserver
+import argo.observing.ObservedAgent
 import argo.observing.Observers
 import argo.perception.EnvironmentPercepts
 import argo.perception.PerceptEvents
@@ -44,6 +45,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal lateinit var policy: SensingPolicy
         private set
 
+    /** The agent as its observers see it. There from [init] on. Any thread may ask. */
+    lateinit var observed: ObservedAgent
+        private set
+
     @Volatile
     private var observing = Observers(emptyList(), Logger.getLogger(Arch::class.java.name), platform.clock::nanos)
 
@@ -56,7 +61,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val options = ArchOptions(ts.settings, log)
         policy = options.policy
         io = AgentIo(agName, options, platform, waker, log, PerceptEvents(::isQueueStanding, platform.nowMs) { ts.c.events }) { observing }
-        observing = Observers(options.observers.open(ObservedArch(this, waker, platform)), log, platform.clock::nanos)
+        observed = ObservedArch(this, waker, platform)
+        observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
     }
 
     /** Whether Jason takes no events: an atomic plan holds back all, and with `events=requeue` those without a plan come back for ever. */

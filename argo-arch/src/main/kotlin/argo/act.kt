@@ -7,10 +7,11 @@ import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import javino.Frame
+import javino.PerceptsRequest
 
 /**
  * The internal action `argo.act(W)`: sends the text of W, any literal, to the board in use: `ledOn`, `speed(120)`. A string
- * is sent without its quotes.
+ * is sent without its quotes. `getPercepts`, with or without arguments, is no command: a board takes it for the request for percepts.
  *
  * The intention, not the agent, is suspended until the last byte has left the line, or, with a board of version 2 of the protocol, until
  * the board has acknowledged the action. Commands are sent in order.
@@ -50,6 +51,9 @@ private fun commandText(term: Term): String {
         else -> throw ArgumentException("a command is a literal such as ledOn or speed(120), not $term")
     }
     if (text.isEmpty()) throw ArgumentException("a command has at least one character")
+    if (PerceptsRequest.isIn(text)) {
+        throw ArgumentException("a board takes $text for the request for percepts, which argo.percepts(open) sends, and not for a command")
+    }
     try {
         return Frame.ofCommand(text).text()
     } catch (unsendable: IllegalArgumentException) {

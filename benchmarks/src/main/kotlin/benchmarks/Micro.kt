@@ -13,6 +13,7 @@ import java.util.Locale
 fun filters(json: File) {
     val options = OptionsBuilder().include("FilterBenchmark|CycleBenchmark").addProfiler(GCProfiler::class.java)
         .verbosity(VerboseMode.SILENT).resultFormat(ResultFormatType.JSON).result(json.path).build()
+    System.err.println("measuring what filters cost; takes about two minutes")
     val results = Runner(options).run().associateBy(::name)
     println("filters, ${machine()}:")
     results.forEach { (name, result) ->

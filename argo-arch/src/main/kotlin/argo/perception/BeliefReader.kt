@@ -43,36 +43,10 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
 
     private fun parsed(percept: String) = parse(percept).also { if (percept.length <= MAX_CACHED_LENGTH) known[percept] = it }
 
-    private fun parse(percept: String): Reading = try {
-        val literal = PerceptReader.read(percept)
-        when {
-            literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
-            !literal.isGround || literal.ns.isVar ->
-                Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
-            isComputed(literal) ->
-                Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
-            literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 ->
-                Reading.Unreadable("stale/1 is the belief that a port is silent, which no board can claim")
-            literal.functor == Reflexes.FUNCTOR && literal.arity == 2 && isOneOf(Reflexes.OUTCOMES, literal.getTerm(1)) ->
-                Reading.Unreadable("reflex/2 with done or failed is the belief about a reflex's outcome, which no board can claim")
-            claimsToBeAPort(literal) ->
-                Reading.Unreadable("port/2 with on, off or timeout is the belief about a port's state, which no board can claim")
-            else -> Reading.Belief(ownSource(literal))
-        }
-    } catch (refused: PerceptSyntaxException) {
-        val detail = (refused.cause ?: refused).message.orEmpty().lineSequence().first()
-        Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else " (${printable(detail)})")
-    }
-
     private fun report(percept: String, why: String) {
         if (reported.size > MAX_REPORTED || !reported.add(printable(percept))) return
         if (reported.size > MAX_REPORTED) warn("further percepts that cannot be read are not reported")
         else warn("percept ${printable(percept)} is left out: $why")
-    }
-
-    private sealed interface Reading {
-        data class Belief(val literal: Literal) : Reading
-        data class Unreadable(val why: String) : Reading
     }
 
     private companion object {
@@ -83,6 +57,35 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
         /** Longer texts are read anew each time: 4096 of the longest messages would take the heap of a small computer. */
         const val MAX_CACHED_LENGTH = 1024
     }
+}
+
+/** Why an agent leaves out a percept of this text; null: it believes the percept. Any thread. */
+fun whyLeftOut(percept: String): String? = (parse(percept) as? Reading.Unreadable)?.why
+
+private sealed interface Reading {
+    data class Belief(val literal: Literal) : Reading
+    data class Unreadable(val why: String) : Reading
+}
+
+private fun parse(percept: String): Reading = try {
+    val literal = PerceptReader.read(percept)
+    when {
+        literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
+        !literal.isGround || literal.ns.isVar ->
+            Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
+        isComputed(literal) ->
+            Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
+        literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 ->
+            Reading.Unreadable("stale/1 is the belief that a port is silent, which no board can claim")
+        literal.functor == Reflexes.FUNCTOR && literal.arity == 2 && isOneOf(Reflexes.OUTCOMES, literal.getTerm(1)) ->
+            Reading.Unreadable("reflex/2 with done or failed is the belief about a reflex's outcome, which no board can claim")
+        claimsToBeAPort(literal) ->
+            Reading.Unreadable("port/2 with on, off or timeout is the belief about a port's state, which no board can claim")
+        else -> Reading.Belief(ownSource(literal))
+    }
+} catch (refused: PerceptSyntaxException) {
+    val detail = (refused.cause ?: refused).message.orEmpty().lineSequence().first()
+    Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else " (${printable(detail)})")
 }
 
 /** Whether [term] holds a function such as `math.random`, which Jason calls. A sum of numbers is a number. */

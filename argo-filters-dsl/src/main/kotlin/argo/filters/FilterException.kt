@@ -11,17 +11,32 @@ package argo.filters
 data class Problem(val source: String, val line: Int, val column: Int, val message: String) {
     /** `file:line:column: message`. */
     override fun toString(): String = "$source:$line:$column: $message"
+
+    /** This problem with a message that has a beginning and an end, however long a value it quotes. */
+    internal fun shortened(): Problem {
+        if (message.length <= MAX_LENGTH) return this
+        val omitted = message.length - SHOWN_FIRST - SHOWN_LAST
+        return copy(message = "${message.take(SHOWN_FIRST)}… $omitted characters …${message.takeLast(SHOWN_LAST)}")
+    }
+
+    private companion object {
+        const val MAX_LENGTH = 450
+        const val SHOWN_FIRST = 120
+
+        /** What is expected stands at the end. */
+        const val SHOWN_LAST = 250
+    }
 }
 
 /**
- * A filter was refused. The message lists all [problems], one a line, in the order of the text.
+ * A filter was refused. The message lists all [problems], one a line, in the order of the text; long values in them are shortened.
  *
  * @throws IllegalArgumentException if there is no problem
  */
 class FilterException(problems: List<Problem>, cause: Throwable? = null) :
-    Exception(problems.joinToString("\n"), cause) {
+    Exception(problems.joinToString("\n") { "${it.shortened()}" }, cause) {
 
-    val problems: List<Problem> = java.util.List.copyOf(problems)
+    val problems: List<Problem> = java.util.List.copyOf(problems.map(Problem::shortened))
 
     init {
         require(problems.isNotEmpty()) { "a filter is refused for at least one problem" }

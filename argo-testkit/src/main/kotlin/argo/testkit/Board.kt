@@ -1,5 +1,7 @@
 package argo.testkit
 
+import argo.filters.matching.perceptsOf
+import argo.perception.whyLeftOut
 import javino.Frame
 import javino.LineClock
 import javino.LineSettings
@@ -33,10 +35,9 @@ class Board internal constructor(private val time: VirtualTime) {
     private var elsewhere: ((String, LineSettings, LineClock) -> Transport)? = null
     private var line: MemoryLine? = null
     private val threads = ArrayList<Thread>()
-    private var sensors: (Duration) -> List<String> = { emptyList() }
-    private var isSilent = false
+    private var answer: (Set<String>) -> String? = { "" }
 
-    /** How many requests for percepts it has answered since [shows] was called last. */
+    /** How many requests for percepts it has answered since [shows] or [showsRaw] was called last. */
     internal var answers = 0
         private set
 
@@ -46,11 +47,14 @@ class Board internal constructor(private val time: VirtualTime) {
     private val taken = HashSet<Int>()
 
     init {
-        fake.whenAsked(PerceptsRequest.ALL).answer(::percepts) { perceptsOf(PerceptsRequest.ALL) }
+        fake.whenAsked(PerceptsRequest.ALL).answer(::percepts) { answer(emptySet()) }
         fake.whenAsked(PerceptsRequest::isIn).answer(::percepts)
     }
 
-    /** Its sensors show [percepts] from now on, each as text, `dist(front,30)`; without percepts it answers with an empty message. */
+    /**
+     * Its sensors show [percepts] from now on, each as text, `dist(front,30)`; without percepts it answers with an empty message.
+     * @throws IllegalArgumentException if an agent would leave out one of them, as `dist(front`: see [showsRaw]
+     */
     fun shows(vararg percepts: String): Board = apply {
         messageOf(percepts.toList())
         shows { percepts.toList() }
@@ -59,20 +63,31 @@ class Board internal constructor(private val time: VirtualTime) {
     /**
      * Its sensors show from now on what [sensors] returns, which is called for each request, by the board's thread, with the time since the
      * test began: a robot that drives at 10 cm/s towards a wall, `shows { listOf("dist(front,${90 - it.inWholeMilliseconds / 100})") }`.
+     * Percepts that an agent would leave out fail the test.
      */
-    fun shows(sensors: (Duration) -> List<String>): Board = apply {
-        this.sensors = sensors
-        answers = 0
-        isSilent = false
+    fun shows(sensors: (Duration) -> List<String>): Board = answers { functors ->
+        messageOf(sensors(time.nanos().nanoseconds).filter { functors.isEmpty() || functorOf(it) in functors })
     }
+
+    /** It answers requests for percepts from now on with [message] as it is: what no sensor should send, `dist(front;)(;`. */
+    fun showsRaw(message: String): Board = apply {
+        sendable(message)
+        showsRaw { message }
+    }
+
+    /** It answers requests for percepts from now on with the message that [message] returns, which is called as that of [shows] is. */
+    fun showsRaw(message: (Duration) -> String): Board = answers { sendable(message(time.nanos().nanoseconds)) }
 
     /**
      * It answers no request for percepts from now on, until [shows] is called, though it takes commands.
      * The agent believes `port(P,timeout)`.
      */
-    fun ignoresRequests(): Board = apply { isSilent = true }
+    fun ignoresRequests(): Board = apply { answer = { null } }
 
-    /** It sends [percepts] unasked, now, as a board does whose port is opened with `mode(listen)`. */
+    /**
+     * It sends [percepts] unasked, now, as a board does whose port is opened with `mode(listen)`.
+     * @throws IllegalArgumentException if an agent would leave out one of them
+     */
     fun says(vararg percepts: String): Board = apply { fake.send(messageOf(percepts.toList())) }
 
     /** It puts [bytes] on the line as they are, now: noise, half a message. A character is a byte. */
@@ -104,8 +119,8 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * It tells agents that speak version 2 that [actions] are all it can do: `ledOn`, `speed/1` with an argument, `say` with a slash and a star
-     * behind it for any number of them. Without this it tells nothing, and agents check no command before they send it.
+     * It tells agents that speak version 2 that [actions] are all it can do: `ledOn`, `speed/1` with an argument, `say` with a slash and a
+     * star behind it for any number of them. Without this it tells nothing, and agents check no command before they send it.
      */
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
@@ -115,11 +130,14 @@ class Board internal constructor(private val time: VirtualTime) {
      */
     fun holdsRules(count: Int): Board = apply { fake.holdsRules(count) }
 
-    /** It refuses [command]; in version 2 the agent's plan fails with `error(act_refused)`. */
-    fun refuses(command: String): Board = apply { fake.whenAsked(command).refuse() }
+    /**
+     * It refuses [command]: the agent's plan fails with `error(act_refused)`.
+     * @throws IllegalStateException if it speaks version 1, in which no board can refuse
+     */
+    fun refuses(command: String): Board = apply { refusable(fake.whenAsked(command)) }
 
-    /** It refuses every command that [kind] is true for. */
-    fun refuses(kind: (String) -> Boolean): Board = apply { fake.whenAsked(kind).refuse() }
+    /** It refuses every command that [kind] is true for: see the other form. */
+    fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
     /** It carries out [command] again, without delay. */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
@@ -215,22 +233,25 @@ class Board internal constructor(private val time: VirtualTime) {
         threads.forEach(Thread::interrupt) // a replay or a slow command may be under way
     }
 
-    private fun percepts(request: String): String? {
-        if (isSilent) return null
-        answers++
-        return perceptsOf(request)
+    private fun answers(answer: (Set<String>) -> String) = apply {
+        this.answer = answer
+        answers = 0
     }
 
-    private fun perceptsOf(request: String): String {
-        val functors = PerceptsRequest.functorsIn(request)
-        return messageOf(sensors(time.nanos().nanoseconds).filter { functors.isEmpty() || functorOf(it) in functors })
-    }
+    private fun percepts(request: String): String? = answer(PerceptsRequest.functorsIn(request))?.also { answers++ }
 
-    private fun messageOf(percepts: List<String>) = percepts.joinToString("") { "$it;" }.also {
+    private fun messageOf(percepts: List<String>) = percepts.onEach(::requirePercept).joinToString("") { "$it;" }.also(::sendable)
+
+    private fun sendable(message: String) = message.also {
         require(isVersion2 || it.length <= Frame.MAX_PAYLOAD) {
             "a message of version 1 has at most ${Frame.MAX_PAYLOAD} bytes, not ${it.length}; show less, or call version2() first"
         }
         bytesOf(it)
+    }
+
+    private fun refusable(rule: FakeBoard.Rule) {
+        check(isVersion2) { "a board of version 1 cannot refuse a command; call version2() before refuses(…)" }
+        rule.refuse()
     }
 
     private fun bytesOf(text: String): ByteArray {
@@ -240,6 +261,14 @@ class Board internal constructor(private val time: VirtualTime) {
 }
 
 private const val HIGHEST_BYTE = 0xFF
+
+/** A misspelt percept would let each later `shouldNotSend` pass. */
+private fun requirePercept(percept: String) {
+    val fault = if (perceptsOf(percept) == listOf(percept.trim())) whyLeftOut(percept.trim()) else "a text is one percept, without a ;"
+    require(fault == null) {
+        "no agent would believe the percept \"$percept\": $fault. perceivesRaw and showsRaw send a message as it is"
+    }
+}
 
 private fun functorOf(percept: String) = percept.removePrefix("~").substringBefore('(').substringBefore('[').trim()
 

@@ -85,13 +85,24 @@ class TestAgent internal constructor(
     fun after(duration: Duration): TestAgent = apply { mas.pass(duration) { false } }
 
     /**
-     * The sensors of its first [board] show [percepts] from now on; then time advances until the agent has perceived them, at most by a
-     * second, as when it does not perceive.
+     * The sensors of its first [board] show [percepts] from now on; then time advances until the agent has perceived them. Fails if they
+     * have not reached it [within] that time, as when perceiving is blocked.
+     * @throws IllegalArgumentException if an agent would leave out one of them, as `dist(front`: see [perceivesRaw]
      */
-    fun perceives(vararg percepts: String): TestAgent = apply {
-        val board = mas.open { board.shows(*percepts) }
-        val end = now + PATIENCE
-        mas.pass(PATIENCE) { board.answers >= ANSWERS_UNTIL_KNOWN }
+    fun perceives(vararg percepts: String, within: Duration = PATIENCE): TestAgent =
+        perceives(percepts.joinToString().ifEmpty { "no percepts" }, within) { shows(*percepts) }
+
+    /** As [perceives], with the board's whole [message] as it is: what no sensor should send, `dist(front;)(;`. */
+    fun perceivesRaw(message: String, within: Duration = PATIENCE): TestAgent = perceives(message, within) { showsRaw(message) }
+
+    private fun perceives(what: String, within: Duration, shows: Board.() -> Unit): TestAgent = apply {
+        val board = mas.open { board.apply(shows) }
+        val end = now + within
+        val earlier = counter.perceptions
+        mas.pass(within) { board.answers >= ANSWERS_UNTIL_KNOWN }
+        if (board.answers == 0 || counter.perceptions == earlier && !isPerceiving) {
+            throw AssertionError("expected that agent $name perceives $what within $within, but ${whyBlind()}\n${report()}")
+        }
         val before = counter.perceptions
         mas.pass((end - now).coerceAtLeast(Duration.ZERO)) { counter.perceptions > before }
     }

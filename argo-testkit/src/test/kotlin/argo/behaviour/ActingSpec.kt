@@ -72,6 +72,8 @@ class ActingSpec : FunSpec({
             "argo.act(X)" to "wrong_arguments",
             "argo.act(speed(X))" to "wrong_arguments",
             "argo.act(\"say(fffe05front)\")" to "wrong_arguments",
+            "argo.act(getPercepts)" to "wrong_arguments",
+            "argo.act(\"getPercepts(dist,light)\")" to "wrong_arguments",
             "argo.port(\"sim:nobody\")" to "no_such_port",
             "argo.port(COM77)" to "no_such_port",
             "argo.port(f(x))" to "wrong_arguments",

@@ -6,6 +6,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
 import jason.asSyntax.ASSyntax
 import jason.environment.Environment
 import kotlin.time.Duration.Companion.milliseconds
@@ -67,6 +68,23 @@ class AgeSpec : FunSpec({
             printed shouldContain "<not_perceived argo.age(weather(rain)"
             Regex("<wrong_arguments argo.age").findAll(printed).count() shouldBe 3
             printed shouldContain "youngest 38"
+        }
+    }
+
+    test("called through a variable it fails a step with the reason too") {
+        agentOf("""
+            $start
+            +dist(f,38) <- !step(argo.age(nope(_), A)); !test(argo.age(nope(_), B)); G = argo.age(dist(_,X), Ms); G; .print("found ", X).
+            +!step(G) <- G; .print("ODD").
+            -!step(_)[error(E),error_msg(M)] <- .print("<", E, " ", M, ">").
+            +!test(G) <- ?G; .print("ODD").
+            -!test(_)[error(E)] <- .print("test ", E).
+        """).use { bob ->
+            bob.perceives("dist(f,38)").shouldPrint("found 38")
+            bob.printed[0] shouldContain "<not_perceived argo.age(nope(_"
+            bob.printed[0] shouldContain "no percept of a board that is believed now unifies with nope(_"
+            bob.printed[1] shouldStartWith "test "
+            bob.log.filter { "ODD" in it || "SEVERE" in it }.shouldBeEmpty()
         }
     }
 

@@ -33,7 +33,7 @@ class HostileBoardSpec : FunSpec({
     )
     for ((what, message) in messages) test("an agent goes on as before after $what") {
         agentOf("$start\n+ok <- argo.act(alive).\n+!shutdown <- .stopMAS.").use { bob ->
-            if (message.isEmpty()) bob.perceives() else bob.perceives(message.removeSuffix(";"))
+            bob.perceivesRaw(message)
             bob.after(500.milliseconds).board.requests.size shouldBeGreaterThan 3
             bob.perceives("ok").shouldSend("alive").shouldSendNothingElse().shouldBeUnharmed()
             bob.isRunning shouldBe true
@@ -46,7 +46,7 @@ class HostileBoardSpec : FunSpec({
             +!start <- argo.port(ttyACM0, [boot(0), protocol(2), baud(20000000), timeout(5000)]); argo.limit(5); argo.percepts(open).
             +ok <- argo.act(alive).
         """) { board.version2() }.use { bob ->
-            bob.perceives("p(".repeat(10_000) + "a" + ")".repeat(10_000), "ok").shouldSend("alive").shouldBeUnharmed()
+            bob.perceivesRaw("p(".repeat(10_000) + "a" + ")".repeat(10_000) + ";ok;").shouldSend("alive").shouldBeUnharmed()
             bob.log.sumOf { it.length } shouldBeLessThan 10_000
         }
     }
@@ -58,9 +58,9 @@ class HostileBoardSpec : FunSpec({
             +ok <- argo.act(alive).
         """) {
             var n = 0
-            board.shows {
-                val percepts = List(10) { n++; if (kind == "broken") "broken$n($n" else "new$n($n)" }
-                if (n > 6_000) listOf("ok") else percepts
+            board.showsRaw {
+                val percepts = List(10) { n++; if (kind == "broken") "broken$n($n;" else "new$n($n);" }
+                if (n > 6_000) "ok;" else percepts.joinToString("")
             }
         }.use { bob ->
             bob.shouldSend("alive", within = 20.seconds).beliefs shouldBe listOf("ok", "port(ttyACM0,on)")

@@ -23,7 +23,7 @@ class ObserversSpec : FunSpec({
 
     test("an observer is called for messages, commands, ports and filters, and closed when the agent ends") {
         bob("argo_diary" to "all").use { bob ->
-            bob.perceives("dist(f,38)", "dist(b,90)", "X").shouldSend("hello").shouldSend("seen").after(1.seconds).stops()
+            bob.perceivesRaw("dist(f,38);dist(b,90);X;").shouldSend("hello").shouldSend("seen").after(1.seconds).stops()
             val diary = DiaryProvider.opened.getValue("all")
             val message = "[dist(f,38), dist(b,90), X] kept [dist(f,38), X] unreadable [X] of ttyACM0"
             diary.lines.toList().shouldContainInOrder(

@@ -94,7 +94,7 @@ class StaleSpec : FunSpec({
             +!start <- argo.port(ttyACM0, [boot(0)]); argo.limit(5); argo.percepts(open).
             +dist(f,3) : not stale(_) <- argo.act(ok).
         """).use { bob ->
-            bob.perceives("stale(ttyACM0)", "dist(f,3)").shouldSend("ok").log.joinToString("\n") shouldContain "stale/1"
+            bob.perceivesRaw("stale(ttyACM0);dist(f,3);").shouldSend("ok").log.joinToString("\n") shouldContain "stale/1"
         }
     }
 })

@@ -57,7 +57,7 @@ class PerceptsSpec : FunSpec({
 
     test("a board that says nonsense costs what cannot be read, and nothing else") {
         watcher("argo.limit(50)").use { agent ->
-            agent.perceives("dist(front", "light(3)", ")(", "X", "3").shouldBelieve("light(3)").beliefs shouldBe
+            agent.perceivesRaw("dist(front;light(3);)(;X;3;").shouldBelieve("light(3)").beliefs shouldBe
                 listOf("light(3)", "port(ttyACM0,on)")
             agent.log.count { "is left out" in it } shouldBe 4
             repeat(20) {

@@ -62,6 +62,68 @@ class StrangeTestsSpec : FunSpec({
         }
     }
 
+    context("a percept that no agent would believe is refused with the reason:") {
+        mapOf(
+            "dist(front" to "Jason cannot read it", "3" to "Jason cannot read it", "Dist(front,3)" to "Jason cannot read it",
+            "X" to "it is not a predicate", "dist(Front,3)" to "it holds a variable", "a;b" to "one percept, without a ;",
+            "a;" to "one percept, without a ;", "" to "one percept", "stale(ttyACM0)" to "no board can claim",
+        ).forEach { (percept, reason) ->
+            test("\"$percept\"") {
+                agentOf("!start.\n+!start <- argo.port(p); argo.percepts(open).").use { agent ->
+                    val calls = listOf<() -> Any>(
+                        { agent.perceives("light(3)", percept) }, { agent.board.shows(percept) }, { agent.board.says(percept) },
+                    )
+                    calls.forEach { call ->
+                        val message = shouldThrow<IllegalArgumentException> { call() }.message
+                        message shouldContain "no agent would believe the percept \"$percept\": "
+                        message shouldContain reason
+                    }
+                    agent.board.shows { listOf(percept) }
+                    shouldThrow<IllegalStateException> { agent.after(1.seconds) }.message shouldContain reason
+                }
+            }
+        }
+    }
+
+    context("percepts that do not reach the agent fail the test with the reason:") {
+        mapOf(
+            "argo.limit(5); argo.percepts(open)" to "no port is in use",
+            "argo.port(p)" to "perceiving is blocked",
+            "argo.port(p); argo.percepts(open); argo.percepts(block)" to "perceiving is blocked",
+            "argo.port(p,[mode(listen)]); argo.percepts(open)" to "there the board says(…) its percepts",
+            "argo.port(p); argo.limit(60000); argo.percepts(open); .wait(500)" to "the sensing interval is 60000 ms",
+            ".my_name(Me); .kill_agent(Me)" to "it is stopped",
+        ).forEach { (start, reason) ->
+            test(start) {
+                agentOf("!start.\n+!start <- $start; +ready.").use { agent ->
+                    if ("kill" !in start) agent.shouldBelieve("ready", within = 10.seconds)
+                    val message = shouldThrow<AssertionError> { agent.perceives("a") }.message
+                    message shouldContain "expected that agent agent perceives a within 1s, but "
+                    message shouldContain reason
+                }
+            }
+        }
+        test("no argo.Arch") {
+            agentOf("x.") { arch = null }.use { agent ->
+                shouldThrow<AssertionError> { agent.perceives("a") }.message shouldContain "it has no board"
+            }
+        }
+    }
+
+    test("a long sensing interval is waited for, if the time for it is given") {
+        agentOf("!start.\n+!start <- argo.port(p); argo.limit(5000); argo.percepts(open).\n+a <- argo.act(seen).").use { agent ->
+            agent.after(4.seconds).perceives("a", within = 12.seconds).shouldSend("seen")
+        }
+    }
+
+    test("a board of version 1 refuses nothing") {
+        agentOf("x.") {
+            listOf<() -> Any>({ board.refuses("fly") }, { board.refuses { true } }).forEach { call ->
+                shouldThrow<IllegalStateException> { call() }.message shouldContain "call version2() before refuses(…)"
+            }
+        }.close()
+    }
+
     test("a time without end is refused") {
         agentOf("x.").use { agent ->
             agent.after(1.seconds)

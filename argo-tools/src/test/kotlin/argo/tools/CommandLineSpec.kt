@@ -56,6 +56,8 @@ class CommandLineSpec : FunSpec({
             "filter convert f.xml --to yaml" to "--to is xml, json, kotlin, not yaml",
             "filter convert f.xml" to "Missing required option: '--to=FORM'",
             "new" to "Missing required parameter: 'NAME'",
+            "new -x" to "Unknown option: '-x'",
+            "monitor --fly" to "Unknown option: '--fly'",
             "new ../up" to "a project's name begins with a letter",
         ).forEach { (line, reason) ->
             test("argo $line") {

@@ -99,10 +99,13 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
 
     override fun find(name: String): PerceptionFilter? = FilterFormat.candidates(name).firstNotNullOfOrNull { (fileName, format) ->
         val url = classLoader.getResource("$folder/$fileName")
-        url?.let { open(it).use { input -> format.read(input, "$url", FilterFormat.bareName(name)) } }
+        url?.takeIf(::isReadable)?.let { open(it).use { input -> format.read(input, "$url", FilterFormat.bareName(name)) } }
     }
 
     override fun names(): List<String> = classLoader.getResources(folder).asSequence().flatMap(::names).map(FilterFormat::bareName).toList()
+
+    /** A pipe has no end. */
+    private fun isReadable(url: URL) = url.protocol != "file" || url.toURI().toPath().isRegularFile()
 
     private fun names(url: URL): List<String> = when (url.protocol) {
         "file" -> filesUnder(url.toURI().toPath(), DEPTH)

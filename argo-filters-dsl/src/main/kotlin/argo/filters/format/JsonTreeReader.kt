@@ -7,6 +7,9 @@ import com.fasterxml.jackson.core.JsonLocation
 import com.fasterxml.jackson.core.JsonProcessingException
 import com.fasterxml.jackson.core.JsonToken
 import com.fasterxml.jackson.core.StreamReadConstraints
+import com.fasterxml.jackson.core.exc.StreamConstraintsException
+import com.fasterxml.jackson.core.io.ContentReference
+import com.fasterxml.jackson.core.io.JsonEOFException
 
 /** Reads a JSON document into values with their positions, and two members of one name as two. */
 internal class JsonTreeReader(text: String, private val source: String) {
@@ -19,8 +22,29 @@ internal class JsonTreeReader(text: String, private val source: String) {
         if (parser.nextToken() != null) refuse(parser.currentTokenLocation(), "something follows its end")
         root
     } catch (e: JsonProcessingException) {
-        refuse(e.location ?: parser.currentLocation(), e.originalMessage)
+        refuse(e.location ?: parser.currentLocation(), words(e))
     }
+
+    /** What the parser found, in the words of JSON: its own name classes, settings and readers. */
+    private fun words(e: JsonProcessingException): String {
+        val found = e.originalMessage
+        return when {
+            e is StreamConstraintsException && DEPTH in found -> "it has arrays and objects nested more than $MAX_DEPTH deep"
+            e is StreamConstraintsException -> "it holds a number or a name that is too long"
+            e is JsonEOFException -> "it ends$surroundings"
+            CLOSE in found -> "'${if (parser.parsingContext.inArray()) '}' else ']'}' stands$surroundings"
+            else -> EXPECTED.entries.find { it.key in found }?.let { "expected ${it.value}$surroundings" }
+                ?: found.substringBefore(": was expecting")
+        }
+    }
+
+    /** Which array or object the parser was in. */
+    private val surroundings: String
+        get() = parser.parsingContext.let { within ->
+            if (within.inRoot()) return ""
+            val start = within.startLocation(ContentReference.unknown())
+            " in the ${if (within.inArray()) "array" else "object"} that begins in line ${start.lineNr}, column ${start.columnNr}"
+        }
 
     private fun value(): FilterNode {
         val at = position(parser.currentTokenLocation())
@@ -49,6 +73,17 @@ internal class JsonTreeReader(text: String, private val source: String) {
 
     private companion object {
         const val MAX_DEPTH = 32
+        const val DEPTH = "nesting depth"
+        const val CLOSE = "close marker"
+
+        /** What the parser's messages are recognised by, and what is missing then. */
+        val EXPECTED = mapOf(
+            "to start field name" to "a name in double quotes",
+            "expecting a colon" to "a colon between a name and its value",
+            "expecting comma" to "a comma, or the end,",
+            "expected a value" to "a value",
+            "expected a valid value" to "a value",
+        )
         val FACTORY: JsonFactory =
             JsonFactory.builder().streamReadConstraints(StreamReadConstraints.builder().maxNestingDepth(MAX_DEPTH).build()).build()
     }

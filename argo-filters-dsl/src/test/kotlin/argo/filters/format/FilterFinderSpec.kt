@@ -55,6 +55,18 @@ class FilterFinderSpec : FreeSpec({
                 shouldThrow<FilterNotFoundException> { FilterFinder(project(), loader).find("b") }.message shouldContain "filters: a."
             }
         }
+        "unless it is no regular file, which is never opened" {
+            val resources = project()
+            resources.resolve("filters").createDirectories()
+            check(ProcessBuilder("mkfifo", "${resources.resolve("filters/pipe.xml")}").start().waitFor() == 0) { "no FIFO can be made" }
+            resources.resolve("filters/folder.xml").createDirectories()
+            URLClassLoader(arrayOf(resources.toUri().toURL()), null).use { loader ->
+                for (name in listOf("pipe", "folder.xml")) for (project in listOf(project(), resources)) {
+                    val finder = FilterFinder(project, loader)
+                    shouldThrow<FilterNotFoundException> { finder.find(name) }.message shouldContain "no filter '$name'"
+                }
+            }
+        }
         "in a jar" {
             val jar = project().resolve("filters.jar")
             JarOutputStream(jar.outputStream()).use {

@@ -15,6 +15,7 @@ import io.kotest.core.spec.style.FreeSpec
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
 import io.kotest.property.checkAll
 
 private fun problems(document: String) = shouldThrow<FilterException> { JsonFilters.read(document, "f.json") }.problems
@@ -164,6 +165,29 @@ class JsonFiltersSpec : FreeSpec({
                 val problem = problems(document).single()
                 problem.message shouldContain "not JSON"
                 (problem.line to problem.column) shouldBe position
+            }
+        }
+    }
+
+    "what is wrong is reported in plain words" - {
+        fun nested(depth: Int) = "[".repeat(depth) + "]".repeat(depth)
+        listOf(
+            nested(40) to "arrays and objects nested more than 32 deep",
+            "{\"rules\": [" to "it ends in the array that begins in line 1, column 11",
+            "{\n {\n" to "expected a name in double quotes",
+            "\n{\"rules\": [{\"predicate\": \"di" to "it ends in the object that begins in line 2, column 12",
+            "{\"rules\": [}" to "in the array that begins in line 1, column 11",
+            "{\"rules\": [1,]}" to "expected a value",
+            "[" + "1".repeat(2_000) + "]" to "a number or a name that is too long",
+            "{\"rules\" []}" to "expected a colon",
+            "{\"rules\": [] 1}" to "expected a comma",
+            "[tru]" to "'tru'",
+            "[\"a\nb\"]" to "has to be escaped",
+        ).forEach { (document, words) ->
+            (document.take(40).replace("\n", "⏎")) {
+                val message = problems(document).single().message
+                message shouldContain words
+                listOf("Source", "REDACTED", "Stream", "marker", "Object", "()").forEach { message shouldNotContain it }
             }
         }
     }

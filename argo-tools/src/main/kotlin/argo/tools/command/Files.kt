@@ -42,11 +42,12 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
 private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().parent ?: file
 
 /**
- * Checks that [file] exists and is no folder.
+ * Checks that [file] is a regular file: a pipe that nobody writes to has no end.
  *
  * @throws ToolException if not
  */
 internal fun requireFile(file: Path) {
     if (!Files.exists(file)) throw ToolException("there is no file $file")
     if (Files.isDirectory(file)) throw ToolException("$file is a folder, no file")
+    if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy into one what it is to give")
 }

@@ -2,6 +2,7 @@ package argo.tools.command
 
 import picocli.CommandLine
 import picocli.CommandLine.ExitCode
+import picocli.CommandLine.MissingParameterException
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.TypeConversionException
@@ -38,7 +39,10 @@ private fun file(name: String): Path = try {
 private fun reason(wrong: ParameterException, kind: String): String? {
     val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()
     val commands = wrong.commandLine.subcommands.keys
+    // what is missing may be what was taken for an option
+    val unknown = if (wrong is MissingParameterException) wrong.commandLine.unmatchedArguments.find { it.startsWith("-") } else null
     return when {
+        unknown != null -> "Unknown option: '$unknown'"
         surplus == null -> wrong.message
         commands.isEmpty() -> "'$surplus' is one argument too many"
         else -> "there is no $kind '$surplus'; there are: ${commands.joinToString()}"

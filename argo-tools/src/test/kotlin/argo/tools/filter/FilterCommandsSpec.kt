@@ -41,6 +41,15 @@ class FilterCommandsSpec : FunSpec({
         said.out shouldContain "front.xml: ok"
     }
 
+    test("check refuses what is no regular file") {
+        val pipe = "${folder.path}/pipe.json"
+        check(ProcessBuilder("mkfifo", pipe).start().waitFor() == 0) { "no FIFO can be made" }
+        val said = argo("filter", "check", pipe, front)
+        said.status shouldBe 1
+        said.err shouldContain "$pipe is no regular file"
+        said.out shouldContain "front.xml: ok"
+    }
+
     test("check prints JSON with every problem") {
         val (good, bad) = Json.parseToJsonElement(argo("filter", "check", front, broken, "--json").out).jsonArray.map { it.jsonObject }
         good.getValue("ok").jsonPrimitive.content shouldBe "true"
