@@ -160,9 +160,14 @@ final class FrameWriter implements WaitingCommands<Command> {
                 : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
     }
 
-    /** Records that the command under way has been written, and leaves it to {@link #takeLeaving}. */
-    void leaves(long at) {
+    /**
+     * Records that the command under way has been written, and leaves it to {@link #takeLeaving}.
+     *
+     * @throws PortGoneException if the line has ended meanwhile, so that nobody takes it any more
+     */
+    void leaves(long at) throws PortGoneException {
         monitor.change(() -> {
+            requireLine();
             isLeaving = true;
             leavesAt = at;
         });

@@ -36,8 +36,10 @@ final class LoopTime {
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
     /** The fractional parts of its multiples are spread evenly. */
     private static final double GOLDEN_RATIO = 0.6180339887498949;
-    /** A later answer belongs to an earlier request. */
-    private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+    /** A later answer belongs to an earlier request, and none is asked for later than it may by more. */
+    static final int MAX_DELAY_MILLIS = 200;
+
+    private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
 
     private final long[] delays = new long[SAMPLES];
     private int count;

@@ -8,6 +8,8 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.types.shouldBeInstanceOf
 import javino.sim.FakeBoard
 import java.util.concurrent.CompletableFuture
+import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.concurrent.thread
@@ -45,6 +47,28 @@ class LinkThreadsSpec : FunSpec({
         board.received().count { it.startsWith("at(") } shouldBe 100
         board.send("bump;")
         listener.get(30, TimeUnit.SECONDS) shouldBe "bump;"
+    }
+
+    for (protocol in listOf(Protocol.V1, Protocol.V2)) {
+        test("each command has an outcome, whenever the link is closed: $protocol").config(timeout = 60.seconds, blockingTest = true) {
+            FakeBoard.plugIn("threads${boards.incrementAndGet()}").version2().lenient().use { board ->
+                repeat(200) {
+                    Link.open(board.port(), Bench.FAST.withProtocol(protocol), "the test").use { link ->
+                        val writer = async { runCatching { link.writeCommands() } }
+                        val outcomes = CopyOnWriteArrayList<CompletableFuture<Void>>()
+                        val sender = async { while (link.isOpen) outcomes += link.send("front", SendOptions.defaults()) }
+                        Thread.sleep(1)
+                        link.close()
+                        sender.get()
+                        writer.get()
+                        for (outcome in outcomes) {
+                            val failure = runCatching { outcome.get(10, TimeUnit.SECONDS) }.exceptionOrNull()
+                            if (failure != null) failure.shouldBeInstanceOf<ExecutionException>()
+                        }
+                    }
+                }
+            }
+        }
     }
 
     robot("who waits for an acknowledgement is told when the plug is pulled, or the link closed") { board, link ->
