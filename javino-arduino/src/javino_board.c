@@ -33,7 +33,7 @@ static uint8_t frame_max(const javino_board *b)
 
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context)
 {
-    memset(board, 0, sizeof *board);
+    memset(board, 0, offsetof(javino_board, link));
     board->memory = size;
     javino_link_init(&board->link, memory, size - JAVINO_TEXT_MIN, write, context);
     return size >= JAVINO_MEMORY_MIN;
@@ -115,38 +115,37 @@ static JAVINO_OUTLINE void place_text(javino_board *b)
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/**
- * Sends a part of an answer, the last one or one ahead of others.
- *
- * @param head  begins an item of which the text is the body; 0: the text is items
- */
-static void send_part(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
+/* Begins the frame of a part of an answer, of so many bytes of it. */
+static void begin_part(javino_board *b, bool last, uint8_t length)
 {
     javino_link *l = &b->link;
-    javino_encoder *e = &l->encoder;
     uint8_t part = b->part++;
-    uint8_t kind = !last ? JAVINO_PERCEPTS_PART : part ? JAVINO_PERCEPTS_LAST : JAVINO_PERCEPTS;
-    uint8_t size = length + 1;
-    if (head)
-        size += JAVINO_ITEM_HEADER;
-    if (kind != JAVINO_PERCEPTS)
-        size++;
-    javino_link_begin(l, kind, size);
-    javino_encoder_put(e, b->answering ? b->answering : l->event == JAVINO_REQUEST && !l->answered ? l->request : 0);
-    if (kind != JAVINO_PERCEPTS)
-        javino_encoder_put(e, part);
-    if (head) {
-        javino_encoder_put(e, head);
-        javino_encoder_put(e, length);
-    }
-    while (length--)
-        javino_encoder_put(e, (uint8_t)*text++);
-    javino_encoder_end(e);
+    uint8_t kind = last ? JAVINO_PERCEPTS_LAST : JAVINO_PERCEPTS_PART;
+    uint8_t size = length + 2;
+    uint8_t request = l->request;
     if (last) {
         b->part = 0;
-        if (!b->answering)
-            l->answered = true;
+        l->answered = true;
+        l->request = 0;
+        if (!part) {
+            kind = JAVINO_PERCEPTS;
+            size--;
+        }
     }
+    javino_link_begin(l, kind, size);
+    javino_encoder_put(&l->encoder, request);
+    if (kind != JAVINO_PERCEPTS)
+        javino_encoder_put(&l->encoder, part);
+}
+
+/* Sends an item that is a part of its own. */
+static void send_item(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
+{
+    javino_encoder *e = &b->link.encoder;
+    begin_part(b, last, length + JAVINO_ITEM_HEADER);
+    javino_encoder_put(e, head);
+    javino_encoder_put(e, length);
+    javino_encoder_finish(e, text, length);
 }
 
 static void begin_item(javino_board *b)
@@ -165,10 +164,12 @@ JAVINO_OUTLINE void javino_board_send_text(javino_board *board, bool last, javin
     javino_link_send(&b->link, b->text, (uint8_t)n);
 #else
     b->row = 0;
-    if (b->link.version == 1 && !b->answering)
+    if (b->link.version == 1) {
         javino_link_send(&b->link, b->text, (uint8_t)n);
-    else
-        send_part(b, last, 0, b->text, (uint8_t)n);
+    } else {
+        begin_part(b, last, (uint8_t)n);
+        javino_encoder_finish(&b->link.encoder, b->text, (uint8_t)n);
+    }
 #endif
     b->length -= n;
     b->whole -= n;
@@ -432,8 +433,13 @@ bool javino_board_send(javino_board *board, const char *text, size_t length)
         board->watch->go_on(board, true);
     if (link->version == 2) {
         for (; length > most; length -= most, text += most)
-            send_part(board, false, JAVINO_ITEM_CONTINUED, text, most);
-        send_part(board, true, length ? JAVINO_ITEM_TEXT : 0, text, (uint8_t)length);
+            send_item(board, false, JAVINO_ITEM_CONTINUED, text, most);
+        if (length) {
+            send_item(board, true, JAVINO_ITEM_TEXT, text, (uint8_t)length);
+        } else {
+            begin_part(board, true, 0);
+            javino_encoder_end(&link->encoder);
+        }
         return true;
     }
 #endif
