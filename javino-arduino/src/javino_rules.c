@@ -388,9 +388,12 @@ bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (
     static const javino_watch watcher = {wants, watch, answer, go_on};
     struct javino_rules *r;
     uint16_t bytes = (uint16_t)(sizeof *r + size + 2 * ALIGNMENT - 2);
-    uint8_t *memory = javino_board_take(board, (uint16_t)(bytes - bytes % ALIGNMENT));
-    if (!memory)
+    javino_decoder *d = &board->link.decoder;
+    uint8_t *memory = d->bytes;
+    bytes -= bytes % ALIGNMENT;
+    if (d->end || !javino_board_take(board, bytes))
         return false;
+    d->bytes += bytes; /* In front, since the program's actions lie at the end, without a gap. */
     r = (struct javino_rules *)(memory + (ALIGNMENT - (uintptr_t)memory % ALIGNMENT) % ALIGNMENT);
     memset(r, 0, sizeof *r);
     r->act = act;
