@@ -20,6 +20,13 @@
 #endif
 #endif
 
+#ifndef JAVINO_VERSION_1_ONLY
+static JAVINO_OUTLINE bool rule(javino_board *b, uint8_t where)
+{
+    return b->rule && b->rule(b, where);
+}
+#endif
+
 /* Bytes of an answer that a frame holds. */
 static uint8_t frame_max(const javino_board *b)
 {
@@ -57,7 +64,7 @@ JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *fu
     bool all = true;
 #ifndef JAVINO_VERSION_1_ONLY
     if (board->link.event == JAVINO_WATCH)
-        return board->watch->wants(board, functor, length);
+        return board->watches(board, functor, length);
 #endif
     if (board->link.event != JAVINO_REQUEST)
         return true;
@@ -334,7 +341,7 @@ bool javino_percept_end(javino_board *board)
     end_item(board);
     if (board->link.event == JAVINO_WATCH) {
         if (!board->overlong)
-            board->watch->percept(board);
+            rule(board, JAVINO_RULES_PERCEPT);
         board->length = board->whole;
     }
 #endif
@@ -356,7 +363,7 @@ JAVINO_OUTLINE void javino_board_answer(javino_board *board)
     javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
     b->length = b->whole;
-    if (b->watch && b->watch->answer(b))
+    if (rule(b, JAVINO_RULES_ANSWER))
         return;
     if (b->link.event != JAVINO_REQUEST)
         code_waiting(b);
@@ -372,7 +379,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 {
     javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (!b->watch || !b->watch->go_on(b, false))
+    if (!rule(b, JAVINO_RULES_GO_ON))
 #endif
     {
         if (IS_OPEN(b))
@@ -383,8 +390,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
     javino_link_poll(&b->link, now_ms);
 #ifndef JAVINO_VERSION_1_ONLY
     if (b->link.event == JAVINO_REQUEST) {
-        if (b->watch)
-            b->watch->go_on(b, true);
+        rule(b, JAVINO_RULES_ALL);
         code_waiting(b);
     }
 #endif
@@ -429,8 +435,7 @@ bool javino_board_send(javino_board *board, const char *text, size_t length)
     javino_link *link = &board->link;
 #ifndef JAVINO_VERSION_1_ONLY
     const uint8_t most = PART_MAX - JAVINO_ITEM_HEADER;
-    if (board->watch)
-        board->watch->go_on(board, true);
+    rule(board, JAVINO_RULES_ALL);
     if (link->version == 2) {
         for (; length > most; length -= most, text += most)
             send_item(board, false, JAVINO_ITEM_CONTINUED, text, most);

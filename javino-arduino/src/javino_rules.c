@@ -383,9 +383,17 @@ static bool go_on(javino_board *b, bool all)
     return true;
 }
 
+static bool take_part(javino_board *b, uint8_t where)
+{
+    switch (where) {
+    case JAVINO_RULES_PERCEPT: watch(b); return true;
+    case JAVINO_RULES_ANSWER: return answer(b);
+    default: return go_on(b, where == JAVINO_RULES_ALL);
+    }
+}
+
 bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (*is_free)(void *context))
 {
-    static const javino_watch watcher = {wants, watch, answer, go_on};
     struct javino_rules *r;
     uint16_t bytes = (uint16_t)(sizeof *r + size + 2 * ALIGNMENT - 2);
     javino_decoder *d = &board->link.decoder;
@@ -401,7 +409,8 @@ bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (
     r->texts = (uint8_t *)(r + 1);
     r->size = size;
     board->rules = r;
-    board->watch = &watcher;
+    board->rule = take_part;
+    board->watches = wants;
     board->link.rules_max = JAVINO_RULES_MAX;
     return true;
 }
