@@ -21,7 +21,7 @@
 #endif
 
 #ifndef JAVINO_VERSION_1_ONLY
-static JAVINO_OUTLINE bool rule(javino_board *b, uint8_t where)
+static JAVINO_NOINLINE bool rule(javino_board *b, uint8_t where)
 {
     return b->rule && b->rule(b, where);
 }

@@ -28,6 +28,7 @@ extern "C" {
 #if defined(__AVR__) && defined(__GNUC__)
 /* Here a copy of a function that knows its arguments takes more flash than the calls it spares. */
 #define JAVINO_OUTLINE __attribute__((noinline, noclone))
+/* Here such a copy takes less than the arguments in each call. */
 #define JAVINO_NOINLINE __attribute__((noinline))
 #else
 #define JAVINO_OUTLINE

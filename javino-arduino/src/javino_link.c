@@ -227,7 +227,7 @@ static javino_event meaning(javino_link *l, const javino_frame *f)
     return JAVINO_REQUEST;
 }
 
-JAVINO_OUTLINE void javino_link_finish(javino_link *link, bool done)
+JAVINO_NOINLINE void javino_link_finish(javino_link *link, bool done)
 {
     bool action = link->event == JAVINO_ACTION;
     link->event = JAVINO_NOTHING;
