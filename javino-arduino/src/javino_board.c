@@ -60,7 +60,7 @@ void *javino_board_take(javino_board *board, uint16_t size)
 JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *functor, size_t length)
 {
     const char *p = board->link.text;
-    const char *end = p + board->link.length;
+    const char *end;
     bool all = true;
 #ifndef JAVINO_VERSION_1_ONLY
     if (board->link.event == JAVINO_WATCH)
@@ -68,6 +68,7 @@ JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *fu
 #endif
     if (board->link.event != JAVINO_REQUEST)
         return true;
+    end = p + board->link.length;
     /* Each name stands between a bracket or comma and another. */
     for (; p < end; p++) {
         const char *after = p + 1 + length;
