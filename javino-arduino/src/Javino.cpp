@@ -14,8 +14,9 @@ JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t siz
 
 uint16_t JavinoBoard::receive() {
   uint16_t now = static_cast<uint16_t>(millis());
-  while (javino_link_ready(&board_.link) && stream_.available() > 0)
-    javino_link_receive(&board_.link, static_cast<uint8_t>(stream_.read()), now);
+  int byte;
+  while (javino_link_ready(&board_.link) && (byte = stream_.read()) >= 0)
+    javino_link_receive(&board_.link, static_cast<uint8_t>(byte), now);
   return now;
 }
 

@@ -140,10 +140,10 @@ public:
    * a rule begins to be met. The function given to perceive() is called up to every 5 ms for the percepts that the rules name, which
    * wants() tells; so it should read no sensor that is not wanted. Actions that are a reflex are called within percept().
    *
-   * Call it in setup(), before or behind all actions. A sketch that does not is spared the code.
+   * Call it in setup(), before anything arrives. A sketch that does not is spared the code.
    *
    * @param bytes  of the board's memory for the rules; one takes some 20
-   * @return false if there is too little memory, or version 2 is left out
+   * @return false if there is too little memory, something has arrived, or version 2 is left out
    */
   bool watchRules(uint8_t bytes = 96) {
 #ifdef JAVINO_VERSION_1_ONLY

@@ -85,7 +85,7 @@ private:
   JavinoActions(const JavinoActions &);
   JavinoActions &operator=(const JavinoActions &);
 
-  JAVINO_OUTLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
+  JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
     reader_ = findByFunctor;
     return add(name, function, caller, arguments);

@@ -20,6 +20,13 @@
 #endif
 #endif
 
+#ifndef JAVINO_VERSION_1_ONLY
+static JAVINO_NOINLINE bool rule(javino_board *b, uint8_t where)
+{
+    return b->rule && b->rule(b, where);
+}
+#endif
+
 /* Bytes of an answer that a frame holds. */
 static uint8_t frame_max(const javino_board *b)
 {
@@ -33,7 +40,7 @@ static uint8_t frame_max(const javino_board *b)
 
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context)
 {
-    memset(board, 0, sizeof *board);
+    memset(board, 0, offsetof(javino_board, link));
     board->memory = size;
     javino_link_init(&board->link, memory, size - JAVINO_TEXT_MIN, write, context);
     return size >= JAVINO_MEMORY_MIN;
@@ -53,14 +60,15 @@ void *javino_board_take(javino_board *board, uint16_t size)
 JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *functor, size_t length)
 {
     const char *p = board->link.text;
-    const char *end = p + board->link.length;
+    const char *end;
     bool all = true;
 #ifndef JAVINO_VERSION_1_ONLY
     if (board->link.event == JAVINO_WATCH)
-        return board->watch->wants(board, functor, length);
+        return board->watches(board, functor, length);
 #endif
     if (board->link.event != JAVINO_REQUEST)
         return true;
+    end = p + board->link.length;
     /* Each name stands between a bracket or comma and another. */
     for (; p < end; p++) {
         const char *after = p + 1 + length;
@@ -115,38 +123,37 @@ static JAVINO_OUTLINE void place_text(javino_board *b)
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/**
- * Sends a part of an answer, the last one or one ahead of others.
- *
- * @param head  begins an item of which the text is the body; 0: the text is items
- */
-static void send_part(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
+/* Begins the frame of a part of an answer, of so many bytes of it. */
+static void begin_part(javino_board *b, bool last, uint8_t length)
 {
     javino_link *l = &b->link;
-    javino_encoder *e = &l->encoder;
     uint8_t part = b->part++;
-    uint8_t kind = !last ? JAVINO_PERCEPTS_PART : part ? JAVINO_PERCEPTS_LAST : JAVINO_PERCEPTS;
-    uint8_t size = length + 1;
-    if (head)
-        size += JAVINO_ITEM_HEADER;
-    if (kind != JAVINO_PERCEPTS)
-        size++;
-    javino_link_begin(l, kind, size);
-    javino_encoder_put(e, b->answering ? b->answering : l->event == JAVINO_REQUEST && !l->answered ? l->request : 0);
-    if (kind != JAVINO_PERCEPTS)
-        javino_encoder_put(e, part);
-    if (head) {
-        javino_encoder_put(e, head);
-        javino_encoder_put(e, length);
-    }
-    while (length--)
-        javino_encoder_put(e, (uint8_t)*text++);
-    javino_encoder_end(e);
+    uint8_t kind = last ? JAVINO_PERCEPTS_LAST : JAVINO_PERCEPTS_PART;
+    uint8_t size = length + 2;
+    uint8_t request = l->request;
     if (last) {
         b->part = 0;
-        if (!b->answering)
-            l->answered = true;
+        l->answered = true;
+        l->request = 0;
+        if (!part) {
+            kind = JAVINO_PERCEPTS;
+            size--;
+        }
     }
+    javino_link_begin(l, kind, size);
+    javino_encoder_put(&l->encoder, request);
+    if (kind != JAVINO_PERCEPTS)
+        javino_encoder_put(&l->encoder, part);
+}
+
+/* Sends an item that is a part of its own. */
+static void send_item(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
+{
+    javino_encoder *e = &b->link.encoder;
+    begin_part(b, last, length + JAVINO_ITEM_HEADER);
+    javino_encoder_put(e, head);
+    javino_encoder_put(e, length);
+    javino_encoder_finish(e, text, length);
 }
 
 static void begin_item(javino_board *b)
@@ -165,10 +172,12 @@ JAVINO_OUTLINE void javino_board_send_text(javino_board *board, bool last, javin
     javino_link_send(&b->link, b->text, (uint8_t)n);
 #else
     b->row = 0;
-    if (b->link.version == 1 && !b->answering)
+    if (b->link.version == 1) {
         javino_link_send(&b->link, b->text, (uint8_t)n);
-    else
-        send_part(b, last, 0, b->text, (uint8_t)n);
+    } else {
+        begin_part(b, last, (uint8_t)n);
+        javino_encoder_finish(&b->link.encoder, b->text, (uint8_t)n);
+    }
 #endif
     b->length -= n;
     b->whole -= n;
@@ -333,7 +342,7 @@ bool javino_percept_end(javino_board *board)
     end_item(board);
     if (board->link.event == JAVINO_WATCH) {
         if (!board->overlong)
-            board->watch->percept(board);
+            rule(board, JAVINO_RULES_PERCEPT);
         board->length = board->whole;
     }
 #endif
@@ -355,7 +364,7 @@ JAVINO_OUTLINE void javino_board_answer(javino_board *board)
     javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
     b->length = b->whole;
-    if (b->watch && b->watch->answer(b))
+    if (rule(b, JAVINO_RULES_ANSWER))
         return;
     if (b->link.event != JAVINO_REQUEST)
         code_waiting(b);
@@ -371,7 +380,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 {
     javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (!b->watch || !b->watch->go_on(b, false))
+    if (!rule(b, JAVINO_RULES_GO_ON))
 #endif
     {
         if (IS_OPEN(b))
@@ -382,8 +391,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
     javino_link_poll(&b->link, now_ms);
 #ifndef JAVINO_VERSION_1_ONLY
     if (b->link.event == JAVINO_REQUEST) {
-        if (b->watch)
-            b->watch->go_on(b, true);
+        rule(b, JAVINO_RULES_ALL);
         code_waiting(b);
     }
 #endif
@@ -428,12 +436,16 @@ bool javino_board_send(javino_board *board, const char *text, size_t length)
     javino_link *link = &board->link;
 #ifndef JAVINO_VERSION_1_ONLY
     const uint8_t most = PART_MAX - JAVINO_ITEM_HEADER;
-    if (board->watch)
-        board->watch->go_on(board, true);
+    rule(board, JAVINO_RULES_ALL);
     if (link->version == 2) {
         for (; length > most; length -= most, text += most)
-            send_part(board, false, JAVINO_ITEM_CONTINUED, text, most);
-        send_part(board, true, length ? JAVINO_ITEM_TEXT : 0, text, (uint8_t)length);
+            send_item(board, false, JAVINO_ITEM_CONTINUED, text, most);
+        if (length) {
+            send_item(board, true, JAVINO_ITEM_TEXT, text, (uint8_t)length);
+        } else {
+            begin_part(board, true, 0);
+            javino_encoder_end(&link->encoder);
+        }
         return true;
     }
 #endif

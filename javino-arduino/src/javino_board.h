@@ -56,13 +56,13 @@ typedef uint8_t javino_room;
 struct javino_board;
 struct javino_rules;
 
-/** How rules take part in what a board does, see javino_rules.h. */
-typedef struct {
-    bool (*wants)(const struct javino_board *board, const char *functor, size_t length);
-    void (*percept)(struct javino_board *board);
-    bool (*answer)(struct javino_board *board);
-    bool (*go_on)(struct javino_board *board, bool all);
-} javino_watch;
+/** Where rules take part in what a board does, see javino_rules.h. */
+enum {
+    JAVINO_RULES_PERCEPT, /**< A percept is whole. */
+    JAVINO_RULES_ANSWER,  /**< An answer is ready. True: it is no more to be sent. */
+    JAVINO_RULES_GO_ON,   /**< An answer that goes out part by part may go on. True: one does. */
+    JAVINO_RULES_ALL      /**< As before, all that is left of it. */
+};
 
 /** A board. The members are private but for link, on which javino_link_receive and so on are called. */
 typedef struct javino_board {
@@ -78,7 +78,8 @@ typedef struct javino_board {
     javino_room row;    /* where the row of digits at its end counts its percepts; 0: there is none */
     uint8_t part;       /* parts that have gone out; 0: no answer has been begun */
     uint8_t answering;  /* the request whose answer goes out part by part; 0: none */
-    const javino_watch *watch; /* NULL: it holds no rules */
+    bool (*rule)(struct javino_board *board, uint8_t where); /* NULL: it holds no rules */
+    bool (*watches)(const struct javino_board *board, const char *functor, size_t length);
     struct javino_rules *rules;
 #endif
     javino_link link;

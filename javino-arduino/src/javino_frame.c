@@ -14,6 +14,12 @@
 #define NUMBER_AT 3
 #define PAYLOAD_AT 4
 
+#ifdef JAVINO_VERSION_1_ONLY
+#define IS_FRAME_2(bytes) false
+#else
+#define IS_FRAME_2(bytes) (*(bytes) == START)
+#endif
+
 /* ---- Hex and CRC ---- */
 
 static uint8_t digit_value(uint8_t c)
@@ -27,11 +33,9 @@ static uint8_t digit_value(uint8_t c)
 JAVINO_OUTLINE uint16_t javino_crc16(uint16_t crc, uint8_t byte)
 {
     /* The polynomial division of a whole byte, done at once. */
-    crc = (uint16_t)(crc << 8 | crc >> 8) ^ byte;
-    crc ^= (uint8_t)crc >> 4;
-    crc ^= (uint16_t)(crc << 12);
-    crc ^= (uint16_t)((crc & 0xFFu) << 5);
-    return crc;
+    uint8_t high = (uint8_t)(crc >> 8) ^ byte;
+    high ^= high >> 4;
+    return (uint16_t)(((uint8_t)crc ^ (uint8_t)(high << 4) ^ high >> 3) << 8) | (uint8_t)(high ^ (uint8_t)(high << 5));
 }
 
 /* ---- Decoder ---- */
@@ -161,11 +165,12 @@ ended:
 static bool read_byte(javino_decoder *d, uint8_t c)
 {
     uint16_t position = d->position;
+    uint8_t wanted = position < 3 ? 'f' : 'e';
     uint8_t value;
     if (position >= HEADER)
         return true;
     if (position < 4)
-        return c == (position < 3 ? 'f' : 'e');
+        return c == wanted;
     value = digit_value(c);
     d->length = (uint8_t)(d->length << 4) | value;
     return value != NO_DIGIT;
@@ -176,17 +181,18 @@ static bool read_byte(javino_decoder *d, uint8_t c)
 static JAVINO_OUTLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
 {
     uint16_t stop = d->gap ? d->gap : d->end;
+    uint16_t held = d->held;
 #ifndef JAVINO_VERSION_1_ONLY
-    if ((stop && *p == START) || (!d->position && d->held < stop && p[d->held] == START))
-        return d->held ? JAVINO_FOLLOWS_HEADER : read_frame2(d, p, stop);
-    if (!d->quiet && !d->held && stop)
+    if ((stop && *p == START) || (!d->position && held < stop && p[held] == START))
+        return held ? JAVINO_FOLLOWS_HEADER : read_frame2(d, p, stop);
+    if (!d->quiet && !held && stop)
         return JAVINO_FOLLOWS_OTHER;
 #endif
     for (;;) {
-        uint16_t next = d->held + d->position;
+        uint16_t next = held + d->position;
         if (d->position >= HEADER) {
             uint16_t whole = HEADER + d->length;
-            if (d->held || d->position == whole)
+            if (held || d->position == whole)
                 return JAVINO_FOLLOWS_HEADER;
             if (whole > d->size - HEADER || (d->gap && whole > stop))
                 return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with what follows it. */
@@ -226,7 +232,7 @@ bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame 
     while ((read = read_on(d, p)) != JAVINO_FOLLOWS_UNKNOWN) {
         uint16_t step = d->held;
         if (read == JAVINO_FOLLOWS_OTHER) {
-            step = *p == START ? d->position : 1;
+            step = IS_FRAME_2(p) ? d->position : 1;
             d->position = 0;
             if (d->session)
                 d->quiet = false;
@@ -247,9 +253,8 @@ bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame 
     frame->length = d->length;
     frame->version = 1;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (*p == START) {
+    if (IS_FRAME_2(p)) {
         frame->payload = p + PAYLOAD_AT;
-        frame->length = p[LENGTH_AT];
         frame->version = 2;
         frame->kind = p[KIND_AT];
         frame->number = p[NUMBER_AT];
@@ -279,23 +284,17 @@ static void put_plain(javino_encoder *e, uint8_t byte)
     e->write(e->context, byte);
 }
 
-/* Two hex digits, of which ten is this letter. */
-static void put_digits(javino_encoder *e, uint8_t value, uint8_t ten)
+static void put_digit(javino_encoder *e, uint8_t digit)
 {
-    uint8_t i;
-    for (i = 0; i < 2; i++) {
-        uint8_t digit = value >> 4;
-        put_plain(e, (uint8_t)(digit + (digit < 10 ? '0' : ten - 10)));
-        value = (uint8_t)(value << 4);
-    }
+    put_plain(e, (uint8_t)(digit + (digit < 10 ? '0' : 'A' - 10)));
 }
 
 void javino_encoder_begin(javino_encoder *encoder, uint8_t length)
 {
     encoder->version2 = false;
-    put_digits(encoder, 0xFF, 'a');
-    put_digits(encoder, 0xFE, 'a');
-    put_digits(encoder, length, 'A');
+    javino_encoder_finish(encoder, "fffe", 4);
+    put_digit(encoder, length >> 4);
+    put_digit(encoder, length & 0x0F);
 }
 
 #ifdef JAVINO_VERSION_1_ONLY
@@ -303,11 +302,6 @@ void javino_encoder_begin(javino_encoder *encoder, uint8_t length)
 void javino_encoder_put(javino_encoder *encoder, uint8_t byte)
 {
     put_plain(encoder, byte);
-}
-
-void javino_encoder_end(javino_encoder *encoder)
-{
-    (void)encoder;
 }
 
 #else
@@ -332,13 +326,22 @@ void javino_encoder_put(javino_encoder *encoder, uint8_t byte)
     put_plain(encoder, byte);
 }
 
-void javino_encoder_end(javino_encoder *encoder)
+#endif
+
+JAVINO_NOINLINE void javino_encoder_finish(javino_encoder *encoder, const char *text, uint8_t length)
 {
-    uint16_t crc = encoder->crc;
+    while (length--)
+        javino_encoder_put(encoder, (uint8_t)*text++);
+#ifndef JAVINO_VERSION_1_ONLY
     if (encoder->version2) {
+        uint16_t crc = encoder->crc;
         javino_encoder_put(encoder, (uint8_t)(crc >> 8));
         javino_encoder_put(encoder, (uint8_t)crc);
     }
+#endif
 }
 
-#endif
+void javino_encoder_end(javino_encoder *encoder)
+{
+    javino_encoder_finish(encoder, NULL, 0);
+}

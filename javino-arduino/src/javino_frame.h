@@ -28,8 +28,11 @@ extern "C" {
 #if defined(__AVR__) && defined(__GNUC__)
 /* Here a copy of a function that knows its arguments takes more flash than the calls it spares. */
 #define JAVINO_OUTLINE __attribute__((noinline, noclone))
+/* Here such a copy takes less than the arguments in each call. */
+#define JAVINO_NOINLINE __attribute__((noinline))
 #else
 #define JAVINO_OUTLINE
+#define JAVINO_NOINLINE
 #endif
 
 /** Payload bytes that a frame holds at most. */
@@ -195,6 +198,9 @@ void javino_encoder_begin2(javino_encoder *encoder, uint8_t kind, uint8_t number
 
 /** Writes one byte of payload, in version 2 with an escape where it needs one. */
 void javino_encoder_put(javino_encoder *encoder, uint8_t byte);
+
+/** Writes the last bytes of payload and ends the frame. */
+void javino_encoder_finish(javino_encoder *encoder, const char *text, uint8_t length);
 
 /** Ends a frame. */
 void javino_encoder_end(javino_encoder *encoder);

@@ -9,7 +9,7 @@ static bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/* Of a text without its digits: a CRC and, in the upper half, a sum that has nothing to do with it. */
+/* Of a text without its digits: a CRC and, in the upper half, the sum of the CRCs of all its beginnings. */
 static uint32_t checksum(const char *text, uint8_t length)
 {
     uint16_t crc = JAVINO_CRC_START;
@@ -24,7 +24,7 @@ static uint32_t checksum(const char *text, uint8_t length)
         if (number)
             c = '0'; /* stands for any number */
         crc = javino_crc16(crc, (uint8_t)c);
-        sum = (uint16_t)(sum * 31 + (uint8_t)c);
+        sum += crc;
     }
     return (uint32_t)sum << 16 | crc;
 }

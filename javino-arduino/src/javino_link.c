@@ -47,8 +47,7 @@ void javino_link_send(javino_link *link, const char *text, uint8_t length)
 {
     link->answered = true;
     javino_encoder_begin(&link->encoder, length);
-    while (length--)
-        javino_encoder_put(&link->encoder, (uint8_t)*text++);
+    javino_encoder_finish(&link->encoder, text, length);
 }
 
 /* ---- Version 2 ---- */
@@ -65,10 +64,15 @@ static void put(javino_link *l, uint8_t byte)
     javino_encoder_put(&l->encoder, byte);
 }
 
+static JAVINO_NOINLINE void send(javino_link *l, uint8_t kind, const uint8_t *payload, uint8_t length)
+{
+    javino_link_begin(l, kind, length);
+    javino_encoder_finish(&l->encoder, (const char *)payload, length);
+}
+
 static void acknowledge(javino_link *l)
 {
-    javino_link_begin(l, JAVINO_ACK, 0);
-    javino_encoder_end(&l->encoder);
+    send(l, JAVINO_ACK, NULL, 0);
 }
 
 /* Ends the command that is due. */
@@ -84,14 +88,10 @@ static uint8_t longest_payload(const javino_link *l)
     return room < JAVINO_MAX_PAYLOAD ? (uint8_t)room : JAVINO_MAX_PAYLOAD;
 }
 
-static void welcome(javino_link *l)
+static JAVINO_NOINLINE void welcome(javino_link *l)
 {
-    javino_link_begin(l, JAVINO_WELCOME, 4);
-    put(l, l->session);
-    put(l, JAVINO_CREDIT);
-    put(l, longest_payload(l));
-    put(l, l->rules_max);
-    javino_encoder_end(&l->encoder);
+    uint8_t payload[] = {l->session, JAVINO_CREDIT, longest_payload(l), l->rules_max};
+    send(l, JAVINO_WELCOME, payload, sizeof payload);
 }
 
 static void begin_session(javino_link *l, uint8_t nonce)
@@ -102,7 +102,7 @@ static void begin_session(javino_link *l, uint8_t nonce)
 }
 
 /* The name of an action; NULL if there is none of that number. */
-static const char *name_of(javino_link *l, uint8_t number, uint8_t *arguments)
+static JAVINO_NOINLINE const char *name_of(javino_link *l, uint8_t number, uint8_t *arguments)
 {
     return l->vocabulary ? l->vocabulary(l->encoder.context, number, arguments) : NULL;
 }
@@ -141,36 +141,34 @@ static javino_event next_command(javino_link *l)
 {
     while (l->row_length) {
         const uint8_t *p = l->row;
+        uint8_t left = l->row_length - 1;
         uint8_t head = *p++;
         uint8_t length = 0;
         uint8_t arguments;
-        l->row_length--;
         if (head == NO_ITEM)
             break;
         if (head < BY_NUMBER) {
             length = head;
-            if (head == LONG_TEXT && l->row_length) {
+            if (head == LONG_TEXT && left) {
                 length = *p++;
-                l->row_length--;
+                left--;
             }
-            if (length == 0 || length > l->row_length)
+            if (length == 0 || length > left)
                 break;
-            l->row_length -= length;
         }
         l->row = p + length;
+        l->row_length = left - length;
         if (l->command++ != l->due || l->flags)
             continue;
         l->text = (const char *)p;
         l->length = length;
-        if (head >= BY_NUMBER) {
-            l->text = head == NO_COMMAND ? NULL : name_of(l, head - BY_NUMBER, &arguments);
-            if (!l->text) {
-                settle(l, head == NO_COMMAND);
-                continue;
-            }
+        if (head < BY_NUMBER)
+            return JAVINO_ACTION;
+        if (head != NO_COMMAND && (l->text = name_of(l, head - BY_NUMBER, &arguments)) != NULL) {
             l->length = (uint8_t)strlen(l->text);
+            return JAVINO_ACTION;
         }
-        return JAVINO_ACTION;
+        settle(l, head == NO_COMMAND);
     }
     l->row = NULL;
     acknowledge(l);
@@ -229,7 +227,7 @@ static javino_event meaning(javino_link *l, const javino_frame *f)
     return JAVINO_REQUEST;
 }
 
-JAVINO_OUTLINE void javino_link_finish(javino_link *link, bool done)
+JAVINO_NOINLINE void javino_link_finish(javino_link *link, bool done)
 {
     bool action = link->event == JAVINO_ACTION;
     link->event = JAVINO_NOTHING;
@@ -239,6 +237,7 @@ JAVINO_OUTLINE void javino_link_finish(javino_link *link, bool done)
 #else
     if (action && IS_VERSION_2(link))
         settle(link, done);
+    link->request = 0;
     link->version = link->session ? 2 : 1;
 #endif
 }

@@ -66,7 +66,7 @@ typedef struct {
     uint8_t session;    /* its nonce; 0: there is none */
     uint8_t due;        /* number of the command that is carried out next */
     uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
-    uint8_t request;    /* number of the request in hand */
+    uint8_t request;    /* number of the request in hand; 0: there is none, or it is answered */
     uint8_t known;      /* shapes whose text the computer knows */
     uint8_t shapes;     /* shapes that have been sent in this session */
     javino_later later; /* the newest */

@@ -267,12 +267,15 @@ static bool wants(const javino_board *b, const char *functor, size_t length)
 /* Carries a reflex out. What the program writes meanwhile waits, as if nobody asked. */
 static uint8_t react(javino_board *b, const char *reflex, const char *end)
 {
+    uint8_t request = b->link.request;
     bool done;
     if (reflex == end)
         return NO_REFLEX;
     b->link.event = JAVINO_NOTHING;
+    b->link.request = 0;
     done = b->rules->act(b->link.encoder.context, reflex, (uint8_t)(end - reflex));
     b->link.event = JAVINO_WATCH;
+    b->link.request = request;
     return done ? CARRIED_OUT : NOT_CARRIED_OUT;
 }
 
@@ -282,9 +285,7 @@ static void report(javino_board *b, uint8_t number, uint8_t outcome, const char 
     javino_link_begin(&b->link, JAVINO_CRITICAL, (uint8_t)(length + 2));
     javino_encoder_put(e, number);
     javino_encoder_put(e, outcome);
-    while (length--)
-        javino_encoder_put(e, (uint8_t)*text++);
-    javino_encoder_end(e);
+    javino_encoder_finish(e, text, length);
 }
 
 /* Compares the percept behind the whole ones with all rules. */
@@ -338,12 +339,21 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
 
 /* ---- Answers part by part ---- */
 
-/* Sends the next part of an answer. */
+/* Sends the next part of an answer. The message in hand, if there is one, is another. */
 static void send_next(javino_board *b)
 {
+    javino_link *l = &b->link;
     bool last = b->whole <= SHORT_PART;
+    bool answered = l->answered;
+    uint8_t version = l->version;
+    uint8_t request = l->request;
     b->length = b->whole;
+    l->version = 2;
+    l->request = b->answering;
     javino_board_send_text(b, last, last ? b->whole : SHORT_PART);
+    l->answered = answered;
+    l->version = version;
+    l->request = request;
     if (last)
         javino_board_clear(b);
 }
@@ -354,6 +364,7 @@ static bool answer(javino_board *b)
     javino_link *l = &b->link;
     if (l->event == JAVINO_REQUEST && l->version == 2 && l->rules && !b->part && b->length > SHORT_PART) {
         b->answering = l->request;
+        l->request = 0;
         l->event = JAVINO_NOTHING;
     }
     return b->answering != 0;
@@ -372,14 +383,25 @@ static bool go_on(javino_board *b, bool all)
     return true;
 }
 
+static bool take_part(javino_board *b, uint8_t where)
+{
+    switch (where) {
+    case JAVINO_RULES_PERCEPT: watch(b); return true;
+    case JAVINO_RULES_ANSWER: return answer(b);
+    default: return go_on(b, where == JAVINO_RULES_ALL);
+    }
+}
+
 bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (*is_free)(void *context))
 {
-    static const javino_watch watcher = {wants, watch, answer, go_on};
     struct javino_rules *r;
     uint16_t bytes = (uint16_t)(sizeof *r + size + 2 * ALIGNMENT - 2);
-    uint8_t *memory = javino_board_take(board, (uint16_t)(bytes - bytes % ALIGNMENT));
-    if (!memory)
+    javino_decoder *d = &board->link.decoder;
+    uint8_t *memory = d->bytes;
+    bytes -= bytes % ALIGNMENT;
+    if (d->end || !javino_board_take(board, bytes))
         return false;
+    d->bytes += bytes; /* In front, since the program's actions lie at the end, without a gap. */
     r = (struct javino_rules *)(memory + (ALIGNMENT - (uintptr_t)memory % ALIGNMENT) % ALIGNMENT);
     memset(r, 0, sizeof *r);
     r->act = act;
@@ -387,7 +409,8 @@ bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (
     r->texts = (uint8_t *)(r + 1);
     r->size = size;
     board->rules = r;
-    board->watch = &watcher;
+    board->rule = take_part;
+    board->watches = wants;
     board->link.rules_max = JAVINO_RULES_MAX;
     return true;
 }

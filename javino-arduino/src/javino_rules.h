@@ -37,13 +37,13 @@ struct javino_rules {
 };
 
 /**
- * Takes memory for rules. From now on answers go out in parts of 12 bytes while a rule is set, a part with each
+ * Takes memory for rules, before the first byte arrives. From now on answers go out in parts of 12 bytes while a rule is set, a part with each
  * javino_board_poll.
  *
  * @param size     bytes, at most 255; a rule takes about 20
  * @param act      handed the board's context, as write is
  * @param is_free  whether what was written before has left, so that the next part may follow; NULL: it always may
- * @return whether there is so much memory
+ * @return whether there is so much memory, and nothing has arrived
  */
 bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (*is_free)(void *context));
 

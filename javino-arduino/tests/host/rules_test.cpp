@@ -100,6 +100,24 @@ TEST_CASE("a reflex is carried out and told once, each time that its rule begins
   CHECK(percepts.read(answer, 1) == "stopped;stopped;stopped;stopped;light(512);");
 }
 
+TEST_CASE("actions may be named before and behind the call that has rules watched") {
+  Javino javino;
+  stops = 0;
+  Serial.in.clear();
+  Serial.meanwhile.clear();
+  javino.act["first"] = stop;
+  REQUIRE(javino.watchRules());
+  javino.act["second"] = stop;
+  robot = &javino;
+  for (const char *name : {"first", "second", "first"}) {
+    Serial.receive(frame1(name));
+    javino.run();
+    stub_millis += 1000;
+    javino.run();
+  }
+  CHECK(stops == 3);
+}
+
 TEST_CASE("a new session forgets the rules") {
   Robot r;
   r.set(rule(3, "dist", {"2<40"}, "stop"));
