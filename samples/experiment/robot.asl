@@ -5,7 +5,7 @@
      board(Port, Options)   where the robot is
      value(Cm)              the front distance at which it stops
      interval(Ms)           the sensing interval
-     view(Filter)           none, or a filter of filters/ */
+     view(Filter)           none, or a filter of filters/ or ReflexFilters.kt */
 
 /* Goals */
 

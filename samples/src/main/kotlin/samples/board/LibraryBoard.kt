@@ -2,10 +2,12 @@ package samples.board
 
 import javino.LineClock
 import javino.PerceptsRequest
+import javino.Protocol
 import javino.Transport
 import javino.sim.BoardLoop
 import javino.sim.BoardProgram
 import javino.sim.BoardProgram.Outcome
+import javino.sim.BoardSession
 
 /**
  * A board as the library in `javino-arduino/` makes it: it speaks version 2 of the Javino protocol with computers that do, and
@@ -13,11 +15,12 @@ import javino.sim.BoardProgram.Outcome
  *
  * It handles one message at a time and keeps those that arrive meanwhile. In version 2 it acknowledges commands when it has carried
  * them out, carries out once a command that is sent twice, answers `getPercepts(dist)` with percepts of that functor alone, and
- * sends an answer of any length, in parts. While it sends it does not act.
+ * sends an answer of any length, in parts. While it sends it does not act, but for the reflexes of critical rules that it watches.
  *
  * @param clock what bytes are timed by; the line's own
+ * @param rules how many critical rules it watches, 0 to 255: it then looks at the sensors every 5 ms, and between two frames that it sends
  */
-class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = LineClock.system()) {
+class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = LineClock.system(), private val rules: Int = 0) {
     /**
      * Runs the board until its [line] is gone.
      *
@@ -27,7 +30,7 @@ class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = Li
     fun run(line: Transport) = Program(line).loop.run()
 
     private inner class Program(line: Transport) : BoardProgram {
-        val loop = BoardLoop(line, this, clock)
+        val loop = BoardLoop(line, this, Protocol.AUTO, BoardSession.Capacity.FULL.withRules(rules), clock)
 
         override fun carryOut(command: String): Outcome {
             sketch.act(command)
@@ -41,5 +44,7 @@ class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = Li
             messages.dropLast(1).forEach(loop::say)
             return messages.lastOrNull().orEmpty()
         }
+
+        override fun sensors(): String = sketch.sensors()
     }
 }

@@ -5,6 +5,9 @@ interface Sketch {
     /** The percepts now, as the board sends them: each followed by `;`, of at most 255 bytes. */
     fun percepts(): String
 
+    /** The percepts now, which the rules on the board are compared with; called every few milliseconds while there are some. */
+    fun sensors(): String = percepts()
+
     /** Executes [command], the text that the agent sent. An unknown command changes nothing. */
     fun act(command: String)
 }

@@ -41,8 +41,11 @@ internal class ExperimentCommand : Callable<Int> {
     private var smoke = false
 
     @Option(
-        names = ["--condition"], paramLabel = "a|b|c|all", defaultValue = "all",
-        description = ["a: as published, b: this project's defaults, c: version 2 with subscription (default: \${DEFAULT-VALUE})"],
+        names = ["--condition"], paramLabel = "a|b|c|d|all", defaultValue = "all",
+        description = [
+            "a: as published, b: this project's defaults, c: version 2 with subscription, d: as c, and the board stops the robot " +
+                "by a reflex (default: \${DEFAULT-VALUE})",
+        ],
     )
     private lateinit var condition: String
 
@@ -132,7 +135,7 @@ internal class ExperimentCommand : Callable<Int> {
         if (port != null && slowdown != null) spec.refuse("--slowdown is for simulated robots, and --port asks for a real one")
         if (port != null && scaling) spec.refuse("--scaling is for simulated robots, and --port asks for a real one")
         if (condition == "all") return Condition.entries
-        return listOf(Condition.entries.find { it.letter == condition } ?: spec.refuse("--condition is a, b, c or all, not $condition"))
+        return listOf(Condition.entries.find { it.letter == condition } ?: spec.refuse("--condition is a, b, c, d or all, not $condition"))
     }
 
     /** The settings of the experiment to continue, changed by the options. */

@@ -100,7 +100,7 @@ internal class RealLaboratory(
 
     private fun orders(trial: Trial) = Orders(
         port, trial.baud, answerLimitMs(trial), trial.condition.protocol, trial.limit, trial.interval,
-        trial.view.filter(trial.condition), trial.condition.sensing,
+        trial.view.filter(trial.condition, trial.limit), trial.condition.sensing,
     )
 
     companion object {

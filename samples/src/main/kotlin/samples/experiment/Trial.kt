@@ -26,6 +26,14 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     /** Version 2, with filters that let the board be asked for what they keep. */
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
+
+    /** As [VERSION_2], and the board watches a critical rule at the limit, whose reflex stops the robot. */
+    @SerialName("d")
+    REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
+    ;
+
+    /** Whether agent and board speak version 2, so that the board can be asked for what the filter keeps. */
+    val isVersion2: Boolean get() = protocol == "2"
 }
 
 /**
@@ -56,8 +64,9 @@ internal enum class View(val word: String) {
             FRONT_DISTANCE -> listOf("dist")
         }
 
-    /** The agent's filter under [condition]: with version 2 a keep filter, which the board can be asked for. */
-    fun filter(condition: Condition): String = when {
+    /** The agent's filter under [condition], to stop at [limit] cm: with version 2 a keep filter, which the board can be asked for. */
+    fun filter(condition: Condition, limit: Int): String = when {
+        condition == Condition.REFLEX -> reflexFilter(this, limit).name
         this == NONE -> "none"
         condition == Condition.VERSION_2 -> "keep" + word.replaceFirstChar(Char::uppercase)
         else -> word

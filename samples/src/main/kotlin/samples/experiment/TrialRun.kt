@@ -53,7 +53,7 @@ internal class SimulatedLaboratory(
         try {
             while (!given.await(LOOK_MS)) {
                 val now = clock.nanos()
-                val measured = measured(robot.course, trial.limit, now)
+                val measured = measured(robot.course, trial.limit, now)?.takeIf { isOver(trial, it, observer) }
                 val reason = if (measured != null) null else observer.trouble ?: overdue(robot.course, now - begin) ?: continue
                 val outcome = if (observer.trouble == null && robot.course.departure == null) Outcome.IDLE else Outcome.FAILED
                 val (ending, distance, response) = measured ?: Measured(outcome, robot.course.distanceAt(now), 0.0)
@@ -68,6 +68,10 @@ internal class SimulatedLaboratory(
         }
     }
 
+    /** A robot that its board has stopped drives on if a command of its agent was on the way; the agent then stops it. */
+    private fun isOver(trial: Trial, measured: Measured, observer: Observer) =
+        trial.condition != Condition.REFLEX || measured.outcome == Outcome.COLLIDED || observer.hasStopped
+
     private fun overdue(course: Course, nanos: Long): String? = when {
         nanos <= TimeUnit.SECONDS.toNanos(MAX_S) -> null
         course.departure == null -> "no command to drive has reached the board within $MAX_S s"
@@ -75,8 +79,11 @@ internal class SimulatedLaboratory(
     }
 
     private fun board(trial: Trial, sketch: Sketch): SimulatedBoard =
-        if (trial.condition == Condition.VERSION_2) SimulatedBoard { LibraryBoard(sketch, clock).run(it) }
-        else SimulatedBoard { FieldBoard(sketch, clock).run(it) }
+        when (trial.condition) {
+            Condition.REFLEX -> SimulatedBoard { LibraryBoard(sketch, clock, rules = 1).run(it) }
+            Condition.VERSION_2 -> SimulatedBoard { LibraryBoard(sketch, clock).run(it) }
+            else -> SimulatedBoard { FieldBoard(sketch, clock).run(it) }
+        }
 
     private fun orders(trial: Trial) = Orders(
         port = "${SimulatedBoards.SCHEME}:${trial.id}",
@@ -85,7 +92,7 @@ internal class SimulatedLaboratory(
         protocol = trial.condition.protocol,
         limit = trial.limit,
         interval = trial.interval,
-        filter = trial.view.filter(trial.condition),
+        filter = trial.view.filter(trial.condition, trial.limit),
         sensing = trial.condition.sensing,
     )
 
@@ -128,6 +135,8 @@ internal class RecordedSketch(
             record.write(Entry.Frame(now - begin, it, robot.course.distanceAt(now)))
         }
     }
+
+    override fun sensors(): String = robot.percepts() // several a frame, which no computer receives
 
     override fun act(command: String) {
         robot.act(command)

@@ -7,9 +7,12 @@ import javino.LineSettings
 import javino.PortGoneException
 import javino.sim.MemoryLine
 import javino.wire.AnswerPart
+import javino.wire.BoardRule
 import javino.wire.CommandItem
+import javino.wire.CriticalReport
 import javino.wire.FrameKind
 import javino.wire.PerceptWriter
+import javino.wire.ReflexOutcome
 import javino.wire.Welcome
 import javino.wire.WireFrame
 import java.util.concurrent.CopyOnWriteArrayList
@@ -18,7 +21,7 @@ import kotlin.concurrent.thread
 private const val DEADLINE_S = 30L
 
 /** A board on a fast line; what it does and says is kept. */
-private class FastBench(private val percepts: String) : AutoCloseable {
+private class FastBench(@Volatile var percepts: String, rules: Int = 0) : AutoCloseable {
     private val line = MemoryLine.paced("bench", LineSettings(1_000_000))
     val deeds = CopyOnWriteArrayList<String>()
     private val board = thread(name = "board") {
@@ -28,7 +31,7 @@ private class FastBench(private val percepts: String) : AutoCloseable {
                 override fun act(command: String) {
                     deeds += command
                 }
-            }).run(line.board())
+            }, rules = rules).run(line.board())
         } catch (_: PortGoneException) {
             // the bench is cleared
         } catch (_: InterruptedException) {
@@ -106,6 +109,26 @@ class LibraryBoardSpec : FunSpec({
             bench.answer(messages, version1("getPercepts")) shouldBe messages
             val parts = welcome + answer(percept, percept, percept)
             bench.answer(parts, hello, ask()) shouldBe parts
+        }
+    }
+
+    test("it watches a rule, carries out its reflex and reports the percept, each time that the rule begins to be met") {
+        FastBench("dist(f,81);", rules = 1).use { bench ->
+            val expected = version2(FrameKind.WELCOME, 0, Welcome(7, 255, 255, 1).payload()) + version2(FrameKind.ACK, 1)
+            val atMost80 = BoardRule.Condition(2, BoardRule.Operator.AT_MOST, "80")
+            val rule = BoardRule("dist", listOf(atMost80), "stop").text(1)
+            bench.answer(expected, hello, command(0, rule)) shouldBe expected
+            bench.percepts = "dist(f,80);"
+            val report = version2(FrameKind.CRITICAL, 1, CriticalReport(1, ReflexOutcome.CARRIED_OUT, "dist(f,80);").payload())
+            bench.answer(report) shouldBe report
+            bench.deeds shouldBe listOf("stop")
+        }
+    }
+
+    test("without room for rules it refuses them") {
+        FastBench("dist(f,81);").use { bench ->
+            val expected = welcome + String(WireFrame(FrameKind.ACK, true, false, 1, "").toBytes(), Charsets.ISO_8859_1)
+            bench.answer(expected, hello, command(0, BoardRule("dist", listOf(), "stop").text(1))) shouldBe expected
         }
     }
 

@@ -47,7 +47,7 @@ class ExperimentSpec : FunSpec({
     }
 
     listOf(
-        arrayOf("--condition", "d") to "--condition is a, b, c or all, not d",
+        arrayOf("--condition", "e") to "--condition is a, b, c, d or all, not e",
         arrayOf("--jobs", "0") to "--jobs is from 1 to 256, not 0",
         arrayOf("--slowdown", "0.5") to "--slowdown is from 1 to 1000, not 0.5",
         arrayOf("--slowdown", "NaN") to "--slowdown is from 1 to 1000, not NaN",

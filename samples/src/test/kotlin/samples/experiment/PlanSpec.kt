@@ -1,11 +1,14 @@
 package samples.experiment
 
+import argo.filters.PerceptionFilter.Mode
+import argo.filters.format.FilterFinder
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
 import javino.LineSettings
 
 class PlanSpec : FunSpec({
@@ -40,9 +43,20 @@ class PlanSpec : FunSpec({
     }
 
     test("with version 2 filters say what they keep") {
-        View.FRONT_DISTANCE.filter(Condition.VERSION_2) shouldBe "keepFrontDistance"
-        View.FRONT_DISTANCE.filter(Condition.DEFAULTS) shouldBe "frontDistance"
-        View.NONE.filter(Condition.VERSION_2) shouldBe "none"
+        View.FRONT_DISTANCE.filter(Condition.VERSION_2, 80) shouldBe "keepFrontDistance"
+        View.FRONT_DISTANCE.filter(Condition.DEFAULTS, 80) shouldBe "frontDistance"
+        View.NONE.filter(Condition.VERSION_2, 80) shouldBe "none"
+    }
+
+    test("with a reflex on the board each filter has the critical rule at the limit, and agents find it") {
+        val finder = FilterFinder(emptyList(), PlanSpec::class.java.classLoader)
+        for (view in View.entries) for (limit in Plan.entries.flatMap { it.limits }) {
+            val filter = finder.find(view.filter(Condition.REFLEX, limit))
+            filter.name shouldContain "$limit"
+            filter.critical.single().toString() shouldBe "dist where argument 0 is f and argument 1 is at most $limit, with the reflex stop"
+            filter.mode shouldBe if (view == View.NONE) Mode.DROP else Mode.KEEP
+            filter.rules.map { "${it.predicate}" } shouldBe view.functors.orEmpty()
+        }
     }
 
     test("a request and twelve percepts take 168 ms at 9600 baud, and an answer may take a second") {
@@ -64,6 +78,12 @@ class PlanSpec : FunSpec({
         val trial = trials.first() // 12 sensors at 9600 baud
         leastStopNanos(trial) shouldBe 100_000_000 + 2 * exchangeNanos(trial) + 10 * LineSettings(9_600).byteNanos()
         Condition.entries.flatMap { Plan.FULL.trials(it) }.all(::leavesTime) shouldBe true
+    }
+
+    test("a board that stops the robot needs another look at its sensors, after a part of an answer at most") {
+        val trial = Trial(Condition.REFLEX, View.NONE, 80, 20, 1)
+        leastStopNanos(trial) shouldBe 100_000_000 + 20 * LineSettings(9_600).byteNanos()
+        leastStopNanos(trial.copy(baud = 1_000_000)) shouldBe 105_000_000
     }
 
     test("on a fast line it is the interval that bounds it, and with many sensors the line leaves none") {

@@ -61,6 +61,13 @@ class ReportSpec : FunSpec({
         files.filter { it.name.endsWith("svg") }.forEach { it.readText() shouldContain "</svg>" }
     }
 
+    test("all conditions are in one report, each with its figures and its promise") {
+        val page = writeReport(tempdir().toPath(), settings, made(*Condition.entries.toTypedArray()), "a machine").readText()
+        Condition.entries.forEach { page shouldContain "<th scope=\"row\">(${it.letter}) ${it.title}</th>" }
+        page shouldContain "<th scope=\"col\" class=\"n\">(d)</th>"
+        page shouldContain "(d) version 2, reflex on the board: every run stops"
+    }
+
     test("without any run there is a page that says so") {
         writeReport(tempdir().toPath(), settings, emptyList(), "a machine").readText() shouldContain "There are no runs yet"
     }

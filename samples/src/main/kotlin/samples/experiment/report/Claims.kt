@@ -130,14 +130,19 @@ internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
         "(${condition.letter}) ${condition.title}: every run stops whose limit leaves the physical time to stop, without a filter too.",
         finding(own.stopped(), own.size),
         "${own.stopped()} of ${own.size} runs stopped; without a filter ${none.stopped()} of ${none.size}${none.afterLimit()}$worst.",
-        "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: what " +
-            "it acts on is never older than a few exchanges. The physical time is what the line and the sensors can take whatever " +
-            "program drives the robot: the noise of the reading, an exchange that began just before the " +
-            "limit, the next one and the command, ${two(leastStopNanos(slowest) / 1e9)} s at most here. The shortest limit leaves " +
+        why(condition) + ", ${two(leastStopNanos(slowest) / 1e9)} s at most here. The shortest limit leaves " +
             "${two(own.minOf { limitNanos(it.trial) } / 1e9)} s, " +
             "so ${if (own.size == runs.count { it.trial.condition == condition }) "all runs have it" else "${own.size} runs have it"}.",
     )
 }
+
+private fun why(condition: Condition) = if (condition == Condition.REFLEX)
+    "The board reads its sensors every 5 ms and stops the robot itself. A command to drive that was on its way makes the robot drive on, " +
+        "until the board stops it again, or the agent, which the board informs at once; what counts is the last stop. The physical time " +
+        "is the noise of the reading, and the next reading after a frame that the board is sending"
+else "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: what " +
+    "it acts on is never older than a few exchanges. The physical time is what the line and the sensors can take whatever " +
+    "program drives the robot: the noise of the reading, an exchange that began just before the limit, the next one and the command"
 
 /** The median of [values], of which there is one at least. */
 internal fun median(values: List<Double>): Double = values.sorted().let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }

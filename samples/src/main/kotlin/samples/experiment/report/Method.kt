@@ -22,7 +22,8 @@ internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finis
 private val AGENT = "Agent" to "the published one, plan for plan: <code>samples/experiment/robot.asl</code>. (a): " +
     "<code>argo_sensing=in_cycle</code>, <code>protocol(1)</code>, commands unpaced. " +
     "(b): no option but the baud rate and the time an answer may take. (c): <code>protocol(2)</code>, and filters that say what they " +
-    "keep, so that the board is asked for that."
+    "keep, so that the board is asked for that. (d): as (c), and each filter has a critical rule: a front distance of at most the limit, " +
+    "with the reflex <code>stop</code>."
 
 private fun simulated(settings: Settings, runs: List<Finished>): List<Pair<String, String>> = listOf(
     "Robot" to "simulated. It starts ${Course.START_CM.toInt()} cm from the wall, drives at ${Course.SPEED_CM_S.toInt()} cm/s and " +
@@ -32,7 +33,8 @@ private fun simulated(settings: Settings, runs: List<Finished>): List<Pair<Strin
     "Line" to "9600 baud, each byte takes its ten bit times in each direction." +
         runs.take(1).joinToString { " A request and its answer of twelve percepts take ${exchangeNanos(it.trial) / 1_000_000} ms." },
     "Board" to "(a) and (b): version 1 of Javino, one message at a time; of several that arrive while it answers it handles the last " +
-        "one. (c): version 2 as the library in <code>javino-arduino</code> speaks it.",
+        "one. (c): version 2 as the library in <code>javino-arduino</code> speaks it. (d): it also " +
+        "watches the critical rule, reads its sensors every 5 ms for that, and stops the robot itself.",
     AGENT,
     "Computer" to "the reasoning of each agent, not its sensing thread, is slowed ${settings.slowdown} times: " +
         "${escaped(settings.computer)}. That compares whole-number division alone and stands for the single-board computers of 2016; " +

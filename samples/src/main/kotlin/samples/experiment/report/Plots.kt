@@ -52,10 +52,16 @@ import java.io.StringReader
  */
 internal enum class Shades(val ink: String, val faint: String, val paper: String, val filters: List<String>, val sources: List<String>) {
     /** For a light page. */
-    LIGHT("#1f2328", "#d0d7de", "#ffffff", listOf("#b3261e", "#b26a00", "#0b6bcb"), listOf("#6e7781", "#b3261e", "#0b6bcb", "#1a7f37")),
+    LIGHT(
+        "#1f2328", "#d0d7de", "#ffffff", listOf("#b3261e", "#b26a00", "#0b6bcb"),
+        listOf("#6e7781", "#b3261e", "#0b6bcb", "#1a7f37", "#8250df"),
+    ),
 
     /** For a dark page. */
-    DARK("#e6edf3", "#3d444d", "#0d1117", listOf("#ff8078", "#f0b040", "#6cb6ff"), listOf("#9198a1", "#ff8078", "#6cb6ff", "#57d364")),
+    DARK(
+        "#e6edf3", "#3d444d", "#0d1117", listOf("#ff8078", "#f0b040", "#6cb6ff"),
+        listOf("#9198a1", "#ff8078", "#6cb6ff", "#57d364", "#d2a8ff"),
+    ),
 }
 
 /** A figure as text in SVG. */
@@ -99,10 +105,12 @@ private val OUTCOMES = listOf("stopped", "ran into the wall")
 private fun outcome(run: Finished) = OUTCOMES[if (run.result.outcome == Outcome.COLLIDED) 1 else 0]
 
 /** What the axis of response times shows, in s. */
-private const val MIN_S = 0.02
+private const val MIN_S = 0.002
 private const val MAX_S = 20.0
 private const val FULL_DOT = 16
 private const val CROSS = 4
+
+private fun conditions(runs: List<Finished>) = runs.distinctBy { it.trial.condition }.size
 
 /** Where the robots stood in the end, in all combinations: as the published figure, a row for each condition. */
 internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): Plot {
@@ -146,12 +154,12 @@ internal fun timesFigure(runs: List<Finished>, shades: Shades): Plot {
             geomPoint(size = 3.0, alpha = 0.7) { shape = "end" } + facetGrid(x = "condition") +
             scaleXDiscrete(limits = FILTERS) +
             scaleYLog10(
-                limits = MIN_S to MAX_S, breaks = listOf(0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10),
-                labels = listOf("0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10"),
+                limits = MIN_S to MAX_S, breaks = listOf(0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10),
+                labels = listOf("0.005", "0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10"),
             ) +
             filterColours(shades) + scaleShapeManual(values = listOf(FULL_DOT, CROSS), limits = OUTCOMES, name = "") +
             labs(x = "", y = "response time in s")
-        ).dressed(shades, 960, 420)
+        ).dressed(shades, maxOf(960, 320 * conditions(runs)), 420)
 }
 
 /** The allocation of variation, published and here. */
@@ -193,5 +201,5 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
                 labels = listOf("0.01", "0.1", "1", "10"), name = "response time in s",
             ) +
             labs(x = "baud", y = "sensors")
-        ).dressed(shades, 1180, 520)
+        ).dressed(shades, maxOf(1180, 390 * conditions(runs)), 520)
 }

@@ -70,7 +70,7 @@ $counts"""
 
     private fun claims(): String {
         val published = publishedClaims(runs, plan, analyses.getValue(Response.TIME)[Condition.PUBLISHED])
-        val own = listOf(Condition.DEFAULTS, Condition.VERSION_2).mapNotNull { promise(runs, it) }
+        val own = (Condition.entries - Condition.PUBLISHED).mapNotNull { promise(runs, it) }
         return "<h2>What was reproduced, what was not, and why</h2>\n" + published.joinToString("\n", transform = ::section) +
             (if (own.isEmpty()) "" else "<h3>And this project's own conditions</h3>\n" + own.joinToString("\n", transform = ::section))
     }
@@ -105,7 +105,8 @@ $counts"""
 
     private fun timesRow(cell: List<Finished>): List<String> {
         val seconds = cell.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }.sorted()
-        val figures = if (seconds.isEmpty()) listOf("–", "–", "–") else listOf(median(seconds), seconds.first(), seconds.last()).map(::two)
+        val figures = if (seconds.isEmpty()) listOf("–", "–", "–")
+        else listOf(median(seconds), seconds.first(), seconds.last()).map(::three)
         return listOf(
             cell.first().trial.condition.let { "(${it.letter})" }, words(cell.first().trial.view), "${seconds.size} of ${cell.size}",
         ) + figures
