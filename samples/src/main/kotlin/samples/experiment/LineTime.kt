@@ -3,24 +3,46 @@ package samples.experiment
 import javino.Frame
 import javino.LineSettings
 import javino.PerceptsRequest
+import javino.wire.PerceptWriter
+import javino.wire.WireFrame
 import samples.collision.Course
 import samples.collision.Sensors
 import kotlin.random.Random
 import kotlin.time.Duration.Companion.seconds
 
-/** The answer timeout: a second, or three times the time of the answer on the line. */
-internal fun answerLimitMs(trial: Trial): Int = maxOf(1000L, 3 * exchangeNanos(trial.copy(view = View.NONE)) / 1_000_000).toInt()
+/** The answer timeout: a second, or three times the time of the longest answer on the line, the first of a session in version 2. */
+internal fun answerLimitMs(trial: Trial): Int =
+    maxOf(1000L, 3 * exchangeBytes(trial.copy(view = View.NONE), 0) * byteNanos(trial) / 1_000_000).toInt()
 
-/** The time of a request and its whole answer on the line, in ns. A version 2 board answers with the percepts that the filter keeps. */
-internal fun exchangeNanos(trial: Trial): Long {
-    val percepts = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM)
-    val asked = if (trial.condition.isVersion2) trial.view.functors else null
-    val answer = if (asked == null) percepts.length
-    else percepts.split(';').filter { it.substringBefore('(') in asked }.sumOf { it.length + 1 }
-    val request = PerceptsRequest.ALL.length + if (asked == null) 0 else asked.joinToString(",", "(", ")").length
-    val frames = (answer + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
-    return (request + answer + (1 + frames) * around(trial)) * byteNanos(trial)
+/**
+ * The time of a request and its whole answer on the line, in ns. A version 2 board answers with the percepts that the filter keeps, whose
+ * texts are known.
+ */
+internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
+
+/** The bytes of a request and its answer; in version 2 the computer knows [known] texts. */
+private fun exchangeBytes(trial: Trial, known: Int): Int {
+    val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM)
+    if (!trial.condition.isVersion2) {
+        val frames = (all.length + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
+        return PerceptsRequest.ALL.length + all.length + (1 + frames) * Frame.HEADER_LENGTH
+    }
+    val asked = trial.view.functors
+    val texts = all.split(';').filter { it.isNotEmpty() && (asked == null || it.substringBefore('(') in asked) }.map { "$it;" }
+    val writer = PerceptWriter(MAX_KNOWN)
+    writer.items(texts, 0) // from then on it knows their shapes
+    val items = writer.items(texts, known).length
+    val request = WireFrame.OVERHEAD + 1 + asked?.joinToString(",", "(", ")").orEmpty().length
+    val longest = if (trial.condition == Condition.REFLEX) LONGEST_PART - AROUND_PART else WireFrame.MAX_PAYLOAD - 2
+    val parts = (items + longest - 1) / longest
+    return request + items + if (parts <= 1) AROUND_PART - 1 else parts * AROUND_PART
 }
+
+/** Texts that a board numbers at most. */
+private const val MAX_KNOWN = 126
+
+/** The bytes around a part of an answer; around a whole one there is one less. */
+private const val AROUND_PART = 8
 
 /**
  * The worst-case delay of line and sensors, in ns, from the instant at which the robot crosses its limit to the effect of `stop` on its
@@ -32,7 +54,7 @@ internal fun leastStopNanos(trial: Trial): Long {
     val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds
     if (trial.condition == Condition.REFLEX) return reading + maxOf(LOOK_NANOS, LONGEST_PART * byteNanos(trial))
     val exchange = exchangeNanos(trial)
-    return reading + maxOf(exchange, trial.interval * 1_000_000L) + exchange + ("stop".length + around(trial)) * byteNanos(trial)
+    return reading + maxOf(exchange, trial.interval * 1_000_000L) + exchange + stopBytes(trial) * byteNanos(trial)
 }
 
 /** How often a board compares its sensors with its rules. */
@@ -47,7 +69,7 @@ internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).
 /** Whether the limit leaves the physical time to stop: no less than [leastStopNanos]. */
 internal fun leavesTime(trial: Trial): Boolean = limitNanos(trial) >= leastStopNanos(trial)
 
-/** The bytes of a frame besides its payload. */
-private fun around(trial: Trial): Int = if (trial.condition.isVersion2) 12 else Frame.HEADER_LENGTH
+/** The bytes of the command `stop`, which version 2 sends by its number. */
+private fun stopBytes(trial: Trial): Int = if (trial.condition.isVersion2) WireFrame.OVERHEAD + 1 else "stop".length + Frame.HEADER_LENGTH
 
 private fun byteNanos(trial: Trial): Long = LineSettings(trial.baud).byteNanos()
