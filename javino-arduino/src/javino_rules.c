@@ -358,11 +358,24 @@ static void send_next(javino_board *b)
         javino_board_clear(b);
 }
 
+/* Lays the answer at the end of the memory: until its last part has left, frames arrive in front of it. */
+static void make_room(javino_board *b)
+{
+    javino_decoder *d = &b->link.decoder;
+    uint16_t place = b->memory - b->length;
+    uint16_t most = b->memory - JAVINO_TEXT_MIN;
+    memmove(d->bytes + place, b->text, b->length);
+    b->text = (char *)d->bytes + place;
+    b->room = b->length;
+    d->size = place < most ? place : most;
+}
+
 /* Whether the answer goes out part by part from now on, or what is sent unasked goes with one that does. */
 static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;
     if (l->event == JAVINO_REQUEST && l->version == 2 && l->rules && !b->part && b->length > SHORT_PART) {
+        make_room(b);
         b->answering = l->request;
         l->request = 0;
         l->event = JAVINO_NOTHING;

@@ -258,6 +258,16 @@ TEST_CASE("commands are carried out while an answer goes out, and another reques
   CHECK(w.percepts.read(w.sent(), 2) == "light(1,2,3,4);");
 }
 
+TEST_CASE("a long command finds room while an answer goes out") {
+  Watcher w;
+  w.set(rule(1, "dist", {"1<40"}));
+  w.hear(ask(1));
+  w.percept("light(100,200,300,400)");
+  javino_board_answer(&w.board);
+  REQUIRE(w.board.answering);
+  CHECK(w.hear(command(1, "say(" + std::string(100, 'x') + ")")) == JAVINO_ACTION);
+}
+
 TEST_CASE("percepts that wait are not disturbed by looking at the rules") {
   Watcher w;
   w.set(rule(1, "dist", {"1<40"}));

@@ -14,14 +14,14 @@ class StaleSpec : FunSpec({
         project.file("filters/nothing.json", """{"keep": true, "rules": []}""")
         project.agent("""
             !start.
-            +!start <- argo.port(ttyACM0, [timeout(50), boot(0), stale(150)]); argo.limit(5); argo.percepts(open).
+            +!start <- argo.port(ttyACM0, [timeout(50), boot(0), stale(250)]); argo.limit(5); argo.percepts(open).
             +dist(f,3) <- argo.change_filter(nothing); argo.act(see).
             +stale(P) : port(P,_) <- +was_stale.
             -stale(P) : was_stale <- argo.act(back).
         """).use { bob ->
             bob.perceives("dist(f,3)").shouldSend("see").board.hangs()
             bob.shouldNotBelieve("stale(_)", during = 130.milliseconds)
-            bob.shouldBelieve("stale(ttyACM0) & was_stale", within = 30.milliseconds)
+            bob.shouldBelieve("stale(ttyACM0) & was_stale", within = 130.milliseconds)
             bob.board.recovers()
             bob.shouldSend("back").shouldBelieve("not stale(_)")
         }
