@@ -1,5 +1,6 @@
 package argo
 
+import argo.acting.isPlainName
 import argo.calls.Failure
 import argo.calls.isStepOf
 import argo.calls.wrongArgument
@@ -54,9 +55,7 @@ open class can : DefaultInternalAction() {
 }
 
 /** A literal that the agent can act by; null: the board's name for the action is no atom. */
-private fun literalOf(action: RegisteredAction): Literal? = action.name.takeIf(ATOM::matches)?.let { name ->
+private fun literalOf(action: RegisteredAction): Literal? = action.name.takeIf(::isPlainName)?.let { name ->
     val arguments = if (action.arguments == ANY) 0 else action.arguments
     ASSyntax.createLiteral(name, *Array<Term>(arguments) { UnnamedVar() })
 }
-
-private val ATOM = Regex("[a-z][A-Za-z0-9_]*")

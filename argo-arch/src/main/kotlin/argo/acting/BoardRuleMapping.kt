@@ -19,7 +19,7 @@ import java.math.BigDecimal
  */
 internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     val rule = critical.rule
-    if (rule.arity != null || rule.predicate.namespace != Predicate.DEFAULT_NAMESPACE || !WORD.matches(rule.predicate.functor)) return null
+    if (rule.arity != null || !isPlain(rule.predicate)) return null
     val conditions = rule.conditions.map { (it as? Argument)?.let(::conditionOf) ?: return null }
     if (!conditions.all { it.isExact(conditions) }) return null
     return BoardRule("${rule.predicate}", conditions, critical.reflex).takeIf { it.text(ANY_NUMBER).length <= Frame.MAX_PAYLOAD }
@@ -58,5 +58,4 @@ private fun decimalOf(value: Double): String? =
 
 private const val ANY_NUMBER = 1
 private const val EXACT_DIGITS = 15
-private val WORD = Regex("[a-z][A-Za-z0-9_]*")
 private val PRINTABLE = Regex("[ -~]+")

@@ -1,7 +1,7 @@
 package argo.perception
 
+import argo.acting.isPlain
 import argo.filters.PerceptionFilter
-import argo.filters.Predicate
 import javino.Frame
 import javino.PerceptsRequest
 
@@ -13,14 +13,8 @@ internal fun perceptsRequest(filter: PerceptionFilter?): String =
     filter?.let(::functorsKept)?.joinToString(",", "${PerceptsRequest.ALL}(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD }
         ?: PerceptsRequest.ALL
 
-/** The functors without whose percepts the filter decides as it would with them; null: it may need any. */
+/** The functors without whose percepts the filter decides as it would with them; null: it may need any. `~open` is sent under `open`. */
 private fun functorsKept(filter: PerceptionFilter): List<String>? = (filter.rules + filter.critical.map { it.rule })
     .takeIf { filter.mode == PerceptionFilter.Mode.KEEP && it.isNotEmpty() }
-    ?.takeIf { rules -> rules.all { it.rate == null && isName(it.predicate) } }
+    ?.takeIf { rules -> rules.all { it.rate == null && isPlain(it.predicate) } }
     ?.map { it.predicate.functor }?.distinct()
-
-/** A board knows names, no quotes and no namespaces; `~open` is sent under the name `open`. */
-private fun isName(predicate: Predicate) =
-    predicate.namespace == Predicate.DEFAULT_NAMESPACE && predicate.functor.matches(NAME)
-
-private val NAME = Regex("[a-z][A-Za-z0-9_]*")
