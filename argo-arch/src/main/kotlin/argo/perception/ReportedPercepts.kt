@@ -1,6 +1,7 @@
 package argo.perception
 
 import argo.filters.CriticalRule
+import javino.wire.Shape
 
 /**
  * The percepts that a board has reported by themselves since it was asked for the newest message, the last one for each critical rule, so
@@ -32,20 +33,16 @@ internal class ReportedPercepts {
     fun placedIn(message: List<String>): List<String> = reports.values.fold(message) { percepts, report -> placed(report.text, percepts) }
 
     private fun placed(text: String, percepts: List<String>): List<String> {
-        val shape = shape(text)
-        val numbers = numbers(text)
-        val place = percepts.indices.filter { shape(percepts[it]) == shape }.maxByOrNull { same(numbers, numbers(percepts[it])) }
+        val numbers = ArrayList<String>()
+        val shape = Shape.of(text, numbers)
+        val place = percepts.indices.filter { Shape.of(percepts[it]) == shape }.maxByOrNull { same(numbers, percepts[it]) }
         return if (place == null) percepts + text else percepts.toMutableList().also { it[place] = text }
     }
 
-    /** How many numbers two percepts of one shape share: among `sonar(1,30)` and `sonar(2,40)`, `sonar(2,9)` is the second sensor's. */
-    private fun same(some: List<String>, others: List<String>) = some.zip(others).count { (one, other) -> one == other }
-
-    private companion object {
-        val DIGITS = Regex("[0-9]+")
-
-        fun shape(text: String) = text.replace(DIGITS, "0")
-
-        fun numbers(text: String): List<String> = DIGITS.findAll(text).map { it.value }.toList()
+    /** How many [numbers] of a percept another of its shape shares: of `sonar(1,30)` and `sonar(2,40)`, `sonar(2,9)` is the second's. */
+    private fun same(numbers: List<String>, other: String): Int {
+        val others = ArrayList<String>()
+        Shape.of(other, others)
+        return numbers.zip(others).count { (one, another) -> one == another }
     }
 }

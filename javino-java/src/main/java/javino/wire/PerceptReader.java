@@ -1,6 +1,5 @@
 package javino.wire;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -74,7 +73,7 @@ public final class PerceptReader {
             at += length;
             if (head < PerceptItems.MAX_IDS) {
                 requireReadable(!isContinued);
-                shapes[head] = Shape.of(piece, new ArrayList<>());
+                shapes[head] = Shape.of(piece);
             }
             text.append(piece);
             return head == PerceptItems.CONTINUED;

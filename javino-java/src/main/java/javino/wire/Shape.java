@@ -4,17 +4,28 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A percept's text without its digits: the pieces between the runs of digits, one more than there are runs.
+ * A percept's text without its digits: the pieces between the runs of the digits 0 to 9, one more than there are runs. The values of one
+ * sensor have one shape.
  *
- * @param pieces the first in front of the first run
+ * @param pieces the first in front of the first run, and each may be empty
  */
-record Shape(List<String> pieces) {
-    Shape {
+public record Shape(List<String> pieces) {
+    /** A shape of these pieces. */
+    public Shape {
         pieces = List.copyOf(pieces);
     }
 
-    /** The shape of a text, whose runs of digits are added to {@code runs}. */
-    static Shape of(String text, List<String> runs) {
+    /** The shape of a text. */
+    public static Shape of(String text) {
+        return of(text, new ArrayList<>());
+    }
+
+    /**
+     * The shape of a text.
+     *
+     * @param runs to which the text's runs of digits are added, in their order
+     */
+    public static Shape of(String text, List<String> runs) {
         List<String> pieces = new ArrayList<>();
         int from = 0;
         for (int at = 0; at < text.length(); ) {
@@ -33,11 +44,6 @@ record Shape(List<String> pieces) {
         }
         pieces.add(text.substring(from));
         return new Shape(pieces);
-    }
-
-    /** How many runs of digits a text of this shape has. */
-    int runs() {
-        return pieces.size() - 1;
     }
 
     private static boolean isDigit(char c) {
