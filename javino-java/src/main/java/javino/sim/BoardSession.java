@@ -49,9 +49,10 @@ public final class BoardSession {
         }
     }
 
+    /** The bytes of an answer in a frame while there are rules, so that what is urgent does not wait for a long frame. */
+    public static final int PART_WITH_RULES = 12;
+
     private static final int NUMBERS = 256;
-    private static final int PART_WITH_RULES =
-            12; // bytes of an answer, so that what is urgent does not wait for a long frame
     private static final int MAX_CRITICAL_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // behind rule and outcome
 
     private final BoardProgram program;

@@ -3,6 +3,9 @@ package samples.experiment
 import javino.Frame
 import javino.LineSettings
 import javino.PerceptsRequest
+import javino.sim.BoardSession.PART_WITH_RULES
+import javino.wire.AnswerPart
+import javino.wire.FrameKind
 import javino.wire.PerceptWriter
 import javino.wire.WireFrame
 import samples.collision.Course
@@ -31,18 +34,14 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
     val texts = all.split(';').filter { it.isNotEmpty() && (asked == null || it.substringBefore('(') in asked) }.map { "$it;" }
     val writer = PerceptWriter(MAX_KNOWN)
     writer.items(texts, 0) // from then on it knows their shapes
-    val items = writer.items(texts, known).length
-    val request = WireFrame.OVERHEAD + 1 + asked?.joinToString(",", "(", ")").orEmpty().length
-    val longest = if (trial.condition == Condition.REFLEX) LONGEST_PART - AROUND_PART else WireFrame.MAX_PAYLOAD - 2
-    val parts = (items + longest - 1) / longest
-    return request + items + if (parts <= 1) AROUND_PART - 1 else parts * AROUND_PART
+    val items = writer.items(texts, known)
+    val parts = if (trial.condition == Condition.REFLEX) AnswerPart.split(1, items, PART_WITH_RULES) else AnswerPart.split(1, items)
+    val request = WireFrame.of(FrameKind.ASK, 1, Char(known) + asked?.joinToString(",", "(", ")").orEmpty())
+    return request.length() + parts.sumOf { WireFrame.of(it.kind, 0, it.payload).length() }
 }
 
 /** Texts that a board numbers at most. */
 private const val MAX_KNOWN = 126
-
-/** The bytes around a part of an answer; around a whole one there is one less. */
-private const val AROUND_PART = 8
 
 /**
  * The worst-case delay of line and sensors, in ns, from the instant at which the robot crosses its limit to the effect of `stop` on its
@@ -52,7 +51,7 @@ private const val AROUND_PART = 8
  */
 internal fun leastStopNanos(trial: Trial): Long {
     val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds
-    if (trial.condition == Condition.REFLEX) return reading + maxOf(LOOK_NANOS, LONGEST_PART * byteNanos(trial))
+    if (trial.condition == Condition.REFLEX) return reading + maxOf(LOOK_NANOS, longestPart.length() * byteNanos(trial))
     val exchange = exchangeNanos(trial)
     return reading + maxOf(exchange, trial.interval * 1_000_000L) + exchange + stopBytes(trial) * byteNanos(trial)
 }
@@ -60,8 +59,8 @@ internal fun leastStopNanos(trial: Trial): Long {
 /** How often a board compares its sensors with its rules. */
 private const val LOOK_NANOS = 5_000_000L
 
-/** The bytes of the longest part of an answer of a board that watches rules. */
-private const val LONGEST_PART = 20
+/** The longest frame of an answer of a board that watches rules: behind the numbers of request and part. */
+private val longestPart = WireFrame.of(FrameKind.PERCEPTS_PART, 0, " ".repeat(2 + PART_WITH_RULES))
 
 /** How long the robot drives from its limit to the wall, in ns. */
 internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds
