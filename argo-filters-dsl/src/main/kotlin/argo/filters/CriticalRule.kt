@@ -6,7 +6,8 @@ package argo.filters
  *
  * @property rule which percepts they are; it has no rate
  * @property reflex the command that is sent when such a percept comes, before the agent reasons: 1 to [MAX_REFLEX_LENGTH] characters up to
- * U+00FF, none of them a control character, no blanks around them, and no `fffe` with two hexadecimal digits; null: none
+ * U+00FF, none of them a control character, no blanks around them, no `fffe` with two hexadecimal digits, and not the request
+ * `getPercepts`, with or without arguments; null: none
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null) {
@@ -25,6 +26,7 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
         const val MAX_REFLEX_LENGTH: Int = 255
 
         private val FRAME_HEADER = Regex("fffe\\p{XDigit}{2}")
+        private val REQUEST = Regex("getPercepts(\\(.*)?")
 
         internal fun requireSendable(reflex: String) {
             require(reflex.isNotBlank() && reflex == reflex.trim()) {
@@ -41,6 +43,9 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
             val header = FRAME_HEADER.find(reflex)
             require(header == null) {
                 "the reflex '$reflex' holds '${header?.value}', which a board may take for the beginning of another command; leave it out"
+            }
+            require(!REQUEST.matches(reflex)) {
+                "a board takes $reflex for the request for percepts, which argo.percepts(open) sends, and not for a command"
             }
         }
     }

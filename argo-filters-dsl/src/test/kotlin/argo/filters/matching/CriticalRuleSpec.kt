@@ -142,6 +142,9 @@ class CriticalRuleSpec : FreeSpec({
         refusal { critical("dist") { reflex("€") } } shouldContain "U+20AC"
         refusal { critical("dist") { reflex("say(fffe05front)") } } shouldContain "'fffe05'"
         refusal { critical("dist") { reflex("a\nb") } } shouldContain "U+000A"
+        refusal { critical("dist") { reflex("getPercepts") } } shouldContain "a board takes getPercepts for the request for percepts"
+        refusal { critical("dist") { reflex("getPercepts(a)") } } shouldContain "a board takes getPercepts(a) for the request for percepts"
+        dropFilter("f") { critical("dist") { reflex("getPerceptsLater") } }
         refusal { critical("dist") { reflex("stop"); reflex("back") } } shouldContain "one reflex"
         refusal { critical("dist") { argument(1) } } shouldContain "nothing is said of argument(1)"
     }
@@ -151,6 +154,8 @@ class CriticalRuleSpec : FreeSpec({
             "<critical ¦reflex=''><predicate>d</predicate></critical>" to "the reflex '' is empty",
             "<critical ¦reflex='€'><predicate>d</predicate></critical>" to "U+20AC",
             "<critical ¦reflex='say(fffe05front)'><predicate>d</predicate></critical>" to "'fffe05'",
+            "<critical ¦reflex='getPercepts'><predicate>d</predicate></critical>" to
+                "a board takes getPercepts for the request for percepts, which argo.percepts(open) sends, and not for a command",
             "<critical ¦everyMs='5'><predicate>d</predicate></critical>" to
                 "the attribute 'everyMs' on <critical>; expected arity or reflex",
             "<critical ¦deadband='5'><predicate>d</predicate></critical>" to "the attribute 'deadband' on <critical>",
@@ -174,6 +179,8 @@ class CriticalRuleSpec : FreeSpec({
         }
         val jsonRefusals = mapOf(
             """{"predicate": "d", "reflex": ¦""}""" to "the reflex '' is empty",
+            """{"predicate": "d", "reflex": ¦"getPercepts(a)"}""" to
+                "a board takes getPercepts(a) for the request for percepts, which argo.percepts(open) sends, and not for a command",
             """{"predicate": "d", "reflex": ¦5}""" to "\"reflex\" is 5; expected text",
             """{"predicate": "d", ¦"everyMs": 5}""" to "\"everyMs\" in a critical rule",
             """{"predicate": "d", "conditions": [{"argument": 0, ¦"deadband": 5}]}""" to "never held back",
