@@ -18,6 +18,7 @@ import argo.perception.FreshHandOver
 import argo.perception.HandOver
 import argo.perception.LastSeen
 import argo.perception.PerceptEvents
+import argo.perception.PerceptIntentions
 import argo.perception.PerceptLimit
 import argo.perception.Snapshot
 import argo.platform.Platform
@@ -60,6 +61,7 @@ import javino.wire.BoardAction as RegisteredAction
  *
  * @param owner the agent's name
  * @param events the percept events in Jason's queue
+ * @param intentions the intentions that such events have begun
  * @param observers the agent's observers
  */
 internal class AgentIo(
@@ -69,6 +71,7 @@ internal class AgentIo(
     private val waker: Waker,
     private val log: Logger,
     events: PerceptEvents,
+    intentions: PerceptIntentions,
     private val observers: () -> Observers,
 ) {
     /** Whether the agent perceives its board. Any thread may read. */
@@ -88,7 +91,7 @@ internal class AgentIo(
     private val activePort = AtomicReference<OpenPort?>()
     private val ledger = CommandLedger(::portInUse)
     private val handOver: HandOver =
-        if (options.policy == SensingPolicy.FRESH) FreshHandOver(ledger, events) else EveryHandOver { log.warning(it) }
+        if (options.policy == SensingPolicy.FRESH) FreshHandOver(ledger, events, intentions) else EveryHandOver { log.warning(it) }
     private val lastSeen = LastSeen { sensed }
     private val stale = StaleBeliefs(platform.nowMs, { portInUse()?.takeIf { isPerceiving } }, ::intervalMs)
     private val reflexes: Reflexes = Reflexes(::sendReflex, ::isWatchedBy, ::reflexEnded, rateLimitedWarning())

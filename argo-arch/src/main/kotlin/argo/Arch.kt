@@ -6,6 +6,7 @@ import argo.observing.ObservedAgent
 import argo.observing.Observers
 import argo.perception.EnvironmentPercepts
 import argo.perception.PerceptEvents
+import argo.perception.PerceptIntentions
 import argo.perception.bringForward
 import argo.platform.Platform
 import argo.platform.Waker
@@ -60,7 +61,9 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val log = Logger.getLogger("${Arch::class.java.name}.$agName")
         val options = ArchOptions(ts.settings, log)
         policy = options.policy
-        io = AgentIo(agName, options, platform, waker, log, PerceptEvents(::isQueueStanding, platform.nowMs) { ts.c.events }) { observing }
+        val events = PerceptEvents(::isQueueStanding, platform.nowMs) { ts.c.events }
+        val intentions = PerceptIntentions(platform.nowMs) { if (isQueueStanding()) emptyList() else ts.c.runningIntentions }
+        io = AgentIo(agName, options, platform, waker, log, events, intentions) { observing }
         observed = ObservedArch(this, waker, platform)
         observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
     }

@@ -30,17 +30,23 @@ internal interface HandOver {
 
 /**
  * Keeps the newest snapshot only and hands it over when
- * 1. the percept events of the one before have been taken from Jason's event queue, and
- * 2. every command that was issued before the hand-over of the one before has gone out, failed or timed out.
+ * 1. the percept events of the one before have been taken from Jason's event queue,
+ * 2. every command that was issued before the hand-over of the one before has gone out, failed or timed out, and
+ * 3. the intentions that percept events have begun are worked off.
  *
  * Without (1) events pile up, since Jason handles one a cycle; without (2) commands do, since the line is slower than the
- * agent. Waiting for all commands would starve the sensing of a plan that loops on `argo.act`.
+ * agent; without (3) intentions do, since Jason runs one step a cycle. Waiting for all commands would starve the sensing of a plan that
+ * loops on `argo.act`.
  *
  * A snapshot with a critical percept that the one before did not have is handed over at once, and no newer one takes its place that does
  * not meet its critical rules. So that a board which is critical all the time cannot make events pile up, this ends when [MANY_EVENTS]
  * wait; then each critical rule may do it once until both conditions hold again.
  */
-internal class FreshHandOver(private val commands: CommandLedger, private val events: PerceptEvents) : HandOver {
+internal class FreshHandOver(
+    private val commands: CommandLedger,
+    private val events: PerceptEvents,
+    private val intentions: PerceptIntentions = PerceptIntentions(),
+) : HandOver {
     private val lock = ReentrantLock() // one for both, or an older snapshot of the one could be taken after a newer one of the other
     private val critical = CriticalSnapshots()
 
@@ -61,17 +67,21 @@ internal class FreshHandOver(private val commands: CommandLedger, private val ev
     }
 
     /** Whether the agent has taken in the snapshot before. */
-    private fun isTakenIn() = commands.allDoneUpTo(commandsToAwait) && !events.wait()
+    private fun isTakenIn() = areEventsAndCommandsDone() && !intentions.wait()
+
+    private fun areEventsAndCommandsDone() = commands.allDoneUpTo(commandsToAwait) && !events.wait()
 
     private fun mayBeEarly(snapshot: Snapshot) = events.waiting() < MANY_EVENTS || critical.mayBeEarly(snapshot)
 
     override fun take(): Snapshot? {
         events.takenIn()
+        if (newest != null && areEventsAndCommandsDone()) intentions.await()
         if (!isReady()) return null
         val isTakenIn = isTakenIn()
         val snapshot = lock.withLock { critical.take(isTakenIn) ?: takeInTurn(isTakenIn) } ?: return null
         commandsToAwait = commands.lastIssued()
         events.handedOver()
+        intentions.handedOver()
         return snapshot
     }
 

@@ -5,12 +5,14 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.architecture.AgArch
 import javino.Link
 import javino.sim.FakeBoard
 import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.locks.LockSupport
 
 /** What only Jason's own infrastructure and real threads show; all other behaviour is specified in virtual time, in argo-testkit. */
 class RealAgentsSpec : FunSpec({
@@ -119,6 +121,24 @@ class RealAgentsSpec : FunSpec({
         }
     }
 
+    test("an agent that is slower than its board does not pile up the intentions that percepts begin") {
+        val sensors = 40
+        FakeBoard.plugIn("robot").lenient().use { board ->
+            var n = 0
+            board.version2()
+            board.whenAsked("getPercepts").answer { n++.let { (1..sensors).joinToString("") { i -> "light($i,$n);" } } }
+            LocalMas().use { mas ->
+                mas.agent("bob", """
+                    !start.
+                    +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(0); argo.percepts(open).
+                    +light(I,N) <- .abolish(none); .abolish(none); .abolish(none); .abolish(none).
+                """, behind = SlowCycles::class.java.name)
+                eventually(LIMIT) { (n > 30) shouldBe true }
+            }
+        }
+        SlowCycles.most shouldBeLessThan 2 * sensors
+    }
+
     test("an architecture behind argo.Arch is stopped once, by the Local infrastructure, which stops each") {
         CountedStops.all.clear()
         LocalMas().use { it.agent("bob", "", behind = CountedStops::class.java.name) }
@@ -142,6 +162,22 @@ class CountedStops : AgArch() {
 
     companion object {
         val all = CopyOnWriteArrayList<CountedStops>()
+    }
+}
+
+/** Has each reasoning cycle take half a millisecond more, and records how many intentions there were at most. Jason makes it. */
+class SlowCycles : AgArch() {
+    override fun reasoningCycleFinished() {
+        super.reasoningCycleFinished()
+        most = maxOf(most, ts.c.runningIntentions.size)
+        LockSupport.parkNanos(CYCLE_NANOS)
+    }
+
+    companion object {
+        private const val CYCLE_NANOS = 500_000L
+
+        @Volatile
+        var most = 0
     }
 }
 

@@ -8,8 +8,12 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import jason.asSemantics.Event
+import jason.asSemantics.IntendedMeans
 import jason.asSemantics.Intention
+import jason.asSemantics.Option
+import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
+import jason.asSyntax.Plan
 
 /** The port in use. */
 private object Robot
@@ -17,6 +21,9 @@ private object Robot
 class HandOverSpec : FunSpec({
     val noEvents = PerceptEvents { emptyList() }
     fun percept(trigger: String) = Event(ASSyntax.parseTrigger(trigger), Intention.EmptyInt)
+    fun intention(trigger: String) = Intention().apply {
+        push(IntendedMeans(Option(Plan(null, ASSyntax.parseTrigger(trigger), null, null), Unifier()), ASSyntax.parseTrigger(trigger)))
+    }
     fun snapshot(n: Long) = Snapshot(null, listOf("n($n)"), listOf("n($n)"), emptyList(), n)
 
     context("fresh") {
@@ -108,6 +115,28 @@ class HandOverSpec : FunSpec({
             stands = false
             handOver.put(snapshot(3))
             handOver.take() shouldBe null
+        }
+
+        test("waits until the intentions that percepts have begun have finished or wait, and for no others") {
+            val running = ArrayDeque(listOf(intention("+!drive"), intention("+dist(f,1)[source(percept)]")))
+            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents, PerceptIntentions({ 0 }) { running })
+            handOver.put(snapshot(1))
+            handOver.isReady() shouldBe false
+            handOver.take() shouldBe null
+            running.removeLast()
+            handOver.take()?.receivedNanos shouldBe 1
+        }
+
+        test("does not wait for an intention that runs on") {
+            var nowMs = 0L
+            val running = listOf(intention("+dist(f,1)[source(percept)]"))
+            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents, PerceptIntentions({ nowMs }) { running })
+            handOver.put(snapshot(1))
+            handOver.take() shouldBe null
+            nowMs = PerceptIntentions.LONG_MS
+            handOver.take()?.receivedNanos shouldBe 1
+            handOver.put(snapshot(2))
+            handOver.take()?.receivedNanos shouldBe 2
         }
 
         test("waits for the commands issued before the last hand-over and for no others") {
