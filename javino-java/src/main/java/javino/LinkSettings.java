@@ -9,7 +9,7 @@ import java.util.Objects;
  * @param paced whether a frame is handed to the driver only when the one before has left the line by the baud rate, so that an
  *     urgent command never waits behind seconds of old ones; false writes at once
  * @param spacingMillis milliseconds at least from the end of a frame to a version 1 board, or of its answer, to the start of the next
- *     frame. It is longer, 50 ms, while fewer than four answers have been timed, and for a board whose answers show that its
+ *     frame. It is longer, 50 ms, while fewer than six answers have been timed, and for a board whose answers show that its
  *     {@code loop()} takes long. 0: no gap, for a board that keeps all messages
  * @param boardQueue received messages that the board can hold, at least 1; boards in the field hold one
  * @param bootMillis milliseconds since opening in which a board may not have started yet; 0 for a board that is known to run

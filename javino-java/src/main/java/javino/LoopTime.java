@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit;
  *
  * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have
  * met the whole of the loop. Of n delays at random the range is less than a part x of the loop with the probability
- * n x^(n-1) - (n-1) x^n, which is at most one in a thousand for each multiple. It is at most {@value #MAX_MILLIS} ms, since sensors may
+ * n x^(n-1) - (n-1) x^n, which is less than one in 100,000 for each multiple. It is at most {@value #MAX_MILLIS} ms, since sensors may
  * make the difference, and that until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY} delays and more one in
  * {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this computer does not slow commands
  * down.
@@ -24,7 +24,7 @@ final class LoopTime {
     /** The longest estimate, and what the loop is taken for while it is not known: sensors take that long in many sketches. */
     static final int MAX_MILLIS = 50;
     /** Fewer delays say nothing. */
-    static final int MIN_SAMPLES = 4;
+    static final int MIN_SAMPLES = 6;
 
     private static final long MAX_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS);
     private static final int OUTLIER_AMONG = 64;
@@ -92,9 +92,9 @@ final class LoopTime {
     }
 
     private int multiple() {
-        if (count < 6) {
+        if (count < 8) {
             return 16;
         }
-        return count < 10 ? 8 : count < 32 ? 4 : 2;
+        return count < 12 ? 8 : count < 24 ? 4 : 2;
     }
 }

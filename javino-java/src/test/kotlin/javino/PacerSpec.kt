@@ -139,10 +139,10 @@ class PacerSpec : FunSpec({
         pacer.nanosUntilAction(11, MILLI) shouldBe sent + GAP - MILLI
     }
 
-    test("until four answers have been timed the gap is fifty milliseconds, then at least two") {
-        gapAfter(List(3) { 12 * MILLI }) shouldBe GAP
-        gapAfter(List(4) { 12 * MILLI }) shouldBe 2 * BYTE_9600
-        gapAfter(List(4) { 12 * MILLI }, LinkSettings.defaults().withBaud(115_200)) shouldBe 2 * MILLI
+    test("until six answers have been timed the gap is fifty milliseconds, then at least two") {
+        gapAfter(List(5) { 12 * MILLI }) shouldBe GAP
+        gapAfter(List(6) { 12 * MILLI }) shouldBe 2 * BYTE_9600
+        gapAfter(List(6) { 12 * MILLI }, LinkSettings.defaults().withBaud(115_200)) shouldBe 2 * MILLI
     }
 
     test("a request without an answer makes the loop unknown again") {
@@ -161,8 +161,8 @@ class PacerSpec : FunSpec({
 
     test("few answers may not have met the whole of a loop, so their differences count fourfold and more") {
         gapAfter(List(16) { (it % 4) * MILLI }) shouldBe 12 * MILLI + 2 * BYTE_9600
-        gapAfter(List(6) { (it % 4) * MILLI }) shouldBe 24 * MILLI + 2 * BYTE_9600
-        gapAfter(List(4) { (it % 4) * MILLI }) shouldBe 48 * MILLI + 2 * BYTE_9600
+        gapAfter(List(8) { (it % 4) * MILLI }) shouldBe 24 * MILLI + 2 * BYTE_9600
+        gapAfter(List(6) { (it % 4) * MILLI }) shouldBe 48 * MILLI + 2 * BYTE_9600
     }
 
     test("one answer that is late does not slow commands down, two do") {
