@@ -1,7 +1,10 @@
 package javino;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
+import javino.wire.WireFrame;
 
 /**
  * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Whichever of
@@ -21,6 +24,7 @@ final class CommandLoop {
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_WAIT_MILLIS);
 
     private final String port;
+    private final Monitor monitor;
     private final Transport transport;
     private final FrameWriter writer;
     private final SessionLine line;
@@ -30,7 +34,9 @@ final class CommandLoop {
     private final OneWaySender oneWay;
     private volatile long movedNanos; // when a command of version 1 last went out, or the board could not be asked
 
+    /** @param monitor that of the writer and the line */
     CommandLoop(
+            Monitor monitor,
             Transport transport,
             FrameWriter writer,
             SessionLine line,
@@ -38,6 +44,7 @@ final class CommandLoop {
             LineClock clock,
             Start start) {
         port = transport.name();
+        this.monitor = monitor;
         this.transport = transport;
         this.writer = writer;
         this.line = line;
@@ -63,8 +70,7 @@ final class CommandLoop {
         }
         command.outcome().whenComplete((done, failure) -> writer.reported());
         try {
-            writer.submit(command).forEach(earlier -> fail(earlier, replaced(earlier, command)));
-            writeAtOnce(command);
+            queue(command);
         } catch (PortGoneException gone) {
             fail(command, gone);
         } catch (PortException | RuntimeException | LinkageError unforeseen) { // a transport's
@@ -77,19 +83,40 @@ final class CommandLoop {
         return command;
     }
 
-    private void writeAtOnce(Command command) throws PortException {
-        if (line.isVersion2()) {
-            line.writeAtOnce();
-        } else if (!channel.mustAsk() && transport.isWritableNow() && writer.beginAtOnce(command)) {
-            try {
-                writer.leaves(oneWay.write(command));
-            } catch (PortException | RuntimeException | LinkageError trouble) {
-                writer.finish();
-                throw trouble;
-            }
-            return; // which has woken who waits
+    /** What is to be done without the lock. */
+    private interface Writing {
+        void run() throws PortException;
+    }
+
+    /** Queues a command. What may be written now is begun under the same lock, so that no thread is woken for it, and written here. */
+    private void queue(Command command) throws PortException {
+        boolean mayWrite = transport.isWritableNow();
+        List<Command> replaced = new ArrayList<>();
+        Writing writing = monitor.get(() -> {
+            replaced.addAll(writer.submit(command));
+            return mayWrite ? beginAtOnce(command) : null;
+        });
+        replaced.forEach(earlier -> fail(earlier, replaced(earlier, command)));
+        if (writing != null) {
+            writing.run();
         }
-        writer.wake();
+    }
+
+    private Writing beginAtOnce(Command command) {
+        if (line.isVersion2()) {
+            WireFrame frame = line.nextAtOnce();
+            return frame == null ? null : () -> line.write(frame);
+        }
+        return !channel.mustAsk() && writer.beginAtOnce(command) ? () -> writeAtOnce(command) : null;
+    }
+
+    private void writeAtOnce(Command command) throws PortException {
+        try {
+            writer.leaves(oneWay.write(command));
+        } catch (PortException | RuntimeException | LinkageError trouble) {
+            writer.finish();
+            throw trouble;
+        }
     }
 
     /** Sends commands until the line ends or the thread is interrupted. */

@@ -52,17 +52,12 @@ final class FrameWriter implements WaitingCommands<Command> {
         this.clock = clock;
     }
 
-    /** Queues a command, and returns those whose place it takes. Wakes nobody: {@link #wake} follows. */
+    /** Queues a command, and returns those whose place it takes. */
     List<Command> submit(Command command) throws PortGoneException {
         return monitor.get(() -> {
             requireLine();
             return commands.add(command);
         });
-    }
-
-    /** Wakes who waits for a command. */
-    void wake() {
-        monitor.change(() -> {});
     }
 
     /** Takes a command that has not begun to go out from the queue, for good; false if it has. */
@@ -98,10 +93,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     @Override
     public void begin() {
-        monitor.get(() -> {
-            commands.head().begin();
-            return null;
-        });
+        monitor.change(() -> commands.head().begin());
     }
 
     /**
@@ -292,6 +284,11 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> written.at(start, clock.nanos()));
     }
 
+    /** Whether a frame is being written. The caller holds the monitor's lock. */
+    boolean isWriting() {
+        return isWriting;
+    }
+
     /** Nanoseconds until a frame of version 2 may be written. The caller holds the monitor's lock. */
     long nanosUntilFrame() {
         return isWriting ? Monitor.FOREVER : pacer.nanosUntilFrame(clock.nanos());
@@ -320,10 +317,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /** Records that all that was written has arrived. */
     void allArrived(long now) {
-        monitor.get(() -> {
-            pacer.allArrived(now);
-            return null;
-        });
+        monitor.change(() -> pacer.allArrived(now));
     }
 
     /** Waits until the clock shows {@code nanos}. */
@@ -334,24 +328,15 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Waits until {@code nanosLeft}, which is asked again after each change, is 0 or less. */
+    /** Waits until {@code nanosLeft} is 0 or less, see {@link Monitor#await}. */
     private void awaitZero(LongSupplier nanosLeft) throws PortException {
-        while (true) {
-            requireLine();
-            long left = nanosLeft.getAsLong();
-            if (left <= 0) {
-                return;
-            }
-            monitor.await(left);
-        }
+        monitor.await(() -> endReason != null ? 0 : nanosLeft.getAsLong());
+        requireLine();
     }
 
     /** Records that {@code bytes} have been read at {@code now}. */
     void received(int bytes, long now) {
-        monitor.get(() -> {
-            pacer.received(bytes, now); // changes nothing that is waited for
-            return null;
-        });
+        monitor.change(() -> pacer.received(bytes, now));
     }
 
     /** Records that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */

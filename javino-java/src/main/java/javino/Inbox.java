@@ -3,7 +3,6 @@ package javino;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Supplier;
 import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
 
@@ -105,7 +104,26 @@ final class Inbox {
      * wait. Null also as soon as version 2 alone is read.
      */
     Reply next(long deadlineNanos) throws PortException {
-        return await(messages::poll, deadlineNanos);
+        return monitor.get(() -> {
+            while (true) {
+                long left = nanosToWait(deadlineNanos);
+                if (left == 0 && isBeingRead || !messages.isEmpty()) {
+                    return messages.poll();
+                }
+                if (isBeingRead) {
+                    monitor.await(() -> isBeingRead && messages.isEmpty() ? nanosToWait(deadlineNanos) : 0);
+                } else {
+                    readFor(left);
+                    if (left == 0) {
+                        return messages.poll();
+                    }
+                }
+            }
+        });
+    }
+
+    private long nanosToWait(long deadlineNanos) {
+        return protocol == Protocol.V2 ? 0 : Math.max(0, deadlineNanos - clock.nanos());
     }
 
     /** Whether messages of version 1 can come. */
@@ -163,26 +181,6 @@ final class Inbox {
     /** Frames of version 2 so far whose checksum was wrong. */
     long corrupt() {
         return monitor.get(version2::corrupt);
-    }
-
-    private <T> T await(Supplier<T> wanted, long deadlineNanos) throws PortException {
-        return monitor.get(() -> {
-            for (T found = wanted.get(); true; found = wanted.get()) {
-                long now = clock.nanos();
-                long left = protocol == Protocol.V2 ? 0 : Math.max(0, deadlineNanos - now);
-                if (found != null || left == 0 && isBeingRead) {
-                    return found;
-                }
-                if (isBeingRead) {
-                    monitor.await(left);
-                } else {
-                    readFor(left);
-                    if (left == 0) {
-                        return wanted.get();
-                    }
-                }
-            }
-        });
     }
 
     /** Whether a thread reads. The caller holds the monitor's lock. */

@@ -56,7 +56,7 @@ public final class Link implements AutoCloseable {
         writer = new FrameWriter(monitor, transport, new Pacer(settings, clock.nanos()), clock);
         line = new SessionLine(monitor, transport, clock, writer, settings);
         channel = new RequestChannel(line, writer, clock, settings);
-        commands = new CommandLoop(transport, writer, line, channel, clock, this::awaitStart);
+        commands = new CommandLoop(monitor, transport, writer, line, channel, clock, this::awaitStart);
     }
 
     /**

@@ -1,9 +1,15 @@
 package javino;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
+import java.util.function.LongSupplier;
 
-/** A lock with one condition, in the time of a line. */
+/**
+ * A lock whose holders wait for something, in the time of a line. Who gives it back asks those who wait what they still wait for, and
+ * wakes the ones whose wait is over: a thread that is woken for nothing costs more than the question.
+ */
 final class Monitor {
     /** Longer than anything is waited for. */
     static final long FOREVER = Long.MAX_VALUE / 4;
@@ -19,33 +25,28 @@ final class Monitor {
     }
 
     private final Lock lock;
-    private final Condition changed;
     private final LineClock clock;
     private final String port;
+    private final List<Waiter> waiters = new ArrayList<>();
+    private int depth; // how often its holder has taken the lock
 
     /** @param port what exceptions name */
     Monitor(LineClock clock, String port) {
         this.clock = clock;
         this.port = port;
         lock = clock.newLock(false);
-        changed = lock.newCondition();
     }
 
     /** Does {@code work} under the lock. */
     <T, E extends Exception> T get(Work<T, E> work) throws E {
         lock.lock();
-        try {
-            return work.run();
-        } finally {
-            lock.unlock();
-        }
+        return run(work);
     }
 
-    /** Makes {@code change} under the lock, and wakes who waits in {@link #await}. */
+    /** Makes {@code change} under the lock. */
     <E extends Exception> void change(Change<E> change) throws E {
         get(() -> {
             change.run();
-            changed.signalAll();
             return null;
         });
     }
@@ -57,34 +58,108 @@ final class Monitor {
         } catch (InterruptedException e) {
             throw PortInterruptedException.remarking(port);
         }
+        return run(work);
+    }
+
+    private <T, E extends Exception> T run(Work<T, E> work) throws E {
+        depth++;
         try {
             return work.run();
         } finally {
-            lock.unlock();
+            try {
+                if (depth == 1) {
+                    waiters.forEach(Waiter::wakeIfDue); // which may take the lock once more
+                }
+            } finally {
+                depth--;
+                lock.unlock();
+            }
         }
     }
 
-    /** Waits for a change, at most {@code nanos}; may return early. The caller holds the lock. */
-    void await(long nanos) throws PortInterruptedException {
+    /**
+     * Waits until {@code nanosLeft} is 0 or less. It is asked under the lock, by any thread that gives the lock back, and when as many
+     * nanoseconds have passed; so it changes nothing, and depends on time and on what the lock guards. The caller holds the lock.
+     */
+    void await(LongSupplier nanosLeft) throws PortInterruptedException {
+        Waiter waiter = new Waiter(nanosLeft);
+        waiters.add(waiter);
         try {
-            if (nanos >= FOREVER) {
-                changed.await();
-            } else {
-                clock.await(changed, nanos);
+            while (true) {
+                long now = clock.nanos();
+                long left = Math.min(nanosLeft.getAsLong(), FOREVER);
+                if (left <= 0) {
+                    return;
+                }
+                waiter.wakesAt = now + left;
+                free(() -> waiter.sleep(left));
             }
         } catch (InterruptedException e) {
             throw PortInterruptedException.remarking(port);
+        } finally {
+            waiters.remove(waiter);
         }
     }
 
-    /** Does {@code work} with the lock free, which the caller holds once; then wakes who waits in {@link #await}. */
+    /** Does {@code work} with the lock free, which the caller holds. */
     <T> T unlocked(Work<T, PortException> work) throws PortException {
-        lock.unlock();
+        return free(() -> {
+            lock.unlock();
+            try {
+                return work.run();
+            } finally {
+                lock.lock();
+            }
+        });
+    }
+
+    /** Does {@code work}, which gives the lock back and takes it again. */
+    private <T, E extends Exception> T free(Work<T, E> work) throws E {
+        waiters.forEach(Waiter::wakeIfDue);
+        int held = depth;
+        depth = 0;
         try {
             return work.run();
         } finally {
-            lock.lock();
-            changed.signalAll(); // it takes effect when the lock is free again
+            depth = held;
+        }
+    }
+
+    /** A thread that waits. */
+    private final class Waiter {
+        private final Condition woken = lock.newCondition();
+        private final LongSupplier nanosLeft;
+        private long wakesAt;
+        private boolean isWoken = true; // or does not sleep yet
+
+        Waiter(LongSupplier nanosLeft) {
+            this.nanosLeft = nanosLeft;
+        }
+
+        Void sleep(long nanos) throws InterruptedException {
+            isWoken = false;
+            try {
+                if (nanos >= FOREVER) {
+                    woken.await();
+                } else {
+                    clock.await(woken, nanos);
+                }
+                return null;
+            } finally {
+                isWoken = true;
+            }
+        }
+
+        void wakeIfDue() {
+            if (!isWoken && isDue()) {
+                isWoken = true;
+                woken.signal();
+            }
+        }
+
+        private boolean isDue() {
+            long left = Math.min(nanosLeft.getAsLong(), FOREVER);
+            return left <= 0 || clock.nanos() + left - wakesAt < 0;
         }
     }
 }

@@ -150,33 +150,50 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         }
     }
 
-    /** The frame that is to be written now; null after it has waited for a change, or read. */
+    /** Reads or waits until there is a frame to be written now, which is returned; null: something else is to be done, or is done. */
     private WireFrame nextUnless(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
-        writer.requireLine();
-        long now = clock.nanos();
-        long left = deadline - now;
-        if (isDone.getAsBoolean() || left <= 0) {
-            return null;
-        }
-        long untilFree = writer.nanosUntilFrame();
-        WireFrame frame = untilFree > 0 ? null : next(now);
-        if (frame != null) {
-            return frame;
-        }
-        long untilNext = untilFree > 0
-                ? untilFree
-                : Math.min(session.nanosUntilDue(now), writer.head() == null ? Long.MAX_VALUE : LOOK_NANOS);
-        if ((reads || session.isExpecting()) && !inbox.isBeingRead()) {
-            inbox.readFor(followers > 0 ? left : Math.min(left, untilNext)); // who follows wakes in time
-        } else {
-            followers++;
-            try {
-                monitor.await(Math.min(left, untilNext));
-            } finally {
-                followers--;
+        while (true) {
+            writer.requireLine();
+            long now = clock.nanos();
+            if (isDone.getAsBoolean() || deadline - now <= 0 || !reports.isEmpty()) {
+                return null;
+            }
+            WireFrame frame = writer.nanosUntilFrame() > 0 ? null : next(now);
+            if (frame != null) {
+                return frame;
+            }
+            if (mustRead(reads)) {
+                long left = deadline - now;
+                inbox.readFor(
+                        followers > 0 ? left : Math.min(left, nanosUntilNext(now + LOOK_NANOS))); // who follows writes
+            } else {
+                follow(isDone, deadline, reads);
             }
         }
-        return null;
+    }
+
+    private void follow(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
+        long lookAt = clock.nanos() + LOOK_NANOS;
+        followers++;
+        try {
+            monitor.await(() -> isDone.getAsBoolean() || mustRead(reads) || !writer.hasLine()
+                    ? 0
+                    : Math.min(deadline - clock.nanos(), nanosUntilNext(lookAt)));
+        } finally {
+            followers--;
+        }
+    }
+
+    /** Whether a thread is to read that waits here, as no other thread does. */
+    private boolean mustRead(boolean reads) {
+        return (reads || session.isExpecting() && !writer.isWriting()) && !inbox.isBeingRead();
+    }
+
+    /** Nanoseconds until a frame is to be written, or the time of commands that wait is to be looked at. */
+    private long nanosUntilNext(long lookAt) {
+        long now = clock.nanos();
+        long untilFrame = Math.max(writer.nanosUntilFrame(), session.nanosUntilNext(now, writer));
+        return writer.head() == null ? untilFrame : Math.min(untilFrame, lookAt - now);
     }
 
     private WireFrame next(long now) {
@@ -196,16 +213,14 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         }
     }
 
-    /** Writes the next frame on this thread, if that waits for nothing. */
-    void writeAtOnce() throws PortException {
-        if (!transport.isWritableNow()) {
-            return;
-        }
-        WireFrame frame = monitor.get(
-                () -> isVersion2() && writer.hasLine() && writer.nanosUntilFrame() == 0 ? next(clock.nanos()) : null);
-        if (frame != null) {
-            write(frame, Long.MAX_VALUE);
-        }
+    /** The frame that may be written now, which {@link #write} follows; null: there is none. The caller holds the monitor's lock. */
+    WireFrame nextAtOnce() {
+        return writer.hasLine() && writer.nanosUntilFrame() == 0 ? next(clock.nanos()) : null;
+    }
+
+    /** Writes a frame that {@link #nextAtOnce} has returned. The caller holds no lock. */
+    void write(WireFrame frame) throws PortException {
+        write(frame, Long.MAX_VALUE);
         report();
     }
 

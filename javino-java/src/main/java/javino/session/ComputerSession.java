@@ -333,11 +333,10 @@ public final class ComputerSession<C extends SessionCommand> {
         int place = first;
         for (; place < window.size(); place++) {
             Window.Entry<C> entry = window.get(place);
-            boolean isVoid = entry.isVoid() || entry.command.isOver();
-            if (!row.add(isVoid ? new CommandItem.Nothing() : vocabulary.itemOf(entry.command.text()))) {
+            if (!row.add(repetitionOf(entry))) {
                 break;
             }
-            if (isVoid) {
+            if (entry.command.isOver()) {
                 entry.markVoid();
             }
         }
@@ -349,6 +348,11 @@ public final class ComputerSession<C extends SessionCommand> {
         return row.frame(first, place, true, now);
     }
 
+    private CommandItem repetitionOf(Window.Entry<C> entry) {
+        boolean isVoid = entry.isVoid() || entry.command.isOver();
+        return isVoid ? new CommandItem.Nothing() : vocabulary.itemOf(entry.command.text());
+    }
+
     private WireFrame commands(long now, WaitingCommands<C> waiting) {
         if (isSettled()) {
             heardAt = now; // nothing has been awaited
@@ -356,20 +360,24 @@ public final class ComputerSession<C extends SessionCommand> {
         Row row = new Row(isSettled());
         int first = window.size();
         for (C next = waiting.head(); next != null && !window.isFull(); next = waiting.head()) {
-            boolean isTooLong = next.text().length() > CommandItem.MAX_TEXT;
-            CommandItem item = isTooLong ? null : vocabulary.itemOf(next.text());
-            if (isTooLong || item.payload().length() > welcome.longestPayload()) {
+            if (isTooLong(next)) {
                 waiting.begin();
                 listener.ended(next, CommandOutcome.TOO_LONG);
                 continue;
             }
-            if (!row.add(item)) {
+            if (!row.add(vocabulary.itemOf(next.text()))) {
                 break;
             }
             waiting.begin();
             window.add(next);
         }
         return row.isEmpty() ? null : row.frame(first, window.size(), false, now);
+    }
+
+    private boolean isTooLong(C command) {
+        String text = command.text();
+        return text.length() > CommandItem.MAX_TEXT
+                || vocabulary.itemOf(text).payload().length() > welcome.longestPayload();
     }
 
     /** Commands of one frame. */
@@ -431,19 +439,34 @@ public final class ComputerSession<C extends SessionCommand> {
         }
     }
 
-    /** Nanoseconds until {@link #next} has a frame though nothing comes and no command is queued; {@link Long#MAX_VALUE}: it has none. */
-    public long nanosUntilDue(long now) {
+    /**
+     * Nanoseconds until {@link #next} has a frame if nothing comes meanwhile; {@link Long#MAX_VALUE}: it will have none.
+     *
+     * @param waiting as for {@link #next}
+     */
+    public long nanosUntilNext(long now, WaitingCommands<C> waiting) {
         return switch (state) {
             case CLOSED -> Long.MAX_VALUE;
             case OPENING -> Math.max(0, helloAt - now);
-            case OPEN ->
-                Math.min(
-                        isTimed ? Math.max(0, timerFrom + timeoutNanos() - now) : Long.MAX_VALUE,
-                        Math.min(
-                                requestIsDue(now) || requests.nanosUntilDue(now) > 0
-                                        ? requests.nanosUntilDue(now)
-                                        : Long.MAX_VALUE,
-                                vocabulary.nanosUntilDue(now)));
+            case OPEN -> hasCommands(waiting) ? 0 : nanosUntilDue(now);
         };
+    }
+
+    private long nanosUntilDue(long now) {
+        long untilRepetition = isTimed ? Math.max(0, timerFrom + timeoutNanos() - now) : Long.MAX_VALUE;
+        long untilRequest = requests.nanosUntilDue(now);
+        if (untilRequest == 0 && !requestIsDue(now)) {
+            untilRequest = Long.MAX_VALUE; // it waits for an acknowledgement
+        }
+        return Math.min(Math.min(untilRepetition, untilRequest), vocabulary.nanosUntilDue(now));
+    }
+
+    /** Whether there is a frame of commands to be written, be it a repetition. */
+    private boolean hasCommands(WaitingCommands<C> waiting) {
+        if (window.unsent() < window.size()) {
+            return new Row(window.bytes() == 0).add(repetitionOf(window.get(window.unsent())));
+        }
+        C next = window.isFull() ? null : waiting.head();
+        return next != null && (isTooLong(next) || new Row(isSettled()).add(vocabulary.itemOf(next.text())));
     }
 }
