@@ -38,6 +38,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     private boolean
             isLeaving; // the command under way was written by who submitted it, and its last byte leaves at leavesAt
     private long leavesAt;
+    private volatile long outcomeNanos;
     private String endReason; // null while the line is there
 
     FrameWriter(Transport transport, Pacer pacer, LineClock clock) {
@@ -50,6 +51,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         this.transport = transport;
         this.pacer = pacer;
         this.clock = clock;
+        outcomeNanos = clock.nanos();
     }
 
     /** Queues a command, and returns those whose place it takes. */
@@ -191,7 +193,15 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /** Records that the outcome of a command has been reported. */
     void reported() {
-        monitor.change(commands::finished);
+        monitor.change(() -> {
+            commands.finished();
+            outcomeNanos = clock.nanos();
+        });
+    }
+
+    /** When the last outcome of a command was reported, or the line was opened. */
+    long outcomeNanos() {
+        return outcomeNanos;
     }
 
     /** Waits, at most {@code nanos}, until the commands that have been submitted so far are over. */

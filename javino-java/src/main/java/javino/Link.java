@@ -30,7 +30,7 @@ import javino.wire.BoardAction;
  */
 public final class Link implements AutoCloseable {
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
-    /** For this part of the time that a request takes the line is left free before it, for the commands that the last message caused. */
+    /** For this part of the time that a request takes the line is left free behind an answer or an outcome, for commands that it causes. */
     private static final int GRACE_DIVISOR = 8;
 
     private final Lock ending;
@@ -44,6 +44,7 @@ public final class Link implements AutoCloseable {
     private final RequestChannel channel; // used by who holds reading
     private final CommandLoop commands;
     private volatile long exchangeNanos; // that the last one took
+    private volatile long answeredNanos; // when it ended
 
     Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
         this.transport = transport;
@@ -56,6 +57,7 @@ public final class Link implements AutoCloseable {
         writer = new FrameWriter(monitor, transport, new Pacer(settings, clock.nanos()), clock);
         line = new SessionLine(monitor, transport, clock, writer, settings);
         channel = new RequestChannel(line, writer, clock, settings);
+        answeredNanos = clock.nanos();
         commands = new CommandLoop(monitor, transport, writer, line, channel, clock, this::awaitStart);
     }
 
@@ -180,7 +182,8 @@ public final class Link implements AutoCloseable {
         long grace = settings.line().byteNanos() * Frame.of(PerceptsRequest.ALL).length() / GRACE_DIVISOR;
         noticing(() -> {
             giveWay(limit);
-            writer.awaitTime(clock.nanos() + grace);
+            long outcome = writer.outcomeNanos();
+            writer.awaitTime((outcome - answeredNanos > 0 ? outcome : answeredNanos) + grace);
             giveWay(limit);
             return null;
         });
@@ -188,7 +191,8 @@ public final class Link implements AutoCloseable {
         try {
             return exchange(Frame.of(message.get()), timeoutMillis);
         } finally {
-            exchangeNanos = clock.nanos() - start;
+            answeredNanos = clock.nanos();
+            exchangeNanos = answeredNanos - start;
         }
     }
 
