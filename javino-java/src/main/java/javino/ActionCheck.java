@@ -14,9 +14,8 @@ final class ActionCheck {
         if (actions.isEmpty() || BoardRule.isIn(command)) {
             return null;
         }
-        int open = command.indexOf('(');
-        String name = open < 0 ? command : command.substring(0, open);
-        int arguments = open < 0 ? 0 : argumentsBehind(command, open);
+        String name = Command.functorOf(command);
+        int arguments = name.length() == command.length() ? 0 : argumentsBehind(command, name.length());
         BoardAction known = null;
         for (BoardAction action : actions) {
             known = action.name().equals(name) ? action : known; // the newest counts

@@ -52,10 +52,10 @@ final class Command implements SessionCommand {
         return number;
     }
 
-    /** Its text up to the first parenthesis. */
-    String functor() {
-        int end = frame.text().indexOf('(');
-        return end < 0 ? frame.text() : frame.text().substring(0, end);
+    /** The text of a command up to the first parenthesis. */
+    static String functorOf(String text) {
+        int end = text.indexOf('(');
+        return end < 0 ? text : text.substring(0, end);
     }
 
     boolean isUrgent() {
@@ -64,7 +64,7 @@ final class Command implements SessionCommand {
 
     /** Whether it takes the place of {@code earlier}, which waits. */
     boolean replaces(Command earlier) {
-        return options.latest() && earlier.isWaiting() && functor().equals(earlier.functor());
+        return options.latest() && earlier.isWaiting() && functorOf(text()).equals(functorOf(earlier.text()));
     }
 
     /** Nanoseconds that are left at {@code now}, more than {@code most} never. */
