@@ -1,7 +1,6 @@
 package javino;
 
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import javino.session.SessionCommand;
 
 /** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
@@ -16,7 +15,6 @@ final class Command implements SessionCommand {
     private final Frame frame;
     private final SendOptions options;
     private final long submittedAt;
-    private final long deadline;
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
     private volatile State state = State.WAITING;
     private long number;
@@ -26,7 +24,6 @@ final class Command implements SessionCommand {
         this.frame = frame;
         this.options = options;
         submittedAt = now;
-        deadline = now + TimeUnit.MILLISECONDS.toNanos(options.limitMillis());
     }
 
     Frame frame() {
@@ -65,11 +62,6 @@ final class Command implements SessionCommand {
     /** Whether it takes the place of {@code earlier}, which waits. */
     boolean replaces(Command earlier) {
         return options.latest() && earlier.isWaiting() && functorOf(text()).equals(functorOf(earlier.text()));
-    }
-
-    /** Nanoseconds that are left at {@code now}, more than {@code most} never. */
-    long nanosLeft(long now, long most) {
-        return options.limitMillis() > 0 ? Math.min(deadline - now, most) : most;
     }
 
     /** What became of it. Completed outside of any lock, since its dependents run on the thread that completes it. */

@@ -67,9 +67,8 @@ final class Window<C> {
     }
 
     /** Adds a command behind those that are out. */
-    Entry<C> add(C command) {
+    void add(C command) {
         out.add(new Entry<>(command));
-        return out.get(out.size() - 1);
     }
 
     /** Lets all that is out be sent again. */
