@@ -18,6 +18,7 @@ final class Negotiation {
     private final SessionLine line;
     private final FrameWriter writer;
     private final Version1Requests version1;
+    private final ResponseCorrelator answers;
     private final BoardStart start;
     private final LineClock clock;
     private final long helloNanos;
@@ -27,12 +28,14 @@ final class Negotiation {
             SessionLine line,
             FrameWriter writer,
             Version1Requests version1,
+            ResponseCorrelator answers,
             BoardStart start,
             LineClock clock,
             LinkSettings settings) {
         this.line = line;
         this.writer = writer;
         this.version1 = version1;
+        this.answers = answers;
         this.start = start;
         this.clock = clock;
         helloNanos = Math.max(HELLO_NANOS, HELLO_BYTES * settings.line().byteNanos());
@@ -58,7 +61,7 @@ final class Negotiation {
         while (true) {
             long sent = version1.ask(request, timeoutMillis);
             long wait = mayBeStarting ? Math.min(timeoutNanos, REPEAT_NANOS - helloNanos) : timeoutNanos;
-            Reply first = version1.first(sent, sent + wait, Math.max(giveUp, sent + timeoutNanos));
+            Reply first = answers.by(sent, sent + wait, Math.max(giveUp, sent + timeoutNanos));
             if (first != null) {
                 Reply answer = version1.completed(first, timeoutMillis);
                 if (mayBeStarting && isWelcomed(timeoutMillis)) {

@@ -23,8 +23,9 @@ final class RequestChannel {
         this.line = line;
         this.clock = clock;
         start = new BoardStart(clock, settings.bootMillis());
-        version1 = new Version1Requests(line.inbox(), writer, clock, start, settings);
-        negotiation = new Negotiation(line, writer, version1, start, clock, settings);
+        ResponseCorrelator answers = new ResponseCorrelator(line.inbox(), clock);
+        version1 = new Version1Requests(line.inbox(), writer, clock, start, answers, settings);
+        negotiation = new Negotiation(line, writer, version1, answers, start, clock, settings);
         byteNanos = settings.line().byteNanos();
     }
 

@@ -17,12 +17,18 @@ final class Version1Requests {
     private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
     private Reply overheard; // the newest that came meanwhile and is for who listens; null: none
 
-    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStart start, LinkSettings settings) {
+    Version1Requests(
+            Inbox inbox,
+            FrameWriter writer,
+            LineClock clock,
+            BoardStart start,
+            ResponseCorrelator answers,
+            LinkSettings settings) {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;
         this.start = start;
-        answers = new ResponseCorrelator(inbox, clock);
+        this.answers = answers;
         turnMillis = Math.max(settings.spacingMillis(), LoopTime.MAX_MILLIS) + LoopTime.MAX_DELAY_MILLIS;
     }
 
@@ -51,7 +57,7 @@ final class Version1Requests {
                 answer == null && left > 0 && inbox.isReadingVersion1();
                 left = giveUp - clock.nanos()) {
             long sent = ask(request, timeoutMillis);
-            answer = first(sent, sent + Math.min(left, repeatNanos), giveUp);
+            answer = answers.by(sent, sent + Math.min(left, repeatNanos), giveUp);
         }
         return answer == null ? null : completed(answer, timeoutMillis);
     }
@@ -66,11 +72,6 @@ final class Version1Requests {
         });
         answers.asked(sent);
         return sent;
-    }
-
-    /** The next message, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
-    Reply first(long sent, long deadline, long giveUp) throws PortException {
-        return answers.by(sent, deadline, giveUp);
     }
 
     /** Brings the exchange whose first message has come to its end, and returns the answer. */
