@@ -101,12 +101,12 @@ final class Pacer {
             actionsMeanwhile++;
             bytesMeanwhile += bytes;
         }
-        return wrote(bytes, start, now);
+        return wroteFrame(bytes, start, now);
     }
 
     /** Records that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
-        requestEnd = wrote(bytes, start, now);
+        requestEnd = wroteFrame(bytes, start, now);
         if (unanswered++ > 0) {
             loop.forget(); // it may have grown
         }
@@ -120,17 +120,13 @@ final class Pacer {
         return requestEnd;
     }
 
-    /** Records that a frame of version 2 was written; as {@link #wroteAction}. */
-    long wroteFrame(int bytes, long start, long now) {
-        return wrote(bytes, start, now);
-    }
-
     /** Records that all that was written has arrived, if the line is faster than its rate, as a pseudo-terminal is. */
     void allArrived(long now) {
         lineFreeAt = now - lineFreeAt < 0 ? now : lineFreeAt;
     }
 
-    private long wrote(int bytes, long start, long now) {
+    /** Records that a frame of version 2 was written; as {@link #wroteAction}. */
+    long wroteFrame(int bytes, long start, long now) {
         if (paced) {
             long duration = bytes * byteNanos;
             boolean buffered = now - start < duration; // it may have reached the driver as late as now
