@@ -16,13 +16,8 @@ final class CommandQueue {
     /** Queues a command, in the place of the first that it replaces if that is as urgent; returns those that it replaces. */
     List<Command> add(Command command) {
         List<Command> replaced = new ArrayList<>();
-        if (command.isUrgent()) {
-            ordinary = without(ordinary, command, replaced, false);
-            urgent = without(urgent, command, replaced, true);
-        } else {
-            urgent = without(urgent, command, replaced, false);
-            ordinary = without(ordinary, command, replaced, true);
-        }
+        urgent = without(urgent, command, replaced, command.isUrgent());
+        ordinary = without(ordinary, command, replaced, !command.isUrgent());
         submitted++;
         command.submitted(submitted);
         return replaced;
