@@ -33,7 +33,7 @@ final class BoardStart {
     }
 
     /** Records that the board has answered in version 2. */
-    void isRunning() {
+    void answered() {
         isReady = true;
     }
 }

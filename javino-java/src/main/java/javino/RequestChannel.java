@@ -46,7 +46,7 @@ final class RequestChannel {
         if (!mustAsk()) {
             return;
         }
-        version1.isForAction(true);
+        version1.askForAction(true);
         try {
             if (line.protocol() == Protocol.AUTO) {
                 negotiation.run(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
@@ -54,7 +54,7 @@ final class RequestChannel {
                 version1.askUntil(clock.nanos() + start.nanosLeft(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             }
         } finally {
-            version1.isForAction(false);
+            version1.askForAction(false);
         }
     }
 
@@ -85,7 +85,7 @@ final class RequestChannel {
                 TimeUnit.MILLISECONDS.toNanos(timeoutMillis) + REQUEST_BYTES * byteNanos);
         Reply answer = line.request(request.text().substring(PerceptsRequest.ALL.length()), clock.nanos() + wait);
         if (answer != null) {
-            start.isRunning();
+            start.answered();
         }
         return answer;
     }

@@ -33,7 +33,7 @@ final class Version1Requests {
     }
 
     /** Sets whether what is asked from now on is for the sake of an action. */
-    void isForAction(boolean value) {
+    void askForAction(boolean value) {
         isForAction = value;
     }
 
