@@ -223,7 +223,8 @@ final class FrameWriter implements WaitingCommands<Command> {
     /**
      * Waits for a turn of its own, before the commands that wait, and writes a frame.
      *
-     * @param timeoutMillis milliseconds to wait at most for the turn, and again for the driver
+     * @param timeoutMillis milliseconds to wait at most for the turn, beside those for which the pacer holds a frame back on a free line,
+     *     and again for the driver
      * @return when its last byte leaves the line, by the clock
      * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
      */
@@ -237,7 +238,8 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
         long due = clock.nanos();
-        long deadline = due + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+        long limitMillis = (long) timeoutMillis + pacer.maxHoldMillis(); // who asks does not know the gap
+        long deadline = due + TimeUnit.MILLISECONDS.toNanos(limitMillis);
         LongSupplier untilTurn = () -> isWriting
                 ? Monitor.FOREVER
                 : kind == Kind.ACTION
@@ -247,7 +249,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         try {
             awaitZero(() -> Math.min(untilTurn.getAsLong(), deadline - clock.nanos()));
             if (untilTurn.getAsLong() > 0) {
-                throw noTime(bytes, timeoutMillis);
+                throw noTime(bytes, limitMillis);
             }
             isWriting = true;
         } finally {
@@ -256,7 +258,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /** Why a frame was not written whose turn did not come. */
-    PortTimeoutException noTime(int bytes, int timeoutMillis) {
+    PortTimeoutException noTime(int bytes, long timeoutMillis) {
         return new PortTimeoutException(
                 transport.name(),
                 "port " + transport.name() + " had no time for a message of " + bytes + " bytes within " + timeoutMillis

@@ -22,7 +22,6 @@ final class Negotiation {
     private final BoardStart start;
     private final LineClock clock;
     private final long helloNanos;
-    private final int spacingMillis;
 
     Negotiation(
             SessionLine line,
@@ -39,7 +38,6 @@ final class Negotiation {
         this.start = start;
         this.clock = clock;
         helloNanos = Math.max(HELLO_NANOS, HELLO_BYTES * settings.line().byteNanos());
-        spacingMillis = settings.spacingMillis();
     }
 
     /**
@@ -78,7 +76,7 @@ final class Negotiation {
 
     /** Says HELLO, and waits for WELCOME. */
     private boolean isWelcomed(int timeoutMillis) throws PortException {
-        long left = writer.write(FrameWriter.Kind.ACTION, line.hello(), timeoutMillis + spacingMillis, () -> {});
+        long left = writer.write(FrameWriter.Kind.ACTION, line.hello(), timeoutMillis, () -> {});
         return line.await(line::isVersion2, left + helloNanos, true);
     }
 }

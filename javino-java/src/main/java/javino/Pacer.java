@@ -33,6 +33,7 @@ final class Pacer {
     private final long byteNanos;
     private final long minGapNanos;
     private final int boardQueue;
+    private final int maxHoldMillis;
 
     private long lineFreeAt;
     private long lastEnd; // of the last frame, or of the answer behind it
@@ -53,9 +54,15 @@ final class Pacer {
         byteNanos = settings.line().byteNanos();
         minGapNanos = TimeUnit.MILLISECONDS.toNanos(settings.spacingMillis());
         boardQueue = settings.boardQueue();
+        maxHoldMillis = Math.max(settings.spacingMillis(), LoopTime.MAX_MILLIS) + LoopTime.MAX_DELAY_MILLIS;
         lineFreeAt = now;
         lastEnd = now - gap();
         busyUntil = now;
+    }
+
+    /** Milliseconds for which the gap and a probe of the board's loop hold a frame back at most on a line that is free. */
+    int maxHoldMillis() {
+        return maxHoldMillis;
     }
 
     /** Nanoseconds from {@code now} until a frame of version 2 may be written; 0: now. */

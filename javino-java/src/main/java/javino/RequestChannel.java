@@ -24,7 +24,7 @@ final class RequestChannel {
         this.clock = clock;
         start = new BoardStart(clock, settings.bootMillis());
         ResponseCorrelator answers = new ResponseCorrelator(line.inbox(), clock);
-        version1 = new Version1Requests(line.inbox(), writer, clock, start, answers, settings);
+        version1 = new Version1Requests(line.inbox(), writer, clock, start, answers);
         negotiation = new Negotiation(line, writer, version1, answers, start, clock, settings);
         byteNanos = settings.line().byteNanos();
     }

@@ -12,24 +12,16 @@ final class Version1Requests {
     private final LineClock clock;
     private final BoardStart start;
     private final ResponseCorrelator answers;
-    private final int turnMillis; // for which the pacer holds a request back at most while no command waits
     private boolean isListening; // somebody wants what the board says unasked
     private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
     private Reply overheard; // the newest that came meanwhile and is for who listens; null: none
 
-    Version1Requests(
-            Inbox inbox,
-            FrameWriter writer,
-            LineClock clock,
-            BoardStart start,
-            ResponseCorrelator answers,
-            LinkSettings settings) {
+    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStart start, ResponseCorrelator answers) {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;
         this.start = start;
         this.answers = answers;
-        turnMillis = Math.max(settings.spacingMillis(), LoopTime.MAX_MILLIS) + LoopTime.MAX_DELAY_MILLIS;
     }
 
     /** Sets whether what is asked from now on is for the sake of an action. */
@@ -64,7 +56,7 @@ final class Version1Requests {
 
     /** Writes a request, and returns when its last byte leaves. */
     long ask(Frame request, int timeoutMillis) throws PortException {
-        long sent = writer.write(FrameWriter.Kind.REQUEST, request.toBytes(), timeoutMillis + turnMillis, () -> {
+        long sent = writer.write(FrameWriter.Kind.REQUEST, request.toBytes(), timeoutMillis, () -> {
             if (!(isForAction && isListening)) {
                 inbox.clear();
             }

@@ -272,6 +272,13 @@ class LinkVersionSpec : FunSpec({
         for ((before, after) in times.zipWithNext()) if (before.first) after.second - before.second shouldBeGreaterThan 60.0
     }
 
+    test("a board that starts is found to be of version 2 by requests with a time limit that is shorter than the gap between frames") {
+        bench(VirtualBoard2(startsAt = 500.0)).use { bench ->
+            bench.link.request(REQUEST, 5).text() shouldBe "1;"
+            bench.link.protocol() shouldBe Protocol.V2
+        }
+    }
+
     test("a WELCOME that comes late makes it version 2 after all") {
         val board = VirtualBoard2().apply { takes = 700.0 }
         bench(board, LinkSettings.defaults().withBootMillis(0)).use { bench ->
