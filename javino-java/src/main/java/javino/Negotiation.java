@@ -49,7 +49,7 @@ final class Negotiation {
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         boolean mayBeStarting = start.nanosLeft() > 0;
         long giveUp = clock.nanos() + Math.max(start.nanosLeft(), timeoutNanos);
-        if (isWelcomed(timeoutMillis) || isWelcomed(timeoutMillis)) {
+        if (sayHello(timeoutMillis)) {
             return null;
         }
         if (start.hasHeard() || line.inbox().hasMessage()) {
@@ -72,6 +72,11 @@ final class Negotiation {
                 return null;
             }
         }
+    }
+
+    /** Says HELLO, and once more if no WELCOME comes; returns whether it has come. */
+    boolean sayHello(int timeoutMillis) throws PortException {
+        return isWelcomed(timeoutMillis) || isWelcomed(timeoutMillis);
     }
 
     /** Says HELLO, and waits for WELCOME. */

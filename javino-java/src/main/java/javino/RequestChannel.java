@@ -17,6 +17,7 @@ final class RequestChannel {
     private final Version1Requests version1;
     private final Negotiation negotiation;
     private final long byteNanos;
+    private volatile boolean hasSaidHello;
 
     /** @param settings of which {@link LinkSettings#bootMillis()} counts from now */
     RequestChannel(SessionLine line, FrameWriter writer, LineClock clock, LinkSettings settings) {
@@ -36,24 +37,33 @@ final class RequestChannel {
 
     /** Whether the board has to be asked for something before it is sent an action of version 1: see {@link #awaitStart}. Any thread. */
     boolean mustAsk() {
-        return !line.isVersion2()
-                && (start.nanosLeft() > 0
-                        || line.protocol() == Protocol.AUTO && (start.hasHeard() || line.hasLapsed()));
+        return !line.isVersion2() && (mustAnswer() || line.protocol() == Protocol.AUTO && !hasSaidHello);
     }
 
-    /** Returns when the board has answered and it is known which version it speaks, or when it must have started. */
+    /** Whether an answer is waited for before an action of version 1, and not only WELCOME. */
+    private boolean mustAnswer() {
+        return start.nanosLeft() > 0 || line.protocol() == Protocol.AUTO && (start.hasHeard() || line.hasLapsed());
+    }
+
+    /**
+     * Returns when the board has answered and it is known which version it speaks, or when it must have started. A board that is taken to
+     * run is sent no request, only HELLO.
+     */
     void awaitStart() throws PortException {
         if (!mustAsk()) {
             return;
         }
         version1.askForAction(true);
         try {
-            if (line.protocol() == Protocol.AUTO) {
+            if (line.protocol() == Protocol.AUTO && !mustAnswer()) {
+                negotiation.sayHello(Version1Requests.REPEAT_MILLIS);
+            } else if (line.protocol() == Protocol.AUTO) {
                 negotiation.run(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             } else {
                 version1.askUntil(clock.nanos() + start.nanosLeft(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             }
         } finally {
+            hasSaidHello = true;
             version1.askForAction(false);
         }
     }
@@ -65,6 +75,7 @@ final class RequestChannel {
     Reply request(Frame request, int timeoutMillis) throws PortException {
         if (line.protocol() == Protocol.AUTO) {
             Reply answer = negotiation.run(request, timeoutMillis);
+            hasSaidHello = true;
             if (answer != null || line.protocol() == Protocol.AUTO) {
                 return answer;
             }

@@ -279,6 +279,26 @@ class LinkVersionSpec : FunSpec({
         }
     }
 
+    test("a board that runs, and is only sent commands, is found to be of version 2 before the first one") {
+        val board = VirtualBoard2()
+        bench(board, LinkSettings.defaults().withBootMillis(0)).use { bench ->
+            bench.link.sendAndAwait("ledOn", 500)
+            bench.link.protocol() shouldBe Protocol.V2
+            board.handled shouldContainExactly listOf("2:ledOn")
+        }
+    }
+
+    test("a board of version 1 that runs, and is only sent commands, is sent HELLO twice before the first one, and no request") {
+        val board = FieldBoard()
+        bench(board, LinkSettings.defaults().withBootMillis(0)).use { bench ->
+            bench.link.sendAndAwait("ledOn", 500)
+            bench.millis shouldBeLessThan 250.0
+            bench.link.sendAndAwait("ledOff", 500)
+            bench.awayFor(5)
+            board.received shouldContainExactly listOf("ledOn", "ledOff")
+        }
+    }
+
     test("a WELCOME that comes late makes it version 2 after all") {
         val board = VirtualBoard2().apply { takes = 700.0 }
         bench(board, LinkSettings.defaults().withBootMillis(0)).use { bench ->
