@@ -10,11 +10,13 @@ import java.lang.management.ManagementFactory
 import kotlin.concurrent.thread
 
 /**
- * The share of one processor that this program takes while an agent senses twelve changing percepts at 50 Hz over a pseudo-terminal, all
- * threads but the board's.
+ * The share of one processor that this program takes while an agent senses twelve changing percepts of a board at 50 Hz over a
+ * pseudo-terminal, all threads but the board's.
+ *
+ * @param speaks the version that the board reads
  */
-internal fun processorShare(): Double = PseudoTerminals.open().use { line ->
-    val board = thread(isDaemon = true, name = "board") { runBoard("${line.board()}") }
+internal fun processorShare(speaks: Protocol): Double = PseudoTerminals.open().use { line ->
+    val board = thread(isDaemon = true, name = "board") { runBoard("${line.board()}", speaks) }
     Agents().use { agents ->
         agents.start(
             "senses", "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud(115200)]); argo.limit(20); argo.percepts(open).\n",
@@ -27,9 +29,9 @@ internal fun processorShare(): Double = PseudoTerminals.open().use { line ->
     }
 }
 
-private fun runBoard(port: String) {
+private fun runBoard(port: String, speaks: Protocol) {
     try {
-        Transports.open(port, LineSettings(115_200)).use { SensorBoard(Protocol.AUTO, SensorBoard::robot).run(it) }
+        Transports.open(port, LineSettings(115_200)).use { SensorBoard(speaks, SensorBoard::robot).run(it) }
     } catch (gone: PortException) {
         println("the board ends: ${gone.message}")
     }

@@ -56,7 +56,9 @@ private class Realtime {
     }
 
     private fun agents() {
-        show("processor time of an agent that senses at 50 Hz over a pseudo-terminal", 100 * processorShare(), "%", "at most 2")
+        for ((version, speaks) in listOf(1 to Protocol.V1, 2 to Protocol.V2)) {
+            show("processor time of an agent, 50 Hz, pseudo-terminal, version $version", 100 * processorShare(speaks), "%", "at most 1.5")
+        }
         IdleHeap().measure().forEach { (what, bytes) -> show("heap of $what that is idle", bytes / 1024, "KB", "at most 150") }
         val crowd = Crowd().measure()
         show("answers a second to ${Crowd.AGENTS} agents that sense at 10 Hz in one Java machine", crowd.rate, "1/s", "10000")
