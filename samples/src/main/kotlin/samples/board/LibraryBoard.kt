@@ -8,6 +8,7 @@ import javino.sim.BoardLoop
 import javino.sim.BoardProgram
 import javino.sim.BoardProgram.Outcome
 import javino.sim.BoardSession
+import javino.wire.BoardAction
 
 /**
  * A board as the library in `javino-arduino/` makes it: it speaks version 2 of the Javino protocol with computers that do, and
@@ -15,7 +16,8 @@ import javino.sim.BoardSession
  *
  * It handles one message at a time and keeps those that arrive meanwhile. In version 2 it acknowledges commands when it has carried
  * them out, carries out once a command that is sent twice, answers `getPercepts(dist)` with percepts of that functor alone, and
- * sends an answer of any length, in parts. While it sends it does not act, but for the reflexes of critical rules that it watches.
+ * sends an answer of any length, in parts. It tells the actions of its sketch. While it sends it does not act, but for the reflexes of
+ * critical rules that it watches.
  *
  * @param clock what bytes are timed by; the line's own
  * @param rules how many critical rules it watches, 0 to 255: it then looks at the sensors every 5 ms, and between two frames that it sends
@@ -31,6 +33,8 @@ class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = Li
 
     private inner class Program(line: Transport) : BoardProgram {
         val loop = BoardLoop(line, this, Protocol.AUTO, BoardSession.Capacity.FULL.withRules(rules), clock)
+
+        override fun vocabulary() = sketch.actions.map { BoardAction(it, 0) }
 
         override fun carryOut(command: String): Outcome {
             sketch.act(command)

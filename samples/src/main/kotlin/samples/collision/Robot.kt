@@ -32,6 +32,8 @@ class Robot(
     var lamps: Set<String> = emptySet()
         private set
 
+    override val actions get() = ACTIONS
+
     override fun percepts(): String {
         val now = clock.nanos()
         notice(now)
@@ -56,5 +58,9 @@ class Robot(
         if (state == lastNoticed) return
         lastNoticed = state
         noticed(course, state)
+    }
+
+    private companion object {
+        val ACTIONS = listOf("front", "stop", "ledLightOn", "ledLightOff", "ledTempOn", "ledTempOff")
     }
 }

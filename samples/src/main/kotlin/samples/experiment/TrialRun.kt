@@ -122,6 +122,8 @@ internal fun measured(course: Course, limit: Int, now: Long): Measured? {
 internal class RecordedSketch(
     private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock,
 ) : Sketch {
+    override val actions get() = robot.actions
+
     /** Commands that took effect so far; any thread may ask. */
     val commands = AtomicInteger()
 

@@ -21,12 +21,13 @@ import kotlin.concurrent.thread
 private const val DEADLINE_S = 30L
 
 /** A board on a fast line; what it does and says is kept. */
-private class FastBench(@Volatile var percepts: String, rules: Int = 0) : AutoCloseable {
+private class FastBench(@Volatile var percepts: String, rules: Int = 0, actions: List<String> = emptyList()) : AutoCloseable {
     private val line = MemoryLine.paced("bench", LineSettings(1_000_000))
     val deeds = CopyOnWriteArrayList<String>()
     private val board = thread(name = "board") {
         try {
             LibraryBoard(object : Sketch {
+                override val actions = actions
                 override fun percepts() = this@FastBench.percepts
                 override fun act(command: String) {
                     deeds += command
@@ -99,6 +100,14 @@ class LibraryBoardSpec : FunSpec({
             val next = version2(FrameKind.ACK, 2)
             bench.answer(next, command(1, "stop")) shouldBe next
             bench.deeds shouldBe listOf("stop", "stop")
+        }
+    }
+
+    test("it tells its actions, and is sent them by their numbers") {
+        FastBench("", actions = listOf("front", "stop")).use { bench ->
+            val described = welcome + version2(FrameKind.ACK, 1)
+            bench.answer(described, hello, version2(FrameKind.COMMANDS, 0, CommandItem.Action(1).payload())) shouldBe described
+            bench.deeds shouldBe listOf("stop")
         }
     }
 
