@@ -6,6 +6,12 @@ import argo.acting.CommandOptions
 import argo.acting.CommandSender
 import argo.acting.Reflexes
 import argo.calls.Failure
+import argo.connecting.OpenPort
+import argo.connecting.PortOptions
+import argo.connecting.PortStates
+import argo.connecting.PortStatus
+import argo.connecting.PortUser
+import argo.connecting.Ports
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.observing.Observers
@@ -25,12 +31,6 @@ import argo.platform.Platform
 import argo.platform.RateLimitedWarning
 import argo.platform.Waker
 import argo.platform.nowMs
-import argo.ports.OpenPort
-import argo.ports.PortOptions
-import argo.ports.PortStates
-import argo.ports.PortStatus
-import argo.ports.PortUser
-import argo.ports.Ports
 import argo.sensing.Sensing
 import argo.sensing.SensingListener
 import argo.sensing.SensingPolicy

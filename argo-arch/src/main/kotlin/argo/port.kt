@@ -2,8 +2,8 @@ package argo
 
 import argo.calls.ArgumentException
 import argo.calls.Failure
-import argo.ports.PortOptions
-import argo.ports.Ports
+import argo.connecting.PortOptions
+import argo.connecting.Ports
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm

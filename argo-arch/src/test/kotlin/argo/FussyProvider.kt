@@ -1,6 +1,6 @@
 package argo
 
-import argo.ports.Ports
+import argo.connecting.Ports
 import javino.LineSettings
 import javino.PortException
 import javino.Transport

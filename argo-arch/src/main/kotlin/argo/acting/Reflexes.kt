@@ -2,12 +2,12 @@ package argo.acting
 
 import argo.calls.Failure
 import argo.calls.failureOf
+import argo.connecting.OpenPort
 import argo.filters.CriticalRule
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
 import argo.observing.RuleWatcher
 import argo.platform.RateLimitedWarning
-import argo.ports.OpenPort
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.Literal

@@ -1,10 +1,10 @@
 package argo.perception
 
 import argo.acting.Reflexes
+import argo.connecting.PortStatus
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
 import argo.filters.matching.piecesOf
-import argo.ports.PortStatus
 import argo.sensing.StaleBeliefs
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm

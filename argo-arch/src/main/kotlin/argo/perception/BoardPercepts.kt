@@ -1,13 +1,13 @@
 package argo.perception
 
 import argo.acting.Reflexes
+import argo.connecting.OpenPort
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.filters.jason.MessagePerception
 import argo.filters.jason.MessageSession
 import argo.filters.matching.Explanation
 import argo.filters.matching.perceptsOf
-import argo.ports.OpenPort
 import jason.asSyntax.Literal
 import javino.PerceptsRequest
 import javino.wire.ReflexOutcome

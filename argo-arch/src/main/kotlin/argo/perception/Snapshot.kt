@@ -1,8 +1,8 @@
 package argo.perception
 
+import argo.connecting.OpenPort
 import argo.filters.matching.CriticalPercept
 import argo.observing.PerceivedMessage
-import argo.ports.OpenPort
 import jason.asSyntax.Literal
 
 /**

@@ -1,7 +1,7 @@
 package argo.sensing
 
+import argo.connecting.OpenPort
 import argo.platform.Platform
-import argo.ports.OpenPort
 import javino.Link
 import javino.PortException
 import javino.PortFaultException

@@ -1,6 +1,6 @@
 package argo.sensing
 
-import argo.ports.OpenPort
+import argo.connecting.OpenPort
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.Term

@@ -1,11 +1,11 @@
 package argo.acting
 
 import argo.calls.Failure
+import argo.connecting.OpenPort
+import argo.connecting.PortOptions
 import argo.filters.CriticalRule
 import argo.filters.Rule
 import argo.platform.RateLimitedWarning
-import argo.ports.OpenPort
-import argo.ports.PortOptions
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldHaveSize

@@ -1,6 +1,6 @@
 package argo.jason
 
-import argo.ports.PluggedIn
+import argo.connecting.PluggedIn
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled

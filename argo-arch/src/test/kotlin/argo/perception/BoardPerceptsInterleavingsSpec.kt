@@ -3,11 +3,11 @@ package argo.perception
 import argo.acting.CommandLedger
 import argo.acting.Reflexes
 import argo.concurrently
+import argo.connecting.OpenPort
+import argo.connecting.PortOptions
 import argo.filters.dropFilter
 import argo.inEachInterleaving
 import argo.platform.RateLimitedWarning
-import argo.ports.OpenPort
-import argo.ports.PortOptions
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
 import javino.Link

@@ -2,6 +2,8 @@ package argo.perception
 
 import argo.acting.CommandLedger
 import argo.acting.Reflexes
+import argo.connecting.OpenPort
+import argo.connecting.PortOptions
 import argo.filters.Condition
 import argo.filters.CriticalRule
 import argo.filters.GroundTerm
@@ -11,8 +13,6 @@ import argo.filters.Rule
 import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.platform.RateLimitedWarning
-import argo.ports.OpenPort
-import argo.ports.PortOptions
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe

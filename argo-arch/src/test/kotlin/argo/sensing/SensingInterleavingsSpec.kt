@@ -1,10 +1,10 @@
 package argo.sensing
 
 import argo.concurrently
+import argo.connecting.OpenPort
+import argo.connecting.PortOptions
 import argo.inEachInterleaving
 import argo.platform.Platform
-import argo.ports.OpenPort
-import argo.ports.PortOptions
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Term

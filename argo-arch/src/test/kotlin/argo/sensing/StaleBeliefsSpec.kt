@@ -1,7 +1,7 @@
 package argo.sensing
 
-import argo.ports.OpenPort
-import argo.ports.PortOptions
+import argo.connecting.OpenPort
+import argo.connecting.PortOptions
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax

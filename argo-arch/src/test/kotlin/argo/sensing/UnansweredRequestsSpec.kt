@@ -1,9 +1,9 @@
 package argo.sensing
 
+import argo.connecting.OpenPort
+import argo.connecting.PortOptions
 import argo.jason.NetworkBoard
 import argo.platform.TestTime
-import argo.ports.OpenPort
-import argo.ports.PortOptions
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe

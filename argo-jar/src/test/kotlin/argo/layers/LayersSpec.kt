@@ -34,15 +34,15 @@ class LayersSpec : FunSpec({
         "argo.observing" to emptyList(),
         "argo.platform" to emptyList(),
         "argo.calls" to listOf("argo.observing"),
-        "argo.ports" to listOf("argo.calls", "argo.platform"),
-        "argo.acting" to listOf("argo.ports", "argo.calls", "argo.platform", "argo.observing"),
-        "argo.sensing" to listOf("argo.acting", "argo.ports", "argo.calls", "argo.platform"),
-        "argo.perception" to listOf("argo.sensing", "argo.acting", "argo.ports", "argo.calls", "argo.platform", "argo.observing"),
+        "argo.connecting" to listOf("argo.calls", "argo.platform"),
+        "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.observing"),
+        "argo.sensing" to listOf("argo.acting", "argo.connecting", "argo.calls", "argo.platform"),
+        "argo.perception" to listOf("argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.observing"),
     )
 
     test("the rules see the packages that they speak of") {
         product.map { it.packageName }.toSet() shouldContainAll listOf(
-            "argo", "argo.ports", "argo.sensing", "argo.acting", "argo.perception", "argo.view", "argo.filters", "argo.filters.format",
+            "argo", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view", "argo.filters", "argo.filters.format",
             "argo.filters.matching", "argo.filters.jason", "argo.tools", "javino", "javino.serial", "javino.tcp", "javino.sim",
         )
     }

@@ -1,4 +1,4 @@
-package argo.ports
+package argo.connecting
 
 import javino.serial.SerialPortInfo
 import javino.serial.UsbTransportProvider

@@ -1,4 +1,4 @@
-package argo.ports
+package argo.connecting
 
 import argo.platform.Platform
 import java.util.concurrent.TimeUnit

@@ -1,4 +1,4 @@
-package argo.ports
+package argo.connecting
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty

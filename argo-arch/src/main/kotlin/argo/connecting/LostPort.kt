@@ -1,4 +1,4 @@
-package argo.ports
+package argo.connecting
 
 import jason.asSyntax.Term
 import java.util.concurrent.TimeUnit

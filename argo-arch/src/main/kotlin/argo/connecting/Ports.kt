@@ -1,4 +1,4 @@
-package argo.ports
+package argo.connecting
 
 import argo.calls.Failure
 import argo.calls.failureOf

@@ -1,4 +1,4 @@
-package argo.ports
+package argo.connecting
 
 /** What an agent believes of a port, as in `port(ttyACM0,on)`. */
 internal enum class PortStatus(val word: String) {

@@ -1,4 +1,4 @@
-package argo.ports
+package argo.connecting
 
 import argo.calls.ArgumentException
 import argo.calls.optionsIn
