@@ -1,10 +1,10 @@
 package argo
 
-import argo.acting.BoardRules
 import argo.acting.CommandLedger
 import argo.acting.CommandOptions
-import argo.acting.CommandSender
-import argo.acting.Reflexes
+import argo.boards.Board
+import argo.boards.BoardLine
+import argo.boards.Perceiver
 import argo.calls.Failure
 import argo.connecting.OpenPort
 import argo.connecting.PortOptions
@@ -12,40 +12,30 @@ import argo.connecting.PortStates
 import argo.connecting.PortStatus
 import argo.connecting.PortUser
 import argo.connecting.Ports
+import argo.connecting.WantedPort
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
+import argo.filters.jason.MessageSession
+import argo.filters.jason.perceptText
 import argo.observing.Observers
 import argo.observing.RuleWatcher
 import argo.observing.WatchedRule
-import argo.perception.BeliefReader
-import argo.perception.BoardPercepts
 import argo.perception.EveryHandOver
 import argo.perception.FreshHandOver
 import argo.perception.HandOver
-import argo.perception.LastSeen
 import argo.perception.PerceptEvents
 import argo.perception.PerceptIntentions
-import argo.perception.PerceptLimit
-import argo.perception.Snapshot
 import argo.platform.Platform
-import argo.platform.RateLimitedWarning
 import argo.platform.Waker
 import argo.platform.nowMs
-import argo.sensing.Sensing
-import argo.sensing.SensingListener
 import argo.sensing.SensingPolicy
-import argo.sensing.StaleBeliefs
 import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
-import javino.BoardListener
-import javino.PerceptsRequest
 import javino.PortException
-import javino.PortTimeoutException
-import javino.Protocol
-import javino.wire.ReflexOutcome
 import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Level
@@ -53,61 +43,95 @@ import java.util.logging.Logger
 import javino.wire.BoardAction as RegisteredAction
 
 /**
- * The boards of one agent: its ports, what it perceives through the one in use, and the commands it sends. [Arch] connects it with Jason.
+ * The boards of one agent: those that it perceives, the hand-over of what they sense, and the commands to them. [Arch] connects it with
+ * Jason.
  *
- * Whether the agent perceives, how often, and the port in use are each written by one thread at a time and read where they are needed;
+ * Whether the agent perceives, how often, and which boards are each written by one thread at a time and read where they are needed;
  * nobody keeps a copy. After each change those who wait are woken to read again. Functions belong to the agent's thread unless they say
  * otherwise.
  *
- * @param owner the agent's name
- * @param events the percept events in Jason's queue
- * @param intentions the intentions that such events have begun
- * @param observers the agent's observers
+ * @property owner the agent's name
+ * @param events makes what knows the percept events of one board in Jason's queue, which its argument recognises
+ * @param intentions makes what knows the intentions that such events have begun
+ * @param observing the agent's observers
  */
 internal class AgentIo(
-    owner: String,
-    options: ArchOptions,
-    private val platform: Platform,
+    override val owner: String,
+    private val options: ArchOptions,
+    override val platform: Platform,
     private val waker: Waker,
-    private val log: Logger,
-    events: PerceptEvents,
-    intentions: PerceptIntentions,
-    private val observers: () -> Observers,
-) {
-    /** Whether the agent perceives its board. Any thread may read. */
+    override val log: Logger,
+    private val events: (isOwn: (Literal) -> Boolean) -> PerceptEvents,
+    private val intentions: (isOwn: (Literal) -> Boolean) -> PerceptIntentions,
+    private val observing: () -> Observers,
+) : Perceiver {
+    /** The boards that the agent perceives, and those that it perceived before them and still has beliefs of. Does not change. */
+    private class Perceived(val boards: List<Board>, val former: List<Board>)
+
+    /** Whether the agent perceives its boards. Any thread may read. */
     @Volatile
     var isPerceiving = false
         private set
 
-    /** The sensing interval in ms. Any thread may read. */
     @Volatile
-    var intervalMs = DEFAULT_INTERVAL_MS
+    override var intervalMs = DEFAULT_INTERVAL_MS
         private set
 
     @Volatile
-    private var sensed: List<Literal> = emptyList()
-    private val activities = ConcurrentHashMap<OpenPort, Activity>()
+    override var filter: PerceptionFilter? = null
+        private set
+
     private val coupling = if (options.policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else Decoupled
-    private val activePort = AtomicReference<OpenPort?>()
-    private val ledger = CommandLedger(::portInUse)
-    private val handOver: HandOver =
-        if (options.policy == SensingPolicy.FRESH) FreshHandOver(ledger, events, intentions) else EveryHandOver { log.warning(it) }
-    private val lastSeen = LastSeen { sensed }
-    private val stale = StaleBeliefs(platform.nowMs, { portInUse()?.takeIf { isPerceiving } }, ::intervalMs)
-    private val reflexes: Reflexes = Reflexes(::sendReflex, ::isWatchedBy, ::reflexEnded, rateLimitedWarning())
-    private val percepts: BoardPercepts = BoardPercepts(
-        platform.clock.newLock(false), ::isPerceived, handOver, reflexes,
-        { observers().messageFiltered(it) }, BeliefReader { log.warning(it) }, log,
-        PerceptLimit(options.maxPercepts, rateLimitedWarning()), lastSeen, platform.nowMs,
-    )
+    private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
+
+    /** All that were perceived since ports were closed last; changed while the ports in use are. */
+    private val boards = CopyOnWriteArrayList<Board>()
+    private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
+
+    /** Other boards are perceived than the agent's beliefs are about. */
+    @Volatile
+    private var isOtherBoards = false
+
+    /** Whether a board has, or has had, a namespace of its own. Any thread may read. */
+    @Volatile
+    var hasNamespaces = false
+        private set
 
     /** The states of the ports. Any thread. */
     val states = PortStates(::portChanged)
-    private val ports = Ports(owner, states, User(owner), coupling.isPaced, platform) { log.warning(it) }
+    private val ports = Ports(owner, states, User(), coupling.isPaced, platform) { log.warning(it) }
 
     private var newlyCritical: List<Literal> = emptyList()
 
-    private fun rateLimitedWarning() = RateLimitedWarning(platform.nowMs) { log.warning(it) }
+    override val maxPercepts get() = options.maxPercepts
+    override val leavesRulesToBoards get() = coupling.isPaced
+
+    override fun observers() = observing()
+
+    override fun perceives(board: Board) = isPerceiving && board in perceived.get().boards
+
+    override fun boardOn(port: OpenPort) = if (isPerceiving) perceivedOn(port) else null
+
+    private fun perceivedOn(port: OpenPort) = perceived.get().boards.find { it.port === port }
+
+    override fun handOverOf(board: Board): HandOver =
+        if (options.policy == SensingPolicy.FRESH) freshHandOver(board.ledger) { isOf(board, it) } else EveryHandOver { log.warning(it) }
+
+    private fun freshHandOver(ledger: CommandLedger, isOwn: (Literal) -> Boolean) = FreshHandOver(ledger, events(isOwn), intentions(isOwn))
+
+    /** Whether [percept] is of [board], or of no board that the agent perceives. */
+    private fun isOf(board: Board, percept: Literal): Boolean {
+        val boards = perceived.get().boards
+        if (boards.size < 2) return true
+        val claiming = boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
+        return claiming.isEmpty() || board in claiming
+    }
+
+    override fun wake(seen: () -> Boolean) = waker.wake(seen)
+
+    override fun report(port: OpenPort, status: PortStatus, reason: String?) = ports.report(port, status, reason)
+
+    override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)
 
     /** The port in use, or null. Any thread. */
     fun portInUse(): OpenPort? = ports.current
@@ -119,60 +143,107 @@ internal class AgentIo(
     fun choosePort(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
         ports.choose(term, name, options, outcome)
 
+    /** Makes the ports [wanted] those in use: see [Ports.chooseAll]. */
+    fun choosePorts(wanted: List<WantedPort>, outcome: (Failure?) -> Unit) = ports.chooseAll(wanted, outcome)
+
     /** Closes all ports; [closed] is called by another thread. */
     fun closePorts(closed: () -> Unit) = ports.closeAll(closed)
 
-    /** Perceives through [filter] from the next perception on; null: everything. */
+    /** The board on the port that the agent calls [port], which it perceives or has perceived; null: there is none. Any thread. */
+    fun board(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
+
+    /** The boards that the agent perceives. Any thread. */
+    fun perceivedBoards(): List<Board> = perceived.get().boards
+
+    /** Perceives all boards through [filter] from the next perception on; null: everything. */
     fun perceiveThrough(filter: PerceptionFilter?) {
-        percepts.switchTo(filter)
+        this.filter = filter
+        boards.forEach(Board::perceiveAsOthers)
         renewRules()
     }
 
-    /** Why the active filter keeps or drops [percept], and who watches the critical rule that decides. Any thread. */
-    fun explain(percept: String): String {
-        val explanation = percepts.explain(percept)
-        val critical = criticalRules().find { it.rule.rule === explanation.rule } ?: return "$explanation"
-        return "$explanation; ${critical.watcher.word} watches it"
+    /** Perceives [board] alone through [filter] from the next perception on; null: everything. */
+    fun perceiveThrough(filter: PerceptionFilter?, board: Board) {
+        board.perceiveThrough(filter)
+        renewRules()
     }
 
-    /** The critical rules of the active filter, and who watches each. Any thread. */
-    fun criticalRules(): List<WatchedRule> {
-        val port = portInUse()
-        return percepts.critical.map {
-            WatchedRule(it, if (port != null && isWatchedBy(port, it)) RuleWatcher.BOARD else RuleWatcher.COMPUTER)
+    /** Why the filters of the boards in its namespace keep or drop [percept]. Any thread. */
+    fun explain(percept: Literal): String {
+        val named = perceivedBoards().filter { it.namespace != null && it.namespace == percept.ns.functor }
+        return if (named.isEmpty()) explain(perceptText(percept), perceivedBoards().filter { it.namespace == null })
+        else explain(perceptText(percept.cloneNS(Literal.DefaultNS) as Literal), named)
+    }
+
+    /** Why the filters of the boards keep or drop the text [percept], and who watches the critical rule that decides. Any thread. */
+    fun explain(percept: String): String = explain(percept, perceivedBoards())
+
+    private fun explain(percept: String, boards: List<Board>): String {
+        val reasons = boards.map { it.term to it.explain(percept) }
+        val different = reasons.distinctBy { (_, why) -> why }
+        return when (different.size) {
+            0 -> explainAlone(percept)
+            1 -> different.single().second
+            else -> reasons.joinToString("; ") { (port, why) -> "$port: $why" }
         }
     }
 
-    /** Whether the board on [port] watches [rule] itself. */
-    private fun isWatchedBy(port: OpenPort, rule: CriticalRule) = activities[port]?.rules?.isWatching(rule) == true
+    private fun explainAlone(percept: String) =
+        MessageSession({ emptyList() }).also { it.switchTo(filter) }.explain(percept, platform.nowMs()).toString()
 
-    private fun renewRules() = activities.values.forEach { it.rules.renew() }
+    /** The critical rules of the active filter, and who watches each. Any thread. */
+    fun criticalRules(): List<WatchedRule> = perceivedBoards().flatMap { it.criticalRules() }.distinct()
+        .ifEmpty { filter?.critical.orEmpty().map { WatchedRule(it, RuleWatcher.COMPUTER) } }
 
-    private fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
-        observers().reflexEnded(rule, watcher, failure)
-        waker.wake { !reflexes.hasNews() }
-    }
+    override fun isWatchedBy(port: OpenPort, rule: CriticalRule) = lines[port]?.rules?.isWatching(rule) == true
+
+    private fun renewRules() = lines.values.forEach { it.rules.renew() }
 
     /** The youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null if there is none. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier): Pair<Literal, Long>? {
         val now = platform.clock.nanos()
-        return lastSeen.youngest(beliefs, percept, un, now)?.let { (belief, seen) -> belief to TimeUnit.NANOSECONDS.toMillis(now - seen) }
+        return believed().mapNotNull { it.youngest(beliefs, percept, un, now) }.minByOrNull { (_, seen) -> now - seen }
+            ?.let { (belief, seen) -> belief to TimeUnit.NANOSECONDS.toMillis(now - seen) }
     }
+
+    /** The boards that the agent has beliefs of. */
+    private fun believed(): List<Board> = perceived.get().run { boards + former }
 
     /** Starts or stops perceiving. When it has stopped no further reflex is sent; a board carries its own out until that is removed. */
     fun perceive(open: Boolean) {
         if (isPerceiving == open) return
         isPerceiving = open
-        stale.renew()
-        beginAnew()
+        perceived.get().boards.forEach(Board::beginAnew)
+        renewRules()
+        wakeSensing()
         dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before it perceives
     }
 
     /** Sets the sensing interval in ms; 0: as fast as the line allows. */
     fun senseEvery(intervalMs: Int) {
         this.intervalMs = intervalMs
+        boards.forEach { it.ownIntervalMs = null }
         wakeSensing()
     }
+
+    /** Sets the sensing interval of [board] alone. */
+    fun senseEvery(intervalMs: Int, board: Board) {
+        board.ownIntervalMs = intervalMs
+        wakeSensing()
+    }
+
+    /**
+     * The time in ms between the oldest and the newest reading of the boards that the agent believes; null: there is none. Boards that are
+     * off, time out or are stale do not count. Any thread.
+     */
+    fun skewMs(): Long? {
+        val readings = perceivedBoards().filter(::isSound).mapNotNull { it.sensedNanos }
+        val first = readings.firstOrNull() ?: return null
+        val offsets = readings.map { it - first }
+        return TimeUnit.NANOSECONDS.toMillis(offsets.max() - offsets.min())
+    }
+
+    private fun isSound(board: Board) = states.statusOf(board.port.terms) == PortStatus.ON && board.port.terms.none(board::isStale)
 
     /**
      * Sends [text] to the board on [port].
@@ -181,6 +252,7 @@ internal class AgentIo(
      *     with the reason why not
      */
     fun send(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
+        val ledger = perceivedOn(port)?.ledger ?: return transmit(port, text, options, outcome)
         val number = ledger.issue(port)
         transmit(port, text, options) {
             ledger.done(port, number)
@@ -188,63 +260,48 @@ internal class AgentIo(
         }
     }
 
-    /** Sends a reflex. No snapshot waits for it, since the agent has not issued it. */
-    private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) =
-        transmit(port, command, CommandOptions(urgent = true), outcome)
-
-    private fun transmit(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
+    override fun transmit(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
         val report = observers().commandIssued(port.link.port(), text, outcome)
-        val commands = activities[port]?.commands
+        val commands = lines[port]?.commands
             ?: return report(Failure("port_gone", "port ${port.link.port()} was closed, or its device has gone"))
         coupling.submit(commands, text, options, report)
     }
 
     /** Takes in what is new for the agent since the last call, and returns whether [beliefs] may have changed. */
     fun update(): Boolean {
-        coupling.perceiving(portInUse()?.takeIf { isPerceiving && it.link.isOpen }?.let { activities[it]?.sensing }, intervalMs)
-        if (isPerceiving) percepts.putDue()
-        val snapshot = handOver.take()?.takeIf { it.port == null || isPerceived(it.port) }
-        snapshot?.let(::handOver)
-        newlyCritical = snapshot?.critical.orEmpty().map { it.percept }
-        val isStaleNews = stale.update()
-        return snapshot != null || isStaleNews || states.hasNews() || reflexes.hasNews()
+        val isOther = isOtherBoards
+        isOtherBoards = false
+        val boards = perceived.get().boards
+        coupling.perceiving(boards.filter { isPerceiving && it.port.link.isOpen }.mapNotNull { lines[it.port]?.sensing }, intervalMs)
+        if (isPerceiving) boards.forEach(Board::putDue)
+        val snapshots = boards.mapNotNull(Board::take)
+        if (snapshots.isNotEmpty()) perceived.updateAndGet { Perceived(it.boards, emptyList()) }
+        snapshots.forEach { observers().messagePerceived(it) }
+        newlyCritical = snapshots.flatMap { snapshot -> snapshot.critical.map { it.percept } }
+        val isBoardNews = boards.count(Board::update) > 0 // each is to be updated
+        return isOther || snapshots.isNotEmpty() || isBoardNews || states.hasNews()
     }
 
-    private fun handOver(snapshot: Snapshot) {
-        sensed = snapshot.percepts
-        observers().messagePerceived(snapshot)
-    }
-
-    /** What is critical in the snapshot that the last [update] handed over; empty when asked again. */
+    /** What is critical in the snapshots that the last [update] handed over; empty when asked again. */
     fun takeNewlyCritical(): List<Literal> = newlyCritical.also { newlyCritical = emptyList() }
 
-    /** The beliefs about the board in use, about the ports, and about the outcomes of reflexes. */
-    fun beliefs(): List<Literal> = sensed + states.beliefs() + stale.beliefs() + reflexes.beliefs()
+    /** The beliefs about the boards, about the ports, and about the outcomes of reflexes. */
+    fun beliefs(): List<Literal> =
+        believed().flatMap { it.sensed } + states.beliefs() + perceived.get().boards.flatMap(Board::metaBeliefs)
 
     /** The time in ms until [update] has something to do without news from a board; null: it will not have. */
-    fun dueInMs(): Long? = listOfNotNull(percepts.dueInMs().takeIf { isPerceiving }, stale.dueInMs().takeIf { it != 0L }).minOrNull()
+    fun dueInMs(): Long? = perceived.get().boards.mapNotNull(Board::dueInMs).minOrNull()
 
     /** Whether [update] has something to do now. Any thread. */
-    fun hasNews(): Boolean = handOver.isReady() || states.hasNews() || stale.hasNews() || reflexes.hasNews() ||
-        isPerceiving && percepts.dueInMs() == 0L
+    fun hasNews(): Boolean = isOtherBoards || states.hasNews() || perceived.get().boards.any(Board::hasNews)
 
     /** Whether the agent believes that [port] is stale. Any thread. */
-    fun isStale(port: Term): Boolean = stale.isStale(port)
+    fun isStale(port: Term): Boolean = perceived.get().boards.any { it.isStale(port) }
 
     /** Gives up all ports and threads. Never waits for a line. Any thread; may be called twice. */
     fun stop() = ports.stop()
 
-    /** Whether the agent perceives the board on [port]. Any thread. */
-    private fun isPerceived(port: OpenPort) = isPerceiving && port === portInUse()
-
-    private fun wakeSensing() = activities.values.forEach { it.sensing.wake() }
-
-    /** What was sensed so far and has not been perceived is of another time or place. Any thread. */
-    private fun beginAnew() {
-        percepts.forget()
-        renewRules()
-        wakeSensing()
-    }
+    private fun wakeSensing() = lines.values.forEach { it.sensing.wake() }
 
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {
         val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
@@ -253,73 +310,47 @@ internal class AgentIo(
         waker.wake { !states.hasNews() }
     }
 
-    /** What works through one open port. */
-    private inner class Activity(
-        private val port: OpenPort,
-        val commands: CommandSender,
-        val sensing: Sensing,
-    ) : BoardListener, AutoCloseable {
-        val rules = BoardRules(
-            { percepts.critical.takeIf { coupling.isPaced && isPerceived(port) }.orEmpty() },
-            { command, outcome -> commands.submit(command, CommandOptions(urgent = true), outcome) },
-        )
-
-        override fun sessionBegan(room: Int) = rules.began(room)
-
-        override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
-            val critical = rules.ruleOf(rule) ?: return
-            if (percepts.reported(port, critical, outcome, percept, receivedNanos)) waker.wake { !handOver.isReady() }
-        }
-
-        override fun close() {
-            sensing.close()
-            activities -= port
-        }
-    }
-
-    private inner class User(private val owner: String) : PortUser, SensingListener {
-        override fun use(port: OpenPort): AutoCloseable {
-            val commands = CommandSender(port.link, owner, platform) { lost(port, it) }
-            return Activity(port, commands, Sensing(port, owner, this, platform)).also {
-                activities[port] = it
-                port.link.onBoardEvents(it)
-            }
+    private inner class User : PortUser {
+        override fun use(port: OpenPort): AutoCloseable = BoardLine(port, this@AgentIo) { lines -= port }.also {
+            lines[port] = it
+            port.link.onBoardEvents(it)
         }
 
         override fun opened(port: OpenPort) {
-            activities[port]?.sensing?.start()
+            lines[port]?.sensing?.start()
         }
 
+        /** Perceives the boards on the ports in use. Those that were perceived before are disturbed only if their ports are opened anew. */
         override fun portInUseChanged() {
-            val current = portInUse()
-            val before = activePort.getAndSet(current)
-            if (!isSame(before, current)) stale.renew() // the beliefs of a port that has come back are as old as they were
-            beginAnew()
+            val before = perceived.get().boards
+            val renewed = LinkedHashSet<Board>()
+            val now = ports.inUse.map { (term, port) ->
+                val board = boardFor(term, port)
+                if (board !in before) board.begin(port, isBelieved = board in perceived.get().former)
+                if (board !in before || board.port !== port) renewed += board
+                board.reconnect(port)
+                board
+            }.distinct()
+            val isKept = before.any(now::contains)
+            perceived.updateAndGet { Perceived(now, (if (isKept) it.former else it.former + before) - now.toSet()) }
+            (before.filter { it !in now } + renewed).forEach(Board::forget)
+            if (ports.inUse.isEmpty()) boards.clear()
+            isOtherBoards = true
+            renewRules()
+            wakeSensing()
+            waker.wake { !isOtherBoards }
         }
+    }
 
-        /** Whether the agent has one name for both, so that they are one port, which may have been opened again. */
-        private fun isSame(before: OpenPort?, current: OpenPort?) =
-            before != null && current != null && before.terms.any { it in current.terms }
-
-        override val intervalMs get() = this@AgentIo.intervalMs
-
-        override fun isSensed(port: OpenPort) = isPerceived(port)
-
-        override fun request(port: OpenPort) = if (port.link.protocol() == Protocol.V2) percepts.request else PerceptsRequest.ALL
-
-        override fun mayReport(port: OpenPort) = activities[port]?.rules?.isEmpty == false
-
-        override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) {
-            if (!percepts.received(port, message, askedNanos, receivedNanos)) return
-            stale.renew()
-            waker.wake { !handOver.isReady() && stale.isEmpty() }
+    private fun boardFor(term: Term, port: OpenPort): Board {
+        val known = boards.find { it.port === port } ?: boards.find { it.term == term }
+        if (known != null && known.namespace == port.options.namespace) return known
+        return Board(term, port, this, known).also {
+            if (it.namespace != null) hasNamespaces = true
+            boards -= setOfNotNull(known)
+            boards += it
+            it.renewFilter() // the agent may have changed its own meanwhile
         }
-
-        override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = ports.report(port, PortStatus.TIMEOUT, trouble.message)
-
-        override fun answeredAgain(port: OpenPort) = ports.report(port, PortStatus.ON)
-
-        override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)
     }
 
     companion object {

@@ -4,6 +4,7 @@ import argo.filters.PerceptionFilter
 import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
 import argo.observing.Observers
+import argo.perception.DeletedPercepts
 import argo.perception.EnvironmentPercepts
 import argo.perception.PerceptEvents
 import argo.perception.PerceptIntentions
@@ -23,10 +24,10 @@ import java.util.logging.Logger
  *
  *     agents: robot agentArchClass argo.Arch;
  *
- * and its agents use the internal actions `argo.port`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`, `argo.change_filter`,
- * `argo.age` and `argo.explain`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`, which is when snapshots of the
- * sensors are handed over; `argo_percepts=4096`, how many percepts are believed at once; and those of observers, such as `argo_view=8080`
- * of the live view.
+ * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
+ * `argo.change_filter`, `argo.age`, `argo.skew` and `argo.explain`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`,
+ * which is when snapshots of the sensors are handed over; `argo_percepts=4096`, how many percepts of a board are believed at once; and
+ * those of observers, such as `argo_view=8080` of the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
  * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.
@@ -37,6 +38,7 @@ import java.util.logging.Logger
  */
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)
+    private val deleted = DeletedPercepts()
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
     /** The agent's boards. There from [init] on. */
@@ -61,12 +63,15 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val log = Logger.getLogger("${Arch::class.java.name}.$agName")
         val options = ArchOptions(ts.settings, log)
         policy = options.policy
-        val events = PerceptEvents(::isQueueStanding, platform.nowMs) { ts.c.events }
-        val intentions = PerceptIntentions(platform.nowMs) { if (isQueueStanding()) emptyList() else ts.c.runningIntentions }
-        io = AgentIo(agName, options, platform, waker, log, events, intentions) { observing }
+        io = AgentIo(agName, options, platform, waker, log, ::perceptEvents, ::perceptIntentions) { observing }
         observed = ObservedArch(this, waker, platform)
         observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
     }
+
+    private fun perceptEvents(isOwn: (Literal) -> Boolean) = PerceptEvents(::isQueueStanding, platform.nowMs, isOwn) { ts.c.events }
+
+    private fun perceptIntentions(isOwn: (Literal) -> Boolean) =
+        PerceptIntentions(platform.nowMs, isOwn) { if (isQueueStanding()) emptyList() else ts.c.runningIntentions }
 
     /** Whether Jason takes no events: an atomic plan holds back all, and with `events=requeue` those without a plan come back for ever. */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
@@ -87,17 +92,19 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     /** Wakes the agent until [seen]: see [Waker]. */
     internal fun wake(seen: () -> Boolean) = waker.wake(seen)
 
-    /** What is new since the last call: from the board in use, about the ports, from the Jason environment; null if nothing is. */
+    /** What is new since the last call: from the boards, about the ports, from the Jason environment; null if nothing is. */
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
         val isEnvironmentNew = environment.update(super.perceive())
         val isBoardNew = io.update()
         listOfNotNull(environment.dueInMs(), io.dueInMs()).minOrNull()?.let(waker::wakeIn)
-        return if (isEnvironmentNew || isBoardNew) (environment.percepts + io.beliefs()).toMutableList() else null
+        if (!isEnvironmentNew && !isBoardNew) return null
+        return (environment.percepts + io.beliefs()).toMutableList().also { if (io.hasNamespaces) deleted.expect(ts.ag, it) }
     }
 
     /** Jason calls it when it has added the events of what was perceived. */
     override fun checkMail() {
+        deleted.mend(ts.c.events)
         io.takeNewlyCritical().takeIf { it.isNotEmpty() }?.let { bringForward(ts.c.events, it) }
         super.checkMail()
     }

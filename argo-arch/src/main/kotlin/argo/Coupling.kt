@@ -17,9 +17,9 @@ internal interface Coupling {
     /**
      * The agent begins to perceive.
      *
-     * @param sensing the sensing of the port in use; null: there is none, or perceiving is blocked
+     * @param sensings the sensing of each port in use; none while perceiving is blocked
      */
-    fun perceiving(sensing: Sensing?, intervalMs: Int)
+    fun perceiving(sensings: List<Sensing>, intervalMs: Int)
 
     /** Has [text] sent; [outcome] as of [CommandSender.submit]. Any thread. */
     fun submit(commands: CommandSender, text: String, options: CommandOptions, outcome: (Failure?) -> Unit)
@@ -29,24 +29,27 @@ internal interface Coupling {
 internal object Decoupled : Coupling {
     override val isPaced get() = true
 
-    override fun perceiving(sensing: Sensing?, intervalMs: Int) = Unit
+    override fun perceiving(sensings: List<Sensing>, intervalMs: Int) = Unit
 
     override fun submit(commands: CommandSender, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
         commands.submit(text, options, outcome)
 }
 
-/** The published way: the agent's own thread makes a request and waits for the answer, once an interval, and writes commands at once. */
+/**
+ * The published way: the agent's own thread asks each board in turn and waits for its answer, once an interval, and writes commands at
+ * once.
+ */
 internal class InCycle(private val platform: Platform, private val waker: Waker) : Coupling {
     private var lastStart: Long? = null
 
     override val isPaced get() = false
 
-    override fun perceiving(sensing: Sensing?, intervalMs: Int) {
+    override fun perceiving(sensings: List<Sensing>, intervalMs: Int) {
         val start = platform.clock.nanos()
         val isEarly = lastStart?.let { start - it < TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()) } == true
-        if (sensing == null || isEarly) return
+        if (sensings.isEmpty() || isEarly) return
         lastStart = start
-        sensing.exchange()
+        sensings.forEach(Sensing::exchange)
         waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
     }
 

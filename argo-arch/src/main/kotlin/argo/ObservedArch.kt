@@ -19,6 +19,7 @@ internal class ObservedArch(
     override val name: String = arch.agName
     override val policy get() = arch.policy.word
     override val intervalMs get() = arch.io.intervalMs
+    override val skewMs get() = arch.io.skewMs()
     override val isPerceiving get() = arch.io.isPerceiving
     override val beliefs: BeliefBase get() = arch.ts.ag.bb
 
@@ -26,7 +27,14 @@ internal class ObservedArch(
 
     override fun ports(): List<ObservedPort> {
         val inUse = arch.io.portInUse()?.terms.orEmpty()
-        return arch.io.states.all().map { (port, status) -> ObservedPort("$port", status.word, port in inUse, arch.io.isStale(port)) }
+        val boards = arch.io.perceivedBoards()
+        return arch.io.states.all().map { (port, status) ->
+            val board = boards.find { it.term == port || port in it.port.terms }
+            ObservedPort(
+                "$port", status.word, port in inUse, arch.io.isStale(port),
+                board != null, board?.namespace, board?.intervalMs, board?.filter?.name,
+            )
+        }
     }
 
     override fun filterNames() = filterNames(arch.ts.ag)

@@ -15,18 +15,20 @@ import java.util.ServiceConfigurationError
 /**
  * The internal action `argo.change_filter(F)`: activates filter F from the next perception on. F is an atom or a string, the
  * name of a filter or of its file; `none` lets everything through. Works for agents without [Arch] too, whose percepts come
- * from a Jason environment.
+ * from a Jason environment. `argo.change_filter(F, [port(P)])` changes that of the board on P alone; without it that of all boards.
  *
- * Fails the plan, without a change of the filter, with `error(wrong_arguments)`, `error(no_such_filter)` or
+ * Fails the plan, without a change of the filter, with `error(wrong_arguments)`, `error(unknown_board)`, `error(no_such_filter)` or
  * `error(bad_filter)` for a refused file, with all its problems in the message.
  */
 @Suppress("ClassName")
-open class change_filter : BoardAction("argo.change_filter", 1..1) {
+open class change_filter : BoardAction("argo.change_filter", 1..2) {
     override fun run(call: Call) {
         val filter = when (val name = filterName(call.args[0])) {
             "none" -> null
             else -> find(call, name)
         }
+        val board = boardIn(call)
+        if (board != null) return call.arch.io.perceiveThrough(filter, board)
         val archs = architectures(call.ts)
         archOf(call.ts)?.let { return it.perceiveThrough(filter) }
         val environmentFilter = archs.filterIsInstance<EnvironmentFilter>().firstOrNull() ?: EnvironmentFilter.insertInto(call.ts)

@@ -1,7 +1,6 @@
 package argo
 
 import argo.calls.wrongArgument
-import argo.filters.jason.perceptText
 import argo.perception.EnvironmentFilter
 import jason.asSemantics.DefaultInternalAction
 import jason.asSemantics.TransitionSystem
@@ -12,7 +11,8 @@ import jason.asSyntax.Term
 
 /**
  * The internal action `argo.explain(Percept, Why)`: unifies Why with a text that explains whether the active filter drops Percept,
- * and by which rule. It may be used in the context of a plan, and by agents without [Arch] too.
+ * and by which rule: the filter of the board in whose namespace Percept is. It may be used in the context of a plan, and by agents
+ * without [Arch] too.
  *
  * Fails the plan with `error(wrong_arguments)`.
  */
@@ -29,7 +29,7 @@ open class explain : DefaultInternalAction() {
             throw wrongArgument("a percept is a literal such as dist(f,38), not ${args[0]}").of("argo.explain(${args.joinToString(",")})")
         }
         val archs = architectures(ts)
-        val why = archOf(ts)?.io?.explain(perceptText(percept))
+        val why = archOf(ts)?.io?.explain(percept)
             ?: archs.filterIsInstance<EnvironmentFilter>().firstOrNull()?.explain(percept)
             ?: "$percept is kept: there is no filter"
         return un.unifies(args[1], ASSyntax.createString(why))

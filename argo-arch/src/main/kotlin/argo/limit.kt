@@ -1,20 +1,20 @@
 package argo
 
 import argo.calls.ArgumentException
-import argo.calls.whole
 import argo.calls.wholeNumber
 
 /**
  * The internal action `argo.limit(Ms)`: the sensing interval in ms, a whole number from 0 (as fast as the line allows).
- * Until it is called the interval is 50 ms.
+ * Until it is called the interval is 50 ms. `argo.limit(Ms, [port(P)])` sets that of the board on P alone; without it that of all boards.
  *
- * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.
+ * Fails the plan with `error(wrong_arguments)`, `error(unknown_board)` if the agent perceives no board on P, or `error(not_argo)`.
  */
 @Suppress("ClassName")
-open class limit : BoardAction("argo.limit", 1..1) {
+open class limit : BoardAction("argo.limit", 1..2) {
     override fun run(call: Call) {
         val interval = wholeNumber(call.args[0])?.takeIf { it >= 0 }
             ?: throw ArgumentException("the sensing interval is a whole number of ms from 0 to ${Int.MAX_VALUE}, not ${call.args[0]}")
-        call.arch.io.senseEvery(interval)
+        val board = boardIn(call)
+        if (board == null) call.arch.io.senseEvery(interval) else call.arch.io.senseEvery(interval, board)
     }
 }

@@ -1,22 +1,18 @@
 package argo
 
-import argo.calls.ArgumentException
 import argo.calls.Failure
 import argo.connecting.PortOptions
-import argo.connecting.Ports
-import jason.asSyntax.ASSyntax
-import jason.asSyntax.Literal
-import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
 /**
- * The internal action `argo.port(P)` or `argo.port(P, Options)`: selects the port for sensing and acting.
+ * The internal action `argo.port(P)` or `argo.port(P, Options)`: selects the port for sensing and acting, and no other.
  *
  * P is an atom or a string: `ttyACM0`, `"/dev/serial/by-id/…"`, `COM8`, `"usb:2341:0043"`, `"tcp://robot:4000"`; an unbound variable, as
  * in programs for other versions, stands for its own name. `none` closes all ports of the agent. Options is a list of `baud(Rate)`,
  * `timeout(Ms)`, `mode(request)` or `mode(listen)`, `protocol(auto)`, `protocol(1)` or `protocol(2)`, `boot(Ms)`, `spacing(Ms)`,
- * `queue(Messages)`, `stale(Ms)`; without it the agent's last options for P apply.
+ * `queue(Messages)`, `stale(Ms)`, `as(Namespace)`; without it the agent's last options for P apply. With `as(left)` what the board says is
+ * believed in the namespace `left`, as `left::dist(f,30)`. For several boards at once see `argo.ports`.
  *
  * The intention is suspended until the port is open. Ports opened before stay open. A port whose device was lost is reopened with the same
  * options when the device is back. The state of P is the belief `port(P,on)`, `port(P,off)` or `port(P,timeout)`; `stale(P)` is believed
@@ -44,18 +40,3 @@ open class port : BoardAction("argo.port", 1..2) {
 private fun Failure.hinting(written: Term): Failure =
     if (written !is VarTerm || error != "no_such_port") this
     else copy(cause = "$cause ($written has no value, so its name was taken for the port's)")
-
-private fun portName(term: Term): String {
-    val name = when {
-        term is VarTerm -> term.functor
-        term is StringTerm -> term.string
-        term is Literal && term.isAtom -> term.functor
-        else -> throw ArgumentException("a port is an atom such as ttyACM0 or a string such as \"/dev/ttyACM0\", not $term")
-    }
-    if (term is VarTerm && name.startsWith("_")) throw ArgumentException("the variable for the port has no value")
-    if (name.isBlank()) throw ArgumentException("the port has no name")
-    return name
-}
-
-/** The port in the agent's beliefs: what it wrote, or for a variable its name as an atom if it can be one, else as a string. */
-private fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written

@@ -16,11 +16,16 @@ import java.util.concurrent.ConcurrentHashMap
 internal class OpenPort(
     names: Map<Term, String>,
     val link: Link,
-    val options: PortOptions,
+    options: PortOptions,
     val openedNanos: Long,
     val losses: Int,
     use: (OpenPort) -> AutoCloseable,
 ) {
+    /** How it is used. */
+    @Volatile
+    var options: PortOptions = options
+        private set
+
     private val namesByTerm = ConcurrentHashMap(names)
     private val user = use(this)
 
@@ -39,6 +44,11 @@ internal class OpenPort(
         namesByTerm[term] = name
     }
 
+    /** What the board says is believed in [namespace] from now on; null: in the default one. */
+    fun renamed(namespace: String?) {
+        options = options.copy(namespace = namespace)
+    }
+
     /** Closes the link, then its user. Closing a link takes as long as its transport does. May be called twice and by any thread. */
     fun close() {
         link.close()
@@ -54,6 +64,8 @@ internal interface PortUser {
     /** [port] is open, and the agent's. Called by the thread that opened it. */
     fun opened(port: OpenPort)
 
-    /** Another port is in use than before, or none, or the same device after it was opened again. Called by the thread that changed it. */
+    /**
+     * Other ports are in use than before, or none, or the same devices after they were opened again. Called by the thread that changed it.
+     */
     fun portInUseChanged()
 }

@@ -16,6 +16,7 @@ import javino.Transports
  * @property timeoutMs how long an answer may take, in ms
  * @property listens whether the board speaks unasked, so that it is listened to and never asked
  * @property hasBaud whether the rate is settled; else it is what ports of the port's kind usually have, see [on]
+ * @property namespace where what the board says is believed; null: in the default namespace
  * @property staleMs after how many ms without a message `stale(Port)` is believed, 0: never; null: the default of [staleAfterMs]
  */
 internal data class PortOptions(
@@ -24,6 +25,7 @@ internal data class PortOptions(
     val listens: Boolean = false,
     val hasBaud: Boolean = false,
     val staleMs: Int? = null,
+    val namespace: String? = null,
 ) {
     /**
      * After how many ms without a message `stale(Port)` is believed, null: never. Unless it is set: when two answers in turn may have
@@ -58,6 +60,9 @@ internal data class PortOptions(
     fun on(port: String): PortOptions =
         if (hasBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), hasBaud = true)
 
+    /** Whether a port that was opened with [other] is as it would be with these, whatever its namespace. */
+    fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
+
     private fun with(option: Term): PortOptions {
         val name = (option as? Literal)?.takeIf { it.arity == 1 && !it.isVar }?.functor
         return when (name) {
@@ -69,17 +74,25 @@ internal data class PortOptions(
             "queue" -> copy(link = link.withBoardQueue(whole(option, 1..MAX_QUEUE)))
             "mode" -> copy(listens = oneOf(option, "request", "listen") == "listen")
             "protocol" -> copy(link = link.withProtocol(PROTOCOLS.getValue(oneOf(option, *PROTOCOLS.keys.toTypedArray()))))
+            "as" -> copy(namespace = namespaceIn(option))
             else -> throw ArgumentException("$option is not an option; there are $KNOWN")
         }
     }
 }
 
 private const val KNOWN = "baud(Rate), timeout(Ms), mode(request) or mode(listen), protocol(1), protocol(2) or protocol(auto), boot(Ms), " +
-    "spacing(Ms), queue(Messages) and stale(Ms)"
+    "spacing(Ms), queue(Messages), stale(Ms) and as(Namespace)"
 private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
 private const val MAX_BAUD = 20_000_000
 private const val MAX_MS = 600_000
 private const val MAX_QUEUE = 1000
+private const val DEFAULT_NAMESPACE = "default"
+
+private fun namespaceIn(option: Literal): String? {
+    val name = (option.getTerm(0) as? Literal)?.takeIf { it.isAtom && !it.isVar && it.ns == Literal.DefaultNS }
+        ?: throw ArgumentException("$option: as takes the name of a namespace, an atom such as left")
+    return name.functor.takeUnless { it == DEFAULT_NAMESPACE }
+}
 
 private fun oneOf(option: Literal, vararg words: String): String = option.getTerm(0).toString().takeIf { it in words }
     ?: throw ArgumentException("$option: ${option.functor} is ${words.joinToString(" or ")}")

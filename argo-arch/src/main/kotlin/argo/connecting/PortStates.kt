@@ -45,6 +45,9 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
     /** All ports as the agent calls them, and their states. */
     fun all(): List<Pair<Term, PortStatus>> = lock.withLock { states.values.toList() }
 
+    /** The state of the port that the agent calls by one of [names]; null: it is not known. */
+    fun statusOf(names: Collection<Term>): PortStatus? = lock.withLock { names.firstNotNullOfOrNull { states["$it"]?.second } }
+
     /** The beliefs about all ports. */
     fun beliefs(): List<Literal> = lock.withLock {
         believedVersion = version

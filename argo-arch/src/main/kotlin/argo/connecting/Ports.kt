@@ -4,19 +4,21 @@ import argo.calls.Failure
 import argo.calls.failureOf
 import argo.platform.Platform
 import argo.platform.SequentialExecutor
+import argo.platform.forEachAtOnce
 import jason.asSyntax.Term
 import javino.Link
 import javino.PortException
 import javino.Transports
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The ports that one agent holds open, and the one it uses now.
+ * The ports that one agent holds open, and those it uses now.
  *
  * Links stay open until [closeAll], since opening a port resets most boards. A port whose device has gone is opened again, with its
  * options, when the device returns; until then every call on it fails. Opening and closing may block, so they run on a sequential executor
- * (the agent's requests) or on one thread per lost port. Safe for use by several threads.
+ * (the agent's requests, several ports of one request at once) or on one thread per lost port. Safe for use by several threads.
  *
  * @param owner the agent's name, which the message to a second agent on the same port contains
  * @param user works through the ports
@@ -35,20 +37,21 @@ internal class Ports(
     private val lock = ReentrantLock()
     private val open = LinkedHashMap<String, OpenPort>()
     private val lost = LostPorts(owner, platform, ::reopen, warn)
-    private val lastOptions = HashMap<String, PortOptions>() // by name; for the thread that opens
+    private val lastOptions = ConcurrentHashMap<String, PortOptions>() // by name
+    private var opening = 0
     private var stopped = false
 
-    private val choosing = ReentrantLock() // held while the port in use changes
+    private val choosing = ReentrantLock() // held while the ports in use change
     private val openings = PortOpenings(platform)
     private val opener = SequentialExecutor(platform, "argo-$owner-opening")
 
-    /** The port for sensing and acting, or null. */
+    /** The ports for sensing and acting. */
     @Volatile
-    var current: OpenPort? = null
+    var inUse: List<PortInUse> = emptyList()
         private set
 
-    /** What the agent called it when it chose it; guarded by [choosing]. */
-    private var chosen: Term? = null
+    /** The first of [inUse], or null. */
+    val current: OpenPort? get() = inUse.firstOrNull()?.port
 
     /** All open ports. */
     fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
@@ -64,26 +67,68 @@ internal class Ports(
     fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
         inTurn { outcome(tryToChoose(term, name, options)) }
 
-    private fun tryToChoose(term: Term, name: String, options: PortOptions?): Failure? {
+    /**
+     * Makes the ports [wanted] those in use, in their order, and opens those that are not open yet, all at once. Each is in use as soon as
+     * it is open; the others that were in use before are no longer when the first one is. Of the wanted ones that cannot be opened those
+     * stay in use that were, and are searched for as before.
+     *
+     * @param outcome is called once by another thread, when all are open or have failed, with null or with why some are not open; never
+     * once the agent is being stopped
+     */
+    fun chooseAll(wanted: List<WantedPort>, outcome: (Failure?) -> Unit) = inTurn { outcome(tryToChooseAll(wanted)) }
+
+    private fun tryToChoose(term: Term, name: String, options: PortOptions?): Failure? =
+        tryToUse(WantedPort(term, name, options)) { port -> inUse = listOf(PortInUse(term, port)) }
+
+    private fun tryToChooseAll(asked: List<WantedPort>): Failure? {
+        val wanted = asked.distinctBy { one -> runCatching { Transports.canonicalName(one.name) }.getOrDefault(one.name) }
+        val opened = HashMap<WantedPort, OpenPort>() // guarded by choosing
+        val failures = ConcurrentHashMap<WantedPort, Failure>()
+        platform.forEachAtOnce(wanted, { "argo-$owner-opening-${it.name}" }) { one ->
+            val failure = tryToUse(one) { port ->
+                opened[one] = port
+                inUse = wanted.mapNotNull { other ->
+                    opened[other]?.let { PortInUse(other.term, it) } ?: inUse.find { it.term == other.term }
+                }
+            }
+            if (failure != null) failures[one] = failure
+        }
+        return asOne(wanted.mapNotNull { one -> failures[one]?.let { one to it } }, wanted.size)
+    }
+
+    /** What failed of so many ports that were wanted, as one failure; null: nothing. */
+    private fun asOne(failed: List<Pair<WantedPort, Failure>>, wanted: Int): Failure? = when (failed.size) {
+        0 -> null
+        1 -> failed.single().second
+        else -> Failure(
+            failed.first().second.error,
+            "${failed.size} of $wanted ports cannot be used: " +
+                failed.joinToString("; ") { (port, failure) -> "${port.term}: ${failure.cause}" },
+        )
+    }
+
+    /** Opens [wanted] and has it in use by [use], which is called with [choosing] held; returns why it cannot be opened. */
+    private fun tryToUse(wanted: WantedPort, use: (OpenPort) -> Unit): Failure? {
         val trouble = troubleOf {
-            val key = Transports.canonicalName(name)
-            openings.atOnce(key) { openAndChoose(term, name, key, options) }
+            val key = Transports.canonicalName(wanted.name)
+            openings.atOnce(key) { openAndUse(wanted, key, use) }
         }
         if (trouble is TooManyPortsException) return Failure("too_many_ports", trouble.message.orEmpty())
         return trouble?.let(::failureOf)?.also { failure ->
-            val isOpen = all().any { it.link.isOpen && term in it.names }
-            if (!isOpen) states.set(term, PortStatus.OFF, failure.cause) { lock.withLock { !stopped } }
+            val isOpen = all().any { it.link.isOpen && wanted.term in it.names }
+            if (!isOpen) states.set(wanted.term, PortStatus.OFF, failure.cause) { lock.withLock { !stopped } }
         }
     }
 
-    private fun openAndChoose(term: Term, name: String, key: String, options: PortOptions?) {
+    private fun openAndUse(wanted: WantedPort, key: String, use: (OpenPort) -> Unit) {
+        val (term, name, asked) = wanted
         val held = lock.withLock { open[key] }
-        val wanted = (options ?: held?.options ?: lastOptions[name] ?: PortOptions()).on(name)
-        val port = held?.takeIf { it.link.isOpen && it.options == wanted } ?: openOtherwise(held, key, name, term, wanted)
-        lastOptions[name] = wanted
+        val options = (asked ?: held?.options ?: lastOptions[name] ?: PortOptions()).on(name)
+        val port = held?.takeIf { it.link.isOpen && it.options.openAs(options) } ?: openOtherwise(held, key, name, term, options)
+        lastOptions[name] = options
         choosing.withLock {
-            chosen = term
-            current = port
+            port.renamed(options.namespace)
+            use(port)
             noteReturn(port, term, name)
             user.portInUseChanged()
         }
@@ -105,10 +150,7 @@ internal class Ports(
         val trouble = troubleOf {
             val again = openNew(key, port.link.port(), port.options, port.names)
             choosing.withLock {
-                if (current === port) {
-                    current = again
-                    user.portInUseChanged()
-                }
+                replaceInUse(again) { it.port === port }
             }
         }
         if (trouble != null) lose(port, trouble)
@@ -116,12 +158,20 @@ internal class Ports(
 
     /** @param before the lost port that this opening replaces; null: none */
     private fun openNew(key: String, name: String, options: PortOptions, names: Map<Term, String>, before: LostPort? = null): OpenPort {
-        if (lock.withLock { open.size } >= MAX_PORTS) {
-            throw TooManyPortsException("an agent holds at most $MAX_PORTS ports; argo.port(none) closes them")
+        val isFull = lock.withLock { (open.size + opening >= MAX_PORTS).also { if (!it) opening++ } }
+        if (isFull) throw TooManyPortsException("an agent holds at most $MAX_PORTS ports; argo.port(none) closes them")
+        var opened: OpenPort? = null
+        val tooLate: Boolean
+        try {
+            val link = platform.open(name, options.linkSettings(paced), owner)
+            opened = OpenPort(names, link, options, platform.clock.nanos(), before?.losses ?: 0, user::use)
+        } finally {
+            tooLate = lock.withLock {
+                opening--
+                stopped.also { isStopped -> opened?.takeUnless { isStopped }?.let { open[key] = it } }
+            }
         }
-        val link = platform.open(name, options.linkSettings(paced), owner)
-        val port = OpenPort(names, link, options, platform.clock.nanos(), before?.losses ?: 0, user::use)
-        val tooLate = lock.withLock { stopped.also { if (!it) open[key] = port } }
+        val port = checkNotNull(opened)
         if (tooLate) port.close() else user.opened(port)
         return port
     }
@@ -168,10 +218,15 @@ internal class Ports(
     }
 
     private fun putBack(found: LostPort, port: OpenPort) {
-        val inUse = current === found.port && chosen == found.term
-        if (inUse) current = port
+        replaceInUse(port) { it.port === found.port && it.term == found.term }
         noteReturn(port, found.term, found.name)
-        if (inUse) user.portInUseChanged()
+    }
+
+    /** Has [port] in place of those ports in use that are [old]; called by whoever holds [choosing]. */
+    private fun replaceInUse(port: OpenPort, old: (PortInUse) -> Boolean) {
+        if (inUse.none(old)) return
+        inUse = inUse.map { if (old(it)) it.copy(port = port) else it }
+        user.portInUseChanged()
     }
 
     private fun forget(port: OpenPort) {
@@ -195,8 +250,7 @@ internal class Ports(
         lost.clear()
         openings.interrupt()
         val ports = choosing.withLock {
-            current = null
-            chosen = null
+            inUse = emptyList()
             states.clear()
             user.portInUseChanged()
             lock.withLock { open.values.toList().also { open.clear() } }
@@ -220,6 +274,18 @@ internal class Ports(
         const val MAX_PORTS = 127
     }
 }
+
+/**
+ * A port that an agent asks for.
+ *
+ * @property term the port as the agent calls it
+ * @property name the same, as the transport takes it
+ * @property options how to use it; null: as the agent asked for last
+ */
+internal data class WantedPort(val term: Term, val name: String, val options: PortOptions?)
+
+/** A port in use, and what the agent called it when it chose it. */
+internal data class PortInUse(val term: Term, val port: OpenPort)
 
 /** An agent asks for more ports than it may hold. */
 private class TooManyPortsException(message: String) : Exception(message)

@@ -56,6 +56,9 @@ interface PerceivedMessage {
     /** The port that it came from, by the name that it was opened by. */
     val portName: String
 
+    /** Where it is believed; null: in the default namespace. */
+    val namespace: String? get() = null
+
     /** The percepts as they came off the line. */
     val texts: List<String>
 

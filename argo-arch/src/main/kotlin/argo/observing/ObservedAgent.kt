@@ -12,10 +12,15 @@ interface ObservedAgent {
     /** When it gets a snapshot of its sensors: `fresh`, `every` or `in_cycle`. */
     val policy: String
 
-    /** The sensing interval in ms. */
+    /** The sensing interval in ms of boards without one of their own. */
     val intervalMs: Int
 
-    /** Whether it perceives its board. */
+    /**
+     * The time in ms between the oldest and the newest of the boards' readings that it believes; null: there are none. See `argo.skew`.
+     */
+    val skewMs: Long?
+
+    /** Whether it perceives its boards. */
     val isPerceiving: Boolean
 
     /** What it believes. For the agent's thread only: see [AgentObserver.cycleFinished]. */
@@ -37,7 +42,7 @@ interface ObservedAgent {
     /** The filter called [name]; throws what [argo.filters.format.FilterFinder.find] throws. */
     fun filter(name: String): PerceptionFilter
 
-    /** Why the active filter keeps or drops the percept [percept], in words. */
+    /** Why the filter keeps or drops the percept [percept], in words; of each board where they differ. */
     fun explain(percept: String): String
 
     /** The critical rules of the active filter, in its order, and who watches each. */
@@ -61,7 +66,20 @@ data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
  *
  * @property name what the agent calls it
  * @property status `on`, `off` or `timeout`
- * @property isInUse whether it is the one for sensing and acting
+ * @property isInUse whether it is the port in use, where commands go for which no other board is found
  * @property isStale whether the agent believes `stale(P)` of it
+ * @property isPerceived whether its board is among those that the agent perceives
+ * @property namespace where what its board says is believed; null: in the default namespace
+ * @property intervalMs the sensing interval in ms of its board; null: it is not perceived
+ * @property filter the name of the filter of its board; null: it has none, or is not perceived
  */
-data class ObservedPort(val name: String, val status: String, val isInUse: Boolean, val isStale: Boolean)
+data class ObservedPort(
+    val name: String,
+    val status: String,
+    val isInUse: Boolean,
+    val isStale: Boolean,
+    val isPerceived: Boolean = isInUse,
+    val namespace: String? = null,
+    val intervalMs: Int? = null,
+    val filter: String? = null,
+)

@@ -8,6 +8,7 @@ import argo.filters.matching.piecesOf
 import argo.sensing.StaleBeliefs
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
+import jason.asSyntax.Atom
 import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
@@ -18,9 +19,10 @@ import jason.asSyntax.Term
  * A text that Jason cannot read, or that no sensor can mean, costs itself alone, and one warning per distinct text.
  * Literals of a text seen before are reused: Jason copies what it adds to a belief base. Not safe for use by several threads at once.
  *
+ * @param namespace where percepts are believed; null: in the namespace that they name themselves, mostly the default one
  * @param warn takes one line for each text that cannot be read
  */
-internal class BeliefReader(private val warn: (String) -> Unit) {
+internal class BeliefReader(private val namespace: Atom? = null, private val warn: (String) -> Unit) {
     private val known = object : LinkedHashMap<String, Reading>(16, 0.75f, true) {
         override fun removeEldestEntry(eldest: Map.Entry<String, Reading>) = size > room
     }
@@ -41,7 +43,10 @@ internal class BeliefReader(private val warn: (String) -> Unit) {
         }
     }
 
-    private fun parsed(percept: String) = parse(percept).also { if (percept.length <= MAX_CACHED_LENGTH) known[percept] = it }
+    private fun parsed(percept: String) = parse(percept).placed().also { if (percept.length <= MAX_CACHED_LENGTH) known[percept] = it }
+
+    private fun Reading.placed() =
+        if (namespace != null && this is Reading.Belief) Reading.Belief(literal.cloneNS(namespace) as Literal) else this
 
     private fun report(percept: String, why: String) {
         if (reported.size > MAX_REPORTED || !reported.add(printable(percept))) return

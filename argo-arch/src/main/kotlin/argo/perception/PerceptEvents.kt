@@ -3,12 +3,13 @@ package argo.perception
 import argo.platform.Platform
 import argo.platform.nowMs
 import jason.asSemantics.Event
+import jason.asSyntax.Literal
 import jason.bb.BeliefBase
 import java.util.Collections
 import java.util.IdentityHashMap
 
 /**
- * Knows whether the events of the last snapshot have been taken from Jason's event queue. Later ones, such as those of a busy
+ * Knows whether the events of the last snapshot of a board have been taken from Jason's event queue. Later ones, such as those of a busy
  * Jason environment, do not count, or they could keep the agent from its sensors for good. [wait] may be asked by any thread, the
  * rest belongs to the agent's.
  *
@@ -16,11 +17,13 @@ import java.util.IdentityHashMap
  * the world too, so then no event is awaited but [STANDING_MS]: each snapshot adds events that the agent works off afterwards, and Jason
  * goes through all of them in each cycle
  * @param nowMs a clock in ms that never goes back
+ * @param isOwn whether a percept event is of the board, or of none that the agent perceives; asked by any thread
  * @param queue the agent's event queue, which any thread may go through
  */
 internal class PerceptEvents(
     private val queueStands: () -> Boolean = { false },
     private val nowMs: () -> Long = Platform.system.nowMs,
+    private val isOwn: (Literal) -> Boolean = { true },
     private val queue: () -> Collection<Event>,
 ) {
     /** The percept events that were in the queue once the last snapshot had been taken in; null: it has not been, or the queue stands. */
@@ -43,12 +46,13 @@ internal class PerceptEvents(
     }
 
     /** Whether some of the last snapshot's events are still in the queue, or it is too early to add to a queue that stands. */
-    fun wait(): Boolean = if (queueStands()) nowMs() - handedOverMs < STANDING_MS else queue().any { awaits(it) }
+    fun wait(): Boolean =
+        if (queueStands()) nowMs() - handedOverMs < STANDING_MS else awaited?.isEmpty() != true && queue().any { awaits(it) }
 
     /** How many events wait in the queue, of whatever kind. Any thread. */
     fun waiting(): Int = queue().size
 
-    private fun awaits(event: Event): Boolean = awaited?.contains(event) ?: isPerceptEvent(event)
+    private fun awaits(event: Event): Boolean = awaited?.contains(event) ?: (isPerceptEvent(event) && isOwn(event.trigger.literal))
 
     companion object {
         /** The least time in ms between two snapshots that are handed over while Jason takes no event. */

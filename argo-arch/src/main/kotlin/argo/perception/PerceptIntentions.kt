@@ -3,21 +3,24 @@ package argo.perception
 import argo.platform.Platform
 import argo.platform.nowMs
 import jason.asSemantics.Intention
+import jason.asSyntax.Literal
 import jason.bb.BeliefBase
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Knows whether the intentions that percept events have begun are worked off. Jason takes one event a cycle and runs one step of one
- * intention. So plans of more steps than that would pile up as intentions, and each would wait for its turn behind all the others.
+ * Knows whether the intentions that percept events of a board have begun are worked off. Jason takes one event a cycle and runs one step
+ * of one intention. So plans of more steps than that would pile up as intentions, and each would wait for its turn behind all the others.
  *
  * An intention is worked off when it has finished or waits, as for the outcome of a command. One that still runs after [LONG_MS] is meant
  * to run on, and is awaited no more. [wait] may be asked by any thread, the rest belongs to the agent's.
  *
  * @param nowMs a clock in ms that never goes back
+ * @param isOwn whether a percept is of the board, or of none that the agent perceives; asked by any thread
  * @param running the agent's intentions that wait for their next step, which any thread may go through
  */
 internal class PerceptIntentions(
     private val nowMs: () -> Long = Platform.system.nowMs,
+    private val isOwn: (Literal) -> Boolean = { true },
     private val running: () -> Collection<Intention> = { emptyList() },
 ) {
     private val deadlines = ConcurrentHashMap<Intention, Long>() // until when each is awaited
@@ -43,7 +46,9 @@ internal class PerceptIntentions(
         return begun().any { intention -> deadlines[intention]?.let { now < it } ?: true }
     }
 
-    private fun begun() = running().filter { it.bottom?.trigger?.literal?.hasSource(BeliefBase.APercept) == true }
+    private fun begun() = running().filter { intention ->
+        intention.bottom?.trigger?.literal?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
+    }
 
     companion object {
         /** How long an intention is awaited, in ms; longer if taking the events of the last snapshot took longer. */

@@ -28,4 +28,5 @@ internal class Snapshot(
     val isSeen: ((Literal) -> Boolean)? = null,
 ) : PerceivedMessage {
     override val portName: String get() = port?.link?.port().orEmpty()
+    override val namespace: String? get() = port?.options?.namespace
 }

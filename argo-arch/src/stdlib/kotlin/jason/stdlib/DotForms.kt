@@ -35,3 +35,11 @@ class age : argo.age()
 /** `.can(…)`: see [argo.can]. */
 @Suppress("ClassName")
 class can : argo.can()
+
+/** `.ports(…)`: see [argo.ports]. */
+@Suppress("ClassName")
+class ports : argo.ports()
+
+/** `.skew(…)`: see [argo.skew]. */
+@Suppress("ClassName")
+class skew : argo.skew()

@@ -18,7 +18,7 @@ import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Logger
 
 /** An agent that perceives the board on [port] in a time of the test's. */
-private class Perceiving(private val port: OpenPort) {
+private class Perceiving(private val port: OpenPort, log: Logger) {
     @Volatile
     var nowMs = 0L
 
@@ -31,7 +31,7 @@ private class Perceiving(private val port: OpenPort) {
     private val handOver = FreshHandOver(CommandLedger { null }, PerceptEvents({ false }, { 0 }) { emptyList() })
     val board = BoardPercepts(
         ReentrantLock(), { wants }, handOver, Reflexes({ _, _, _ -> reflexes++ }, { _, _ -> false }, { _, _, _ -> }, warning), { },
-        BeliefReader { error(it) }, Logger.getLogger("test"), PerceptLimit(1000, warning), LastSeen { emptyList() }, { nowMs },
+        BeliefReader { error(it) }, log, PerceptLimit(1000, warning), LastSeen { emptyList() }, { nowMs },
     )
     private var perceived = ""
 
@@ -49,6 +49,7 @@ private class Perceiving(private val port: OpenPort) {
 class BoardPerceptsInterleavingsSpec : FunSpec({
     val calm = dropFilter("calm") { drop("temp") { everyMs(500) } }
     val careful = dropFilter("careful") { critical("near") { reflex("stop") } }
+    val log = Logger.getLogger("test")
     val board = FakeBoard.plugIn("interleaved")
     val link = Link.open(board.port(), LinkSettings.defaults(), "test")
     val port = OpenPort(mapOf(ASSyntax.createAtom("p") to board.port()), link, PortOptions(), 0, 0) { AutoCloseable { } }
@@ -59,7 +60,7 @@ class BoardPerceptsInterleavingsSpec : FunSpec({
 
     test("an old value is not perceived after the new one that a filter held back until it was due") {
         inEachInterleaving {
-            val agent = Perceiving(port)
+            val agent = Perceiving(port, log)
             agent.board.switchTo(calm)
             agent.hears("temp(1);")
             agent.perceive()
@@ -78,7 +79,7 @@ class BoardPerceptsInterleavingsSpec : FunSpec({
 
     test("once the agent has stopped perceiving no reflex is sent and nothing is left to perceive") {
         inEachInterleaving {
-            val agent = Perceiving(port)
+            val agent = Perceiving(port, log)
             agent.board.switchTo(careful)
             var sent = 0
             concurrently(
@@ -98,7 +99,7 @@ class BoardPerceptsInterleavingsSpec : FunSpec({
     test("a report of the board's is not lost in an answer that was asked for before it") {
         val rule = careful.critical.single()
         inEachInterleaving {
-            val agent = Perceiving(port)
+            val agent = Perceiving(port, log)
             agent.board.switchTo(careful)
             concurrently(
                 { agent.board.received(port, "near(1);light(3);", 1, 3) },

@@ -38,6 +38,8 @@ class LayersSpec : FunSpec({
         "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.observing"),
         "argo.sensing" to listOf("argo.acting", "argo.connecting", "argo.calls", "argo.platform"),
         "argo.perception" to listOf("argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.observing"),
+        "argo.boards" to
+            listOf("argo.perception", "argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.observing"),
     )
 
     test("the rules see the packages that they speak of") {

@@ -78,7 +78,8 @@ class ObserversSpec : FunSpec({
             val diary = DiaryProvider.opened.getValue("asking")
             diary.lines.filter { it.startsWith("perceived") }.size shouldBeGreaterThan 0
             val agent = diary.agent
-            agent.ports() shouldBe listOf(ObservedPort("ttyACM0", "on", isInUse = true, isStale = false))
+            agent.ports() shouldBe
+                listOf(ObservedPort("ttyACM0", "on", isInUse = true, isStale = false, intervalMs = 5, filter = "front"))
             agent.filterNames() shouldContain "front"
             agent.perceive(false) {}
             bob.after(1.seconds)

@@ -35,3 +35,11 @@ class age : argo.age()
 /** `.argo.can(…)`: see [argo.can]. */
 @Suppress("ClassName")
 class can : argo.can()
+
+/** `.argo.ports(…)`: see [argo.ports]. */
+@Suppress("ClassName")
+class ports : argo.ports()
+
+/** `.argo.skew(…)`: see [argo.skew]. */
+@Suppress("ClassName")
+class skew : argo.skew()

@@ -1,0 +1,25 @@
+package argo
+
+import argo.boards.Board
+import argo.calls.ArgumentException
+import argo.calls.optionsIn
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+
+/**
+ * The board that the options of [call], its second argument `[port(P)]`, name; null: there are no options.
+ * @throws ArgumentException if they are others
+ */
+internal fun boardIn(call: BoardAction.Call): Board? {
+    val port = portIn(optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]")) ?: return null
+    return call.arch.io.board(port) ?: throw call.failure("unknown_board", unknownBoard(port, call.arch.io))
+}
+
+private fun portIn(options: List<Term>): Term? = options.map { option ->
+    (option as? Literal)?.takeIf { !it.isVar && it.functor == "port" && it.arity == 1 }?.getTerm(0)
+        ?: throw ArgumentException("$option is not an option; there is port(P)")
+}.lastOrNull()
+
+/** Why [port] names no board of [io]'s agent. */
+internal fun unknownBoard(port: Term, io: AgentIo): String =
+    "there is no board on port $port; the agent perceives ${io.perceivedBoards().joinToString { "${it.term}" }.ifEmpty { "none" }}"

@@ -1,0 +1,214 @@
+package argo.boards
+
+import argo.acting.CommandLedger
+import argo.acting.CommandOptions
+import argo.acting.Reflexes
+import argo.calls.Failure
+import argo.connecting.OpenPort
+import argo.filters.CriticalRule
+import argo.filters.PerceptionFilter
+import argo.observing.RuleWatcher
+import argo.observing.WatchedRule
+import argo.perception.BeliefReader
+import argo.perception.BoardPercepts
+import argo.perception.HandOver
+import argo.perception.LastSeen
+import argo.perception.PerceptLimit
+import argo.perception.Snapshot
+import argo.platform.nowMs
+import argo.sensing.StaleBeliefs
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Atom
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+import jason.bb.BeliefBase
+import jason.bb.StructureWrapperForLiteral
+import javino.wire.ReflexOutcome
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * A board that an agent perceives or has perceived: what is believed of it, what is still to be perceived, its filter and its interval.
+ * These stay when its device goes and comes back. Functions belong to the agent's thread unless they say otherwise.
+ *
+ * @property term what the agent calls its port
+ * @param port the line to it
+ * @param former a board whose filter and interval it has, as long as it is not given others
+ */
+internal class Board(val term: Term, port: OpenPort, private val agent: Perceiver, former: Board? = null) {
+    /** A filter of its own; null inside it lets everything through. */
+    private class OwnFilter(val filter: PerceptionFilter?)
+
+    /** Where what it says is believed; null: in the default namespace. */
+    val namespace: String? = port.options.namespace
+    private val space: Atom? = namespace?.let(ASSyntax::createAtom)
+
+    /** The line to it; the closed one while its device has gone. Any thread may read. */
+    @Volatile
+    var port: OpenPort = port
+        private set
+
+    /** What of it the agent believes. Any thread may read. */
+    @Volatile
+    var sensed: List<Literal> = emptyList()
+        private set
+
+    /** When the readings in [sensed] came, by the platform's clock; null: there are none. Any thread may read. */
+    @Volatile
+    var sensedNanos: Long? = null
+        private set
+
+    @Volatile
+    private var before: List<Literal> = emptyList()
+
+    @Volatile
+    private var keys: Set<StructureWrapperForLiteral>? = null // of what is sensed, and was before
+
+    /** A sensing interval of its own, in ms; null: it has the agent's. Any thread. */
+    @Volatile
+    var ownIntervalMs: Int? = former?.ownIntervalMs
+
+    /** The sensing interval in ms. Any thread may read. */
+    val intervalMs: Int get() = ownIntervalMs ?: agent.intervalMs
+
+    @Volatile
+    private var ownFilter: OwnFilter? = former?.ownFilter
+
+    /** Its filter; null: everything is kept. Any thread may read. */
+    val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
+
+    /** The commands that its snapshots wait for. */
+    val ledger = CommandLedger { this.port }
+    private val handOver: HandOver = agent.handOverOf(this)
+    private val lastSeen = LastSeen { sensed }
+    private val choosing = ReentrantLock() // held while the filter is asked for and taken
+    private val nowMs = agent.platform.nowMs
+    private val stale = StaleBeliefs(nowMs, { this.port.takeIf { agent.perceives(this) } }, ::intervalMs)
+    private val reflexes: Reflexes = Reflexes(::sendReflex, agent::isWatchedBy, ::reflexEnded, agent.rateLimitedWarning())
+    private val percepts = BoardPercepts(
+        agent.platform.clock.newLock(false), ::isOn, handOver, reflexes,
+        { agent.observers().messageFiltered(it) }, BeliefReader(space) { agent.log.warning(it) }, agent.log,
+        PerceptLimit(agent.maxPercepts, agent.rateLimitedWarning()), lastSeen, nowMs,
+    )
+
+    /** The critical rules of its filter. Any thread. */
+    val critical: List<CriticalRule> get() = percepts.critical
+
+    /** The request to it if it speaks version 2 of the protocol. Any thread. */
+    val request: String get() = percepts.request
+
+    /** Whether it is perceived through [port]. Any thread. */
+    private fun isOn(port: OpenPort) = port === this.port && agent.perceives(this)
+
+    /** The agent begins to perceive it, through [port]. Any thread, before it is perceived. */
+    fun begin(port: OpenPort, isBelieved: Boolean) {
+        this.port = port
+        if (!isBelieved) {
+            sensed = emptyList()
+            sensedNanos = null
+        }
+        stale.renew()
+    }
+
+    /** Its device has come back as [port]: what is believed of it is as old as it was. Any thread. */
+    fun reconnect(port: OpenPort) {
+        this.port = port
+    }
+
+    /** What was sensed so far and has not been perceived is of another time or place. Any thread. */
+    fun forget() = percepts.forget()
+
+    /** The agent begins or ends to perceive. */
+    fun beginAnew() {
+        stale.renew()
+        forget()
+    }
+
+    /** Perceives it through [filter], whatever the others are perceived through; null: everything. */
+    fun perceiveThrough(filter: PerceptionFilter?) {
+        ownFilter = OwnFilter(filter)
+        renewFilter()
+    }
+
+    /** Perceives it through the filter that the agent has for all. */
+    fun perceiveAsOthers() {
+        ownFilter = null
+        renewFilter()
+    }
+
+    /** Perceives it through its filter, which has changed, from the next perception on. Any thread. */
+    fun renewFilter() = choosing.withLock { percepts.switchTo(filter) }
+
+    /** Why its filter keeps or drops [percept], and who watches the critical rule that decides. Any thread. */
+    fun explain(percept: String): String {
+        val explanation = percepts.explain(percept)
+        val critical = criticalRules().find { it.rule.rule === explanation.rule } ?: return "$explanation"
+        return "$explanation; ${critical.watcher.word} watches it"
+    }
+
+    /** The critical rules of its filter, and who watches each. Any thread. */
+    fun criticalRules(): List<WatchedRule> =
+        critical.map { WatchedRule(it, if (agent.isWatchedBy(port, it)) RuleWatcher.BOARD else RuleWatcher.COMPUTER) }
+
+    /** The youngest percept of it in [beliefs] that unifies with [percept] under [un], and when it was seen; null if there is none. */
+    fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
+        lastSeen.youngest(beliefs, percept, un, nowNanos)
+
+    /** A message came: see [BoardPercepts.received]. Called by the sensing thread of [port]. */
+    fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) {
+        if (!percepts.received(port, message, askedNanos, receivedNanos)) return
+        stale.renew()
+        agent.wake { !handOver.isReady() && stale.isEmpty() }
+    }
+
+    /** The board has reported a percept: see [BoardPercepts.reported]. Any thread. */
+    fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
+        if (percepts.reported(port, rule, outcome, percept, receivedNanos)) agent.wake { !handOver.isReady() }
+    }
+
+    /** Makes a snapshot of the percepts that the filter held back and that are due. */
+    fun putDue() = percepts.putDue()
+
+    /** Takes the snapshot that the agent perceives now; null: none is ready. */
+    fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also {
+        before = sensed
+        sensed = it.percepts
+        sensedNanos = it.receivedNanos
+        keys = null
+    }
+
+    /**
+     * Whether [percept] is, or was before the last snapshot, a percept of this board.
+     * @param isAlone whether no other board has its namespace
+     */
+    fun claims(percept: Literal, isAlone: Boolean): Boolean =
+        percept.ns == (space ?: Literal.DefaultNS) && (isAlone || StructureWrapperForLiteral(percept) in keys())
+
+    private fun keys() = keys ?: (sensed + before).mapTo(HashSet(), ::StructureWrapperForLiteral).also { keys = it }
+
+    /** Recomputes whether it is stale; returns whether that, or the outcome of a reflex, has changed. */
+    fun update(): Boolean = stale.update() || reflexes.hasNews()
+
+    /** The beliefs `stale(P)` and those about outcomes of reflexes. */
+    fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
+
+    /** The time in ms until there is something to do without news from the board; null: there will not be. */
+    fun dueInMs(): Long? =
+        listOfNotNull(percepts.dueInMs().takeIf { agent.perceives(this) }, stale.dueInMs().takeIf { it != 0L }).minOrNull()
+
+    /** Whether there is something to perceive now. Any thread. */
+    fun hasNews(): Boolean = handOver.isReady() || stale.hasNews() || reflexes.hasNews() ||
+        agent.perceives(this) && percepts.dueInMs() == 0L
+
+    /** Whether the agent believes that [port] is stale. Any thread. */
+    fun isStale(port: Term): Boolean = stale.isStale(port)
+
+    private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) =
+        agent.transmit(port, command, CommandOptions(urgent = true), outcome)
+
+    private fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
+        agent.observers().reflexEnded(rule, watcher, failure)
+        agent.wake { !reflexes.hasNews() }
+    }
+}

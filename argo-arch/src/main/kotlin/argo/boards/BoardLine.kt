@@ -1,0 +1,59 @@
+package argo.boards
+
+import argo.acting.BoardRules
+import argo.acting.CommandOptions
+import argo.acting.CommandSender
+import argo.connecting.OpenPort
+import argo.connecting.PortStatus
+import argo.sensing.Sensing
+import argo.sensing.SensingListener
+import javino.BoardListener
+import javino.PerceptsRequest
+import javino.PortException
+import javino.PortTimeoutException
+import javino.Protocol
+import javino.wire.ReflexOutcome
+
+/** What works through one open port, whether or not its agent perceives the board: sensing, commands, rules on the board. */
+internal class BoardLine(private val port: OpenPort, private val agent: Perceiver, private val closed: () -> Unit) :
+    BoardListener, SensingListener, AutoCloseable {
+    val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.lost(port, it) }
+    val sensing = Sensing(port, agent.owner, this, agent.platform)
+
+    /** The critical rules that the board watches. */
+    val rules = BoardRules(
+        { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
+        { command, outcome -> commands.submit(command, CommandOptions(urgent = true), outcome) },
+    )
+
+    override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs
+
+    override fun isSensed(port: OpenPort) = agent.boardOn(port) != null
+
+    override fun request(port: OpenPort) =
+        agent.boardOn(port)?.request?.takeIf { port.link.protocol() == Protocol.V2 } ?: PerceptsRequest.ALL
+
+    override fun mayReport(port: OpenPort) = !rules.isEmpty
+
+    override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) {
+        agent.boardOn(port)?.received(port, message, askedNanos, receivedNanos)
+    }
+
+    override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = agent.report(port, PortStatus.TIMEOUT, trouble.message)
+
+    override fun answeredAgain(port: OpenPort) = agent.report(port, PortStatus.ON)
+
+    override fun lost(port: OpenPort, trouble: PortException) = agent.lost(port, trouble)
+
+    override fun sessionBegan(room: Int) = rules.began(room)
+
+    override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
+        val critical = rules.ruleOf(rule) ?: return
+        agent.boardOn(port)?.reported(port, critical, outcome, percept, receivedNanos)
+    }
+
+    override fun close() {
+        sensing.close()
+        closed()
+    }
+}

@@ -1,0 +1,52 @@
+package argo.perception
+
+import jason.asSemantics.Agent
+import jason.asSemantics.Event
+import jason.asSyntax.Literal
+import jason.asSyntax.Trigger
+import jason.asSyntax.Trigger.TEOperator
+import jason.asSyntax.Trigger.TEType
+import jason.bb.BeliefBase
+import jason.bb.StructureWrapperForLiteral
+
+/**
+ * Puts the namespaces back into the events of deleted percepts: Jason makes an event `-dist(f,30)` of the deletion of `left::dist(f,30)`,
+ * though it looks for plans for `-left::dist(f,30)`. Belongs to the agent's thread.
+ */
+internal class DeletedPercepts {
+    private var deleted: List<Literal> = emptyList()
+
+    /** Jason is about to have [percepts], and no others, as the percepts of [agent]. */
+    fun expect(agent: Agent, percepts: Collection<Literal>) {
+        val stay = percepts.mapTo(HashSet(), ::StructureWrapperForLiteral)
+        deleted = agent.bb.percepts.asSequence()
+            .filter { it.ns != Literal.DefaultNS && it.subjectToBUF() && StructureWrapperForLiteral(it) !in stay }
+            .map { it.copy() as Literal }.filter { hasEvent(agent, it) }.toList()
+    }
+
+    private fun hasEvent(agent: Agent, percept: Literal) =
+        agent.ts.c.hasListener() || agent.pl.hasCandidatePlan(Trigger(TEOperator.del, TEType.belief, percept))
+
+    /** Jason has added the events to [queue]. */
+    fun mend(queue: Collection<Event>) {
+        if (deleted.isEmpty()) return
+        val waiting = deleted.toMutableList()
+        deleted = emptyList()
+        for (event in queue.reversed()) { // the new ones are the last
+            if (waiting.isEmpty()) return
+            val literal = deletedPercept(event) ?: continue
+            val index = waiting.indexOfFirst { it.functor == literal.functor && it.terms.orEmpty() == literal.terms.orEmpty() }
+            if (index >= 0) event.trigger.literal = waiting.removeAt(index).also(::perceivedAlone)
+        }
+    }
+
+    private fun deletedPercept(event: Event): Literal? = event.trigger.takeIf { event.isExternal && isDeletion(it) }?.literal
+        ?.takeIf { it.ns == Literal.DefaultNS && it.hasSource(BeliefBase.APercept) }
+
+    private fun isDeletion(trigger: Trigger) = trigger.operator == TEOperator.del && trigger.type == TEType.belief
+
+    private fun perceivedAlone(percept: Literal) {
+        percept.clearAnnots()
+        percept.addAnnot(BeliefBase.TPercept)
+    }
+}

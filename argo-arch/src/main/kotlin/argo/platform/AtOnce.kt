@@ -1,0 +1,30 @@
+package argo.platform
+
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.withLock
+
+/**
+ * Does [work] for each of [items], each on a thread of its own, and returns when all of it has ended. An exception of [work] ends its
+ * thread alone.
+ *
+ * @param name what the thread for an item is called
+ */
+internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, work: (T) -> Unit) {
+    if (items.size < 2) return items.forEach(work)
+    val lock = clock.newLock(false)
+    val ended = lock.newCondition()
+    var underWay = items.size
+    for (item in items) start(name(item)) {
+        try {
+            work(item)
+        } finally {
+            lock.withLock {
+                underWay--
+                ended.signalAll()
+            }
+        }
+    }
+    lock.withLock { while (underWay > 0) clock.await(ended, LOOK_NANOS) }
+}
+
+private val LOOK_NANOS = TimeUnit.SECONDS.toNanos(1)

@@ -1,0 +1,46 @@
+package argo
+
+import argo.calls.ArgumentException
+import argo.calls.Failure
+import argo.connecting.PortOptions
+import argo.connecting.WantedPort
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+
+/**
+ * The internal action `argo.ports(List)`: the agent perceives the boards on all ports of List, and no others. An element is a port as
+ * `argo.port` takes it, or `port(P, Options)` with the options of `argo.port`: `[ttyACM0, port(ttyACM1, [as(left)]), "tcp://arm:4000"]`. The first
+ * one is the port in use, where commands go for which no other board is found.
+ *
+ * Ports that are not open are opened, all at once, and each board is perceived as soon as its port is open. Boards that were perceived
+ * before and are in List are not disturbed; those that are not in List are no longer perceived, but their ports stay open.
+ *
+ * The intention is suspended until each port is open or has failed. If ports cannot be opened, the boards on the others are perceived all
+ * the same; a board of List that was perceived before remains so, and is searched for if its device has gone. Then the plan fails with the
+ * error of the first that failed, as `argo.port` does, and the message has the reasons of all. If none can be opened nothing changes. Fails
+ * also with `error(wrong_arguments)` or `error(not_argo)`.
+ */
+@Suppress("ClassName")
+open class ports : BoardAction("argo.ports", 1..1) {
+    override val suspends get() = true
+
+    override fun run(call: Call) {
+        val io = call.arch.io
+        val wanted = elements(call.args[0]).map(::wantedPort).distinctBy { "${it.term}" }
+        val outcome = call.suspendIntention()
+        io.choosePorts(wanted, outcome)
+    }
+}
+
+private fun elements(list: Term): List<Term> = (list as? ListTerm)?.takeIf { it.isList && it.tail == null && !it.isEmpty() }?.asList
+    ?: throw ArgumentException("the argument is a list of ports such as [ttyACM0, port(ttyACM1,[as(left)])], not $list")
+
+private fun wantedPort(element: Term): WantedPort {
+    val isPort = element is Literal && !element.isVar && !element.isList && element.functor == "port" && element.arity in 1..2
+    val term = if (isPort) element.getTerm(0) else element
+    val options = if (isPort && element.arity == 2) PortOptions.of(element.getTerm(1)) else null
+    val name = portName(term)
+    if (name == "none") throw ArgumentException("none is no port in a list; argo.port(none) closes all ports")
+    return WantedPort(portTerm(term, name), name, options)
+}
