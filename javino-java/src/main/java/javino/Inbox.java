@@ -55,6 +55,7 @@ final class Inbox {
     private final FrameDecoder version1;
     private final WireDecoder version2;
     private final LocalEchoFilter localEchoes = new LocalEchoFilter();
+    private final StrayBytes.Gatherer stray = new StrayBytes.Gatherer();
     private final ReadListener received;
     private final FrameListener frames;
     private boolean isBeingRead;
@@ -90,7 +91,7 @@ final class Inbox {
         this.frames = frames;
         long timeout = FrameDecoder.interByteTimeoutNanos(transport.line());
         version1 = new FrameDecoder(timeout, this::keep);
-        version2 = new WireDecoder(true, timeout, frame -> this.frames.received(frame, lastByteNanos));
+        version2 = new WireDecoder(true, timeout, this::handOn);
         lastByteNanos = clock.nanos();
     }
 
@@ -173,6 +174,11 @@ final class Inbox {
         monitor.change(() -> localEchoes.sends(frame));
     }
 
+    /** What has come since the last message, of either version, and is none so far. */
+    StrayBytes strayBytes() {
+        return monitor.get(() -> stray.soFar(transport.line().baud()));
+    }
+
     /** When the last byte arrived. */
     long lastByteNanos() {
         return lastByteNanos;
@@ -216,6 +222,7 @@ final class Inbox {
 
     private void accept(int count, long now) {
         lastByteNanos = now;
+        stray.add(buffer, count);
         long corrupt = version2.corrupt();
         frames.receiving(now);
         if (protocol != Protocol.V1) {
@@ -230,7 +237,13 @@ final class Inbox {
         received.received(count, now);
     }
 
+    private void handOn(WireFrame frame) {
+        stray.clear();
+        frames.received(frame, lastByteNanos);
+    }
+
     private void keep(Frame frame) {
+        stray.clear();
         if (localEchoes.isEcho(frame)) {
             return;
         }

@@ -219,10 +219,21 @@ public final class Link implements AutoCloseable {
                 throw new PortTimeoutException(
                         port(),
                         "port " + port() + " gave no answer to \"" + request.text() + "\" within " + timeoutMillis
-                                + " ms; " + transport.doubt());
+                                + " ms; " + doubt(transport.doubt()));
             }
             return answer;
         });
+    }
+
+    /** What may be the reason of a silence: what came in place of a message, or else {@code usual}. */
+    private String doubt(String usual) {
+        StrayBytes stray = strayBytes();
+        return stray.count() == 0 ? usual : stray.inWords();
+    }
+
+    /** What has come since the last message and is none so far. Any thread; does not wait. */
+    public StrayBytes strayBytes() {
+        return line.inbox().strayBytes();
     }
 
     /**
@@ -294,7 +305,9 @@ public final class Link implements AutoCloseable {
             Reply message = channel.listen(timeoutMillis);
             if (message == null) {
                 throw new PortTimeoutException(
-                        port(), "port " + port() + " sent no message within " + timeoutMillis + " ms");
+                        port(),
+                        "port " + port() + " sent no message within " + timeoutMillis + " ms; "
+                                + doubt("does the board send percepts unasked?"));
             }
             return message;
         });

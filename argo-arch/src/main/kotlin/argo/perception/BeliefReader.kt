@@ -5,6 +5,7 @@ import argo.connecting.PortStatus
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
 import argo.filters.matching.piecesOf
+import argo.filters.matching.whyUnreadable
 import argo.sensing.StaleBeliefs
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
@@ -89,8 +90,8 @@ private fun parse(percept: String): Reading = try {
         else -> Reading.Belief(ownSource(literal))
     }
 } catch (refused: PerceptSyntaxException) {
-    val detail = (refused.cause ?: refused).message.orEmpty().lineSequence().first()
-    Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else " (${printable(detail)})")
+    val detail = whyUnreadable(percept) ?: (refused.cause ?: refused).message.orEmpty().lineSequence().first()
+    Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${printable(detail)}")
 }
 
 /** Whether [term] holds a function such as `math.random`, which Jason calls. A sum of numbers is a number. */

@@ -6,6 +6,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import kotlin.random.Random
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
@@ -24,6 +25,17 @@ class FaultyBoardsSpec : FunSpec({
             bob.shouldReason("at_once").shouldSend("hello", within = 5.seconds)
             bob.shouldBelieve("port(ttyACM0,timeout)").shouldReason("in_timeout")
             bob.log.count { "port ttyACM0 is " in it } shouldBe 2
+        }
+    }
+
+    test("of a board that prints text in place of messages, the log shows the text and the likely cause") {
+        agentOf("!start. +!start <- argo.port(ttyACM0, [protocol(1), boot(0), timeout(50)]); argo.percepts(open).") {
+            board.ignoresRequests()
+        }.use { bob ->
+            bob.board.disturbs("dist(f,30);\r\n")
+            bob.shouldBelieve("port(ttyACM0,timeout)")
+            bob.log.single { "port ttyACM0 is timeout" in it || "gave no answer" in it } shouldContain
+                "13 bytes came since the last message and are none: \"dist(f,30);\\r\\n\", which is text without a frame"
         }
     }
 

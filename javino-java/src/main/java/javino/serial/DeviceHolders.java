@@ -11,9 +11,12 @@ import java.util.stream.Stream;
 final class DeviceHolders {
     private DeviceHolders() {}
 
+    private static final String TERMINALS = "/dev/pts/";
+    private static final String MASTER = "ptmx";
+
     /**
      * The other processes that hold the device, in words ({@code process 4711 (minicom)}); empty when none can be seen, and for a device
-     * that does not show in the file system.
+     * that does not show in the file system. The program at the far end of a pseudo-terminal, which is the board, is none of them.
      */
     static List<String> of(SerialDevice device) {
         if (!device.hasNode()) {
@@ -30,7 +33,9 @@ final class DeviceHolders {
 
     private static boolean holds(Path process, Path device) {
         try (Stream<Path> descriptors = Files.list(process.resolve("fd"))) {
-            return descriptors.anyMatch(descriptor -> device.equals(target(descriptor)));
+            List<Path> all = descriptors.toList();
+            return all.stream().anyMatch(descriptor -> device.equals(target(descriptor)))
+                    && all.stream().noneMatch(descriptor -> isMaster(descriptor, device));
         } catch (IOException | UncheckedIOException e) {
             return false; // no /proc here, another user's process, or one that has just ended
         }
@@ -41,6 +46,21 @@ final class DeviceHolders {
             return Files.readSymbolicLink(descriptor);
         } catch (IOException e) {
             return null; // closed while we looked
+        }
+    }
+
+    /** Whether a descriptor is the far end of the pseudo-terminal {@code device}; Linux gives its number in {@code fdinfo}. */
+    private static boolean isMaster(Path descriptor, Path device) {
+        Path target = target(descriptor);
+        if (target == null || !target.endsWith(MASTER) || !device.toString().startsWith(TERMINALS)) {
+            return false;
+        }
+        try {
+            Path info = descriptor.getParent().resolveSibling("fdinfo").resolve(descriptor.getFileName());
+            String number = device.toString().substring(TERMINALS.length());
+            return Files.readAllLines(info).contains("tty-index:\t" + number);
+        } catch (IOException e) {
+            return false; // closed while we looked
         }
     }
 

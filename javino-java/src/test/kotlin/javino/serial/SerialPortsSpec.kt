@@ -25,6 +25,12 @@ class SerialPortsSpec : FunSpec({
         }
     }
 
+    test("the program at the far end of a pseudo-terminal, which is the board, does not hold it").config(
+        enabledOrReasonIf = { Terminals.available },
+    ) {
+        Terminals.open().use { pair -> SerialPorts.holders(pair.computer).shouldBeEmpty() }
+    }
+
     test("nobody holds what is not there") {
         SerialPorts.holders("/dev/no such device").shouldBeEmpty()
     }

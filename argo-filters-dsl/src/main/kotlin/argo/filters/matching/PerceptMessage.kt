@@ -21,6 +21,9 @@ fun perceptsOf(message: String): List<String> {
 /** The pieces of [percept] between any `;`, wherever it stands: the second reading of a percept that Jason cannot read. */
 fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
 
+/** Whether each bracket and each quote in [text] is closed. */
+internal fun isBalanced(text: String): Boolean = balancedEnd(text, 0) != null
+
 /** Where the percept that begins at [start] ends, or null if its brackets or quotes do not match. */
 private fun balancedEnd(text: String, start: Int): Int? {
     val open = ArrayDeque<Char>()

@@ -5,6 +5,8 @@ import argo.tools.command.requireWithin
 import javino.Link
 import javino.LinkSettings
 import javino.Protocol
+import javino.Transport
+import javino.Transports
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
@@ -39,14 +41,18 @@ internal class LineOptions {
     )
     private var boot = 0
 
+    /** Opens the bare line at [port], after a check of all options. */
+    fun openRaw(port: String): Transport = Transports.open(port, settings().line())
+
     /** Opens [port], after a check of all options. */
-    fun open(port: String): Link {
+    fun open(port: String): Link = Link.open(port, settings(), spec.qualifiedName())
+
+    private fun settings(): LinkSettings {
         spec.requireWithin("--timeout", timeoutMs, 1..MAX_MS)
         spec.requireWithin("--baud", baud, BAUDS)
         spec.requireWithin("--boot", boot, 0..MAX_MS)
         val version = PROTOCOLS[protocol] ?: spec.refuse("--protocol is 1, 2 or auto, not $protocol")
-        val settings = LinkSettings.defaults().withBaud(baud).withBootMillis(boot).withProtocol(version)
-        return Link.open(port, settings, spec.qualifiedName())
+        return LinkSettings.defaults().withBaud(baud).withBootMillis(boot).withProtocol(version)
     }
 
     companion object {

@@ -1,6 +1,7 @@
 package argo.tools.board
 
 import argo.filters.matching.perceptsOf
+import argo.filters.matching.whyUnreadable
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonOf
@@ -31,6 +32,7 @@ import java.util.concurrent.locks.LockSupport
     name = "monitor",
     description = [
         "Shows the percepts of a board as they arrive, and at the end the rate of each. Ctrl-C ends it.",
+        "Percepts that no agent can read are marked with (!), and the reason is printed once.",
         "Opening a port resets most boards.",
     ],
 )
@@ -53,6 +55,9 @@ internal class MonitorCommand : DataCommand() {
     )
     private lateinit var mode: String
 
+    @Option(names = ["--raw"], description = ["shows the bytes that come, whatever they are, and sends nothing"])
+    private var raw = false
+
     @Option(names = ["--record"], paramLabel = "FILE", description = ["records all messages in a new file, for replay and replay:FILE"])
     private var record: Path? = null
 
@@ -67,6 +72,8 @@ internal class MonitorCommand : DataCommand() {
         spec.requireWithin("--interval", intervalMs, 0..MAX_MS, "ms")
         if ((count ?: 1) < 1) misuse("--count is at least 1, not $count")
         if ((seconds ?: 1) < 1) misuse("--seconds is at least 1, not $seconds")
+        if (raw && (record != null || json)) misuse("--raw goes with neither --record nor --json")
+        if (raw) return Interruption().use { line.openRaw(port).use { RawMonitor(it, out, paint).run(count, seconds) } }
         record?.let(::requireNew) // before the port is opened, which resets the board
         return Interruption().use { line.open(port).use(::monitorRecording) }
     }
@@ -82,6 +89,7 @@ internal class MonitorCommand : DataCommand() {
         private val start = System.nanoTime()
         private val rates = Rates()
         private var seen = emptySet<String>()
+        private val explained = HashSet<String>()
         private var unanswered = 0
 
         fun untilEnd(): Int {
@@ -137,11 +145,17 @@ internal class MonitorCommand : DataCommand() {
             val ms = ms()
             val percepts = perceptsOf(text)
             rates.count(ms, percepts)
-            if (json) return out.println(jsonOf("ms" to ms, "percepts" to percepts))
+            val unreadable = percepts.associateWith(::whyUnreadable).filterValues { it != null }
+            if (json) return out.println(jsonOf("ms" to ms, "percepts" to percepts, "unreadable" to unreadable.keys.toList()))
             val rate = rates.now()?.let { "${Rates.decimal(it)}/s" } ?: "-"
-            val shown = percepts.joinToString("  ") { if (it in seen) printable(it) else paint.new(printable(it)) }
+            val shown = percepts.joinToString("  ") {
+                if (it in unreadable) paint.bad("${printable(it)} (!)") else if (it in seen) printable(it) else paint.new(printable(it))
+            }
             out.println("${paint.aside("${time(ms)} ${rate.padStart(RATE_WIDTH)}")}  ${shown.ifEmpty { "(no percepts)" }}")
             seen = percepts.toSet()
+            unreadable.filterKeys { explained.size < MAX_EXPLAINED && explained.add(it) }.forEach { (percept, why) ->
+                out.println(paint.doubtful("            no agent believes ${printable(percept)}: ${printable(why.orEmpty())}"))
+            }
         }
 
         private fun show(late: PortTimeoutException) {
@@ -172,6 +186,7 @@ internal class MonitorCommand : DataCommand() {
 
     private companion object {
         const val MAX_MS = 600_000
+        const val MAX_EXPLAINED = 20
         const val MAX_PAUSE_MS = 200L
         const val TIME_WIDTH = 8
         const val RATE_WIDTH = 7

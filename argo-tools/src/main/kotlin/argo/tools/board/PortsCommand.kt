@@ -6,13 +6,6 @@ import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
 import argo.tools.command.printable
 import argo.tools.command.requireWithin
-import javino.Link
-import javino.LinkSettings
-import javino.NoSuchPortException
-import javino.PerceptsRequest
-import javino.PortException
-import javino.PortTimeoutException
-import javino.Protocol
 import javino.serial.SerialPortInfo
 import javino.serial.SerialPorts
 import kotlinx.serialization.json.JsonObject
@@ -45,11 +38,11 @@ internal class PortsCommand : DataCommand() {
     )
     private var describe = false
 
-    @Option(names = ["--baud"], paramLabel = "RATE", defaultValue = "9600", description = ["the rate to probe at (\${DEFAULT-VALUE})"])
-    private var baud = 0
+    @Option(names = ["--baud"], paramLabel = "RATE", description = ["the rate to probe at (9600, 115200 and 57600 in turn)"])
+    private var baud: Int? = null
 
     override fun call(): Int {
-        spec.requireWithin("--baud", baud, LineOptions.BAUDS)
+        baud?.let { spec.requireWithin("--baud", it, LineOptions.BAUDS) }
         val rows = ports().map { Row(it, SerialPorts.holders(it.name())) }
         val probed = rows.map { if (probe || describe) it.copy(board = board(it)) else it }
         when {
@@ -70,22 +63,9 @@ internal class PortsCommand : DataCommand() {
     private fun unlisted(name: String) =
         SerialPortInfo(name, name, Optional.empty(), Optional.empty(), OptionalInt.empty(), OptionalInt.empty(), Optional.empty())
 
-    private fun board(row: Row): Board {
-        if (row.holders.isNotEmpty()) return Board("not probed, because it is in use", answers = null)
-        val settings = LinkSettings.defaults().withBaud(baud).withProtocol(Protocol.AUTO)
-        return try {
-            Link.open(row.info.name(), settings, "argo ports").use { link ->
-                if (describe) return BoardDescription.of(link).let { Board(it.lines().first(), answers = true, description = it) }
-                link.request(PerceptsRequest.ALL, PROBE_MS).text()
-                Board("a Javino board of ${versionSpoken(link.protocol())}", answers = true)
-            }
-        } catch (_: PortTimeoutException) {
-            Board("no answer at $baud baud", answers = false)
-        } catch (missing: NoSuchPortException) {
-            Board(missing.message.orEmpty(), answers = false, isMissing = true)
-        } catch (trouble: PortException) {
-            Board(trouble.message.orEmpty(), answers = null)
-        }
+    private fun board(row: Row): ProbedBoard {
+        if (row.holders.isNotEmpty()) return ProbedBoard("not probed, because it is in use", answers = null)
+        return Probe(baud?.let(::listOf) ?: Probe.USUAL, describe).of(row.info.name())
     }
 
     private fun describe(row: Row) {
@@ -101,26 +81,9 @@ internal class PortsCommand : DataCommand() {
         val widths = head.indices.map { column -> table.maxOf { it[column].length } }
         table.forEach { line -> out.println(line.mapIndexed { column, text -> text.padEnd(widths[column]) }.joinToString("  ").trimEnd()) }
     }
-
-    private companion object {
-        const val PROBE_MS = 1_000
-    }
 }
 
-/**
- * The result of probing a port, in words.
- *
- * @property answers null: unknown
- * @property description null: none was asked for, or there is none
- */
-private data class Board(
-    val result: String,
-    val answers: Boolean?,
-    val isMissing: Boolean = false,
-    val description: BoardDescription? = null,
-)
-
-private data class Row(val info: SerialPortInfo, val holders: List<String>, val board: Board? = null) {
+private data class Row(val info: SerialPortInfo, val holders: List<String>, val board: ProbedBoard? = null) {
     private val usb: String? = if (info.vendorId().isEmpty || info.productId().isEmpty) null
     else "%04x:%04x".format(info.vendorId().asInt, info.productId().asInt)
 

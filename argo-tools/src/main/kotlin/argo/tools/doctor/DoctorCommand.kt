@@ -1,5 +1,7 @@
 package argo.tools.doctor
 
+import argo.tools.board.Probe
+import argo.tools.board.ProbedBoard
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonArrayOf
@@ -7,21 +9,28 @@ import argo.tools.command.jsonOf
 import argo.tools.command.printable
 import argo.tools.doctor.Finding.Level
 import picocli.CommandLine.Command
+import picocli.CommandLine.Option
 
 /** `doctor`: checks the machine for everything that a board needs. */
 @Command(
     name = "doctor",
     description = [
-        "Checks this machine for everything that a board needs, and reports remedies. Opens no port.",
+        "Checks this machine for everything that a board needs, and reports remedies. Opens no port, unless --probe is given.",
         "Exit status 1 if there is a problem; warnings alone leave it 0.",
     ],
 )
-internal class DoctorCommand(private val machine: Machine) : DataCommand() {
+internal class DoctorCommand(
+    private val machine: Machine,
+    private val probe: (String) -> ProbedBoard = Probe(Probe.USUAL)::of,
+) : DataCommand() {
+    @Option(names = ["--probe"], description = ["requests percepts at each free USB port. Opening it resets most boards; motors may jerk"])
+    private var probes = false
+
     @Suppress("unused") // by picocli
     constructor() : this(ThisMachine)
 
     override fun call(): Int {
-        val findings = Examination(machine).findings()
+        val findings = Examination(machine).findings(if (probes) probe else null)
         if (json) out.println(jsonArrayOf(findings.map(::json))) else findings.forEach(::print)
         return if (findings.any { it.level == Level.PROBLEM }) ExitStatus.FAILED else ExitStatus.DONE
     }

@@ -1,5 +1,6 @@
 package argo.tools.doctor
 
+import argo.tools.board.ProbedBoard
 import argo.tools.doctor.Finding.Level.GOOD
 import argo.tools.doctor.Finding.Level.PROBLEM
 import argo.tools.doctor.Finding.Level.WARNING
@@ -9,7 +10,9 @@ internal class Examination(private val machine: Machine) {
     private val linux = machine.system.startsWith("Linux")
     private val windows = machine.system.startsWith("Windows")
 
-    fun findings(): List<Finding> = listOf(java()) + boards() + listOfNotNull(modemManager(), brltty(), socat())
+    /** The results of all checks; those of boards too if [probe], which opens the port of a name, is given. */
+    fun findings(probe: ((String) -> ProbedBoard)? = null): List<Finding> =
+        listOf(java()) + boards(probe) + listOfNotNull(modemManager(), brltty(), socat())
 
     private fun java(): Finding {
         val found = "Java is ${machine.javaInFull}"
@@ -20,10 +23,12 @@ internal class Examination(private val machine: Machine) {
         }
     }
 
-    private fun boards(): List<Finding> = machine.ports().fold(
+    private fun boards(probe: ((String) -> ProbedBoard)?): List<Finding> = machine.ports().fold(
         onSuccess = { devices ->
             val driver = Finding(GOOD, "the serial driver's native library runs")
-            listOfNotNull(driver, presence(devices), group(devices)) + devices.flatMap(::device)
+            val free = devices.filter { it.isUsb && it.remedy == null && it.holders.isEmpty() }
+            listOfNotNull(driver, presence(devices), group(devices)) + devices.flatMap(::device) +
+                free.mapNotNull { device -> probe?.let { probed(device, it(device.name)) } }
         },
         onFailure = { listOf(Finding(PROBLEM, "the serial driver does not run: ${it.message}", "see the message")) },
     )
@@ -65,6 +70,13 @@ internal class Examination(private val machine: Machine) {
         val free = Finding(GOOD, "${device.name} is free, and its permissions allow opening it")
         return listOfNotNull(permission, holder).ifEmpty { listOf(free) }
     }
+
+    private fun probed(device: Device, board: ProbedBoard): Finding =
+        if (board.answers == true) Finding(GOOD, "${device.name}: ${board.result}")
+        else Finding(
+            PROBLEM, "${device.name}: ${board.result}",
+            "upload a sketch that uses the Javino library, with the rate of the agent's port in start(…); monitor --raw shows the bytes",
+        )
 
     private fun modemManager(): Finding? = if (!linux || "ModemManager" !in machine.processes) null else Finding(
         WARNING, "ModemManager is running: it opens new serial ports and writes modem commands to boards for some seconds",

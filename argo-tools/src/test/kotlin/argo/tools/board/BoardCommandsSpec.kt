@@ -13,8 +13,10 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import javino.LineSettings
 import javino.Link
 import javino.LinkSettings
+import javino.Transports
 import javino.sim.FakeBoard
 import javino.sim.PseudoTerminals
 import javino.sim.Recording
@@ -149,6 +151,51 @@ class BoardCommandsSpec : FunSpec({
         val missing = argo("ports", "sim:tools-missing", "--probe")
         missing.status shouldBe 1
         missing.out shouldContain "there is no simulated board"
+    }
+
+    test("a board that prints text is told from a silent one, with the bytes and the likely cause") {
+        val cause = "\"dist(f,30);\\r\\n\", which is text without a frame: does the sketch use Serial.print"
+        board { it.whenAsked("getPercepts").answerRaw("dist(f,30);\r\n") }.with { port ->
+            argo("request", port, "getPercepts", "--boot", "0", "--timeout", "50", "--protocol", "1").err shouldContain cause
+            argo("ports", port, "--probe").out shouldContain "no message at 9600 baud; "
+            argo("monitor", port, "--seconds", "1", "--boot", "0", "--timeout", "50", "--protocol", "1").out shouldContain cause
+        }
+        board { it.whenAsked("getPercepts").staySilent() }.with { port ->
+            argo("ports", port, "--probe").out shouldContain "no answer at 9600 baud"
+        }
+    }
+
+    test("a serial port is probed at one rate after the other").config(enabledOrReasonIf = pairs) {
+        PseudoTerminals.open().use { pair ->
+            Probe(listOf(9600, 115200)).of(pair.computer().path).result shouldBe "no answer at 9600 and 115200 baud"
+        }
+    }
+
+    test("monitor --raw shows bytes as they come, sends nothing, and fails if none came").config(enabledOrReasonIf = pairs) {
+        PseudoTerminals.open().use { pair ->
+            Transports.open(pair.board().path, LineSettings.defaults()).use { board ->
+                val bytes = "ready\r\n\u0000".toByteArray()
+                board.write(bytes, 0, bytes.size, 1000)
+                val said = argo("monitor", pair.computer().path, "--raw", "--seconds", "1")
+                said.status shouldBe 0
+                said.out shouldContain "s  ready\\r\\n\n"
+                said.out shouldContain "s  \\x00\n"
+                said.out shouldContain Regex("8 bytes in .* at 9600 baud")
+                board.read(ByteArray(9), 0, 9, 100) shouldBe 0
+            }
+            argo("monitor", pair.computer().path, "--raw", "--seconds", "1").status shouldBe 1
+        }
+        argo("monitor", "sim:x", "--raw", "--json").err shouldContain "--raw goes with neither --record nor --json"
+    }
+
+    test("monitor marks percepts that no agent can read, and gives the reason once") {
+        board { it.whenAsked("getPercepts").answer("Dist(1);light(2);") }.with { port ->
+            val said = argo("monitor", port, "--count", "3", "--interval", "0").out
+            said shouldContain "Dist(1) (!)  light(2)\n"
+            said.split("no agent believes Dist(1): its name begins in upper case").size shouldBe 2
+            val json = argo("monitor", port, "--count", "1", "--json").out.lines().first()
+            Json.parseToJsonElement(json).jsonObject.getValue("unreadable").jsonArray.single().jsonPrimitive.content shouldBe "Dist(1)"
+        }
     }
 
     test("ports --describe prints what a board of version 2 can do") {

@@ -1,6 +1,7 @@
 package argo.tools.doctor
 
 import argo.tools.argo
+import argo.tools.board.ProbedBoard
 import argo.tools.doctor.Finding.Level
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -44,6 +45,20 @@ class ExaminationSpec : FunSpec({
             val (level, remedy) = expected
             Examination(machine).findings().find { it.level == level && remedy in it.remedy.orEmpty() }.shouldNotBeNull()
         }
+    }
+
+    test("boards are asked only if that is wanted, and only at free ports on USB") {
+        val busy = board.copy(name = "ttyACM1", holders = listOf("process 7 (minicom)"))
+        val machine = with(board, busy, board.copy(name = "ttyS0", isUsb = false))
+        val asked = ArrayList<String>()
+        fun findings(answer: ProbedBoard) = Examination(machine).findings { name -> asked += name; answer }
+        findings(ProbedBoard("a Javino board of version 2", answers = true)).find { it.what == "ttyACM0: a Javino board of version 2" }
+            .shouldNotBeNull().level shouldBe Level.GOOD
+        val silent = findings(ProbedBoard("no answer at 9600 baud", answers = false)).find { it.what == "ttyACM0: no answer at 9600 baud" }
+        silent.shouldNotBeNull().level shouldBe Level.PROBLEM
+        silent.remedy.orEmpty() shouldContain "upload a sketch that uses the Javino library"
+        asked shouldBe listOf("ttyACM0", "ttyACM0")
+        Examination(machine).findings().size shouldBe findings(ProbedBoard("", true)).size - 1
     }
 
     test("Windows has no groups, ModemManager and socat") {

@@ -1,0 +1,25 @@
+package argo.filters.matching
+
+import argo.filters.GroundTerm
+
+/**
+ * Why an agent leaves out a percept of this text, with what to write instead; null if the text is a literal without variables. Never
+ * throws. An agent also believes percepts with sums in them, such as `at(2+1)`, which this takes for unreadable.
+ */
+fun whyUnreadable(percept: String): String? {
+    val text = percept.trim()
+    return when {
+        GroundTerm.ofOrNull(text) is GroundTerm.Structure -> null
+        text.isEmpty() -> "it is empty"
+        text[0].isUpperCase() || text[0] == '_' -> "its name begins in upper case, so it is a variable; write ${text.lowerCaseName()}"
+        !isBalanced(text) -> "a bracket or a quote is not closed"
+        VARIABLE.containsMatchIn(QUOTED.replace(text, "0")) ->
+            "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes"
+        else -> "it is no literal: a name in lower case, and arguments in brackets, as in dist(front,30)"
+    }
+}
+
+private val QUOTED = Regex("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']*'")
+private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
+
+private fun String.lowerCaseName() = trimStart('_').replaceFirstChar(Char::lowercase)

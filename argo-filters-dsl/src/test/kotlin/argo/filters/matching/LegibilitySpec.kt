@@ -1,0 +1,24 @@
+package argo.filters.matching
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+class LegibilitySpec : FunSpec({
+    listOf("stop", "dist(front,30)", "~wall", "say(\"Hi (there\")", "at([1,2],p(q))", "t(-3.5)[level(2)]", "p('Front Left')").forEach {
+        test("$it can be read") { whyUnreadable(it) shouldBe null }
+    }
+
+    mapOf(
+        "Dist(30)" to "its name begins in upper case, so it is a variable; write dist(30)",
+        "_x" to "its name begins in upper case, so it is a variable; write x",
+        "t(kitchen,21,5" to "a bracket or a quote is not closed",
+        "say(\"x)" to "a bracket or a quote is not closed",
+        "dist(Front,3)" to "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes",
+        "30" to "it is no literal",
+        "front left" to "it is no literal",
+        "" to "it is empty",
+    ).forEach { (percept, why) ->
+        test("\"$percept\" cannot be read, with what to write") { whyUnreadable(percept).orEmpty() shouldContain why }
+    }
+})

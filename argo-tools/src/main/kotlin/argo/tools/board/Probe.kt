@@ -1,0 +1,79 @@
+package argo.tools.board
+
+import javino.Link
+import javino.LinkSettings
+import javino.NoSuchPortException
+import javino.PerceptsRequest
+import javino.PortException
+import javino.PortTimeoutException
+import javino.Protocol
+import javino.StrayBytes
+
+/**
+ * The result of probing a port, in words.
+ *
+ * @property answers whether a Javino board answers; null: unknown
+ * @property description null: none was asked for, or there is none
+ */
+internal data class ProbedBoard(
+    val result: String,
+    val answers: Boolean?,
+    val isMissing: Boolean = false,
+    val description: BoardDescription? = null,
+)
+
+/**
+ * Finds out whether a Javino board answers at a port, at one rate after the other. Opening a port resets most boards.
+ *
+ * @param rates bits a second, at least one; the first alone counts for a port that has none of its own, such as `sim:robot`
+ * @param describes whether the board is asked for its description too
+ */
+internal class Probe(private val rates: List<Int>, private val describes: Boolean = false) {
+    /** Probes the port [name]; takes up to four seconds for each rate while nothing answers. */
+    fun of(name: String): ProbedBoard {
+        val tried = if (SCHEMES.any(name::startsWith)) rates.take(1) else rates
+        val strays = ArrayList<StrayBytes>()
+        for (rate in tried) {
+            val board = at(name, rate, strays)
+            if (board != null) return board
+            if (strays.last().run { count > 0 && isText }) break // the rate is right, and it is no board of Javino
+        }
+        val telling = strays.maxWith(compareBy({ it.count > 0 && it.isText }, { it.count }))
+        val rates = strays.map { it.baud }.joinToString(" and ", postfix = " baud")
+        return ProbedBoard(if (telling.count > 0) "no message at $rates; ${telling.inWords()}" else "no answer at $rates", answers = false)
+    }
+
+    /** What is at the port [name]; null, after a note in [strays] of what came, if nothing answers at this [rate]. */
+    private fun at(name: String, rate: Int, strays: MutableList<StrayBytes>): ProbedBoard? {
+        val settings = LinkSettings.defaults().withBaud(rate).withProtocol(Protocol.AUTO)
+        return try {
+            Link.open(name, settings, "argo ports").use { link ->
+                try {
+                    found(link)
+                } catch (_: PortTimeoutException) {
+                    strays += link.strayBytes()
+                    null
+                }
+            }
+        } catch (missing: NoSuchPortException) {
+            ProbedBoard(missing.message.orEmpty(), answers = false, isMissing = true)
+        } catch (trouble: PortException) {
+            ProbedBoard(trouble.message.orEmpty(), answers = null)
+        }
+    }
+
+    private fun found(link: Link): ProbedBoard {
+        if (describes) return BoardDescription.of(link).let { ProbedBoard(it.lines().first(), answers = true, description = it) }
+        link.request(PerceptsRequest.ALL, ANSWER_MS).text()
+        val baud = link.settings().line().baud()
+        val rate = if (baud == USUAL.first()) "" else " at $baud baud"
+        return ProbedBoard("a Javino board of ${versionSpoken(link.protocol())}$rate", answers = true)
+    }
+
+    companion object {
+        /** The rates that sketches usually have, the usual one first. */
+        val USUAL = listOf(9600, 115200, 57600)
+        private val SCHEMES = listOf("sim:", "replay:", "tcp:")
+        private const val ANSWER_MS = 1_000
+    }
+}
