@@ -13,6 +13,7 @@
 
 /* Data addresses of the ATmega328P's registers. */
 enum {
+    ADMUX = 0x7C,
     UCSR0A = 0xC0,
     U2X0 = 1,
     UBRR0L = 0xC4,
@@ -133,10 +134,56 @@ void board_watch(board *board, int pin)
     board->watcher(board->context, pin, board->last[pin], board_ms(board));
 }
 
-void board_set_level(board *board, int pin, bool high)
+avr_irq_t *board_irq(const board *board, int pin)
 {
     int port = port_of(pin);
-    avr_raise_irq(avr_io_getirq(board->avr, AVR_IOCTL_IOPORT_GETIRQ(PORTS[port].letter), pin - PORTS[port].first), high);
+    return avr_io_getirq(board->avr, AVR_IOCTL_IOPORT_GETIRQ(PORTS[port].letter), pin - PORTS[port].first);
+}
+
+static bool has_bit(const board *board, uint16_t address, int pin)
+{
+    return board->avr->data[address] >> (pin - PORTS[port_of(pin)].first) & 1;
+}
+
+/* The register of a port's inputs is the one below that of its directions. */
+bool board_level(const board *board, int pin)
+{
+    return has_bit(board, (uint16_t)(PORTS[port_of(pin)].ddr - 1), pin);
+}
+
+bool board_pulls_up(const board *board, int pin)
+{
+    return has_bit(board, PORTS[port_of(pin)].port, pin);
+}
+
+/* simavr gives an input its pull-up's level with each write to its port, unless something outside pulls it. */
+static void pull_from_outside(board *board, int port)
+{
+    avr_ioport_external_t outside = {0};
+    int i;
+    outside.name = (unsigned char)PORTS[port].letter;
+    for (i = 0; i < PORTS[port].pins; i++) {
+        int level = board->levels[PORTS[port].first + i];
+        outside.mask |= (level != 0) << i;
+        outside.value |= (level == 2) << i;
+    }
+    avr_ioctl(board->avr, AVR_IOCTL_IOPORT_SET_EXTERNAL(PORTS[port].letter), &outside);
+}
+
+void board_set_level(board *board, int pin, bool high)
+{
+    board->levels[pin] = high ? 2 : 1;
+    pull_from_outside(board, port_of(pin));
+    avr_raise_irq(board_irq(board, pin), high);
+}
+
+/* A reset clears the registers of inputs, and simavr hands on only levels that change. */
+static void restore_levels(board *board)
+{
+    int pin;
+    for (pin = 0; pin < BOARD_PINS; pin++)
+        if (board->levels[pin] == 2)
+            board->avr->data[PORTS[port_of(pin)].ddr - 1] |= (uint8_t)(1 << (pin - PORTS[port_of(pin)].first));
 }
 
 /* ---- Analogue inputs ---- */
@@ -166,9 +213,13 @@ static void drive_inputs(board *b)
 /* At the beginning of a conversion the converter's input is what is selected then. */
 static void conversion(avr_irq_t *irq, uint32_t value, void *context)
 {
+    board *b = (board *)context;
+    int input = b->avr->data[ADMUX] & 0x0F;
     (void)irq;
     (void)value;
-    drive_inputs((board *)context);
+    if (input < BOARD_ANALOGUE)
+        b->converted[input] = true;
+    drive_inputs(b);
 }
 
 void board_set_millivolts(board *board, int input, int channel, uint16_t millivolts)
@@ -411,4 +462,5 @@ void board_reset(board *board)
     board->in_begin = board->in_end = board->out_begin = board->out_end = 0;
     board->feeding = board->sending = board->receiver_full = false;
     board->out_free = 0;
+    restore_levels(board);
 }

@@ -40,6 +40,8 @@ struct board {
     bool watched[BOARD_PINS];
     pin_state last[BOARD_PINS];
     uint16_t millivolts[BOARD_ANALOGUE][BOARD_CHANNELS];
+    bool converted[BOARD_ANALOGUE]; /* since power-on */
+    uint8_t levels[BOARD_PINS];     /* put on a pin from outside: 1 low, 2 high; 0: none */
     int select_pins[BOARD_ANALOGUE][BOARD_SELECTS]; /* -1: none */
     uint8_t in[4096];
     uint64_t in_at[4096]; /* the cycle at which each begins; 0: behind the one before */
@@ -89,7 +91,16 @@ pin_state board_state(const board *board, int pin);
 /** Watches a pin. */
 void board_watch(board *board, int pin);
 
-/** Puts a digital level on a pin. */
+/** @return the line of simavr that carries the level of a pin, whoever drives it */
+avr_irq_t *board_irq(const board *board, int pin);
+
+/** @return whether a pin that is an input is high */
+bool board_level(const board *board, int pin);
+
+/** @return whether a pin that is an input has its pull-up resistor on */
+bool board_pulls_up(const board *board, int pin);
+
+/** Puts a digital level on a pin. It stays there, whatever the pin's pull-up does, and over a reset. */
 void board_set_level(board *board, int pin, bool high);
 
 /** Puts a voltage on an analogue input, or on a channel of the multiplexer in front of it. */

@@ -16,19 +16,23 @@
 #include "board.h"
 #include "console.h"
 #include "line.h"
+#include "panel.h"
 #include "stepped.h"
 
 #define SLICE_NS 250000ull
 /* When the machine has kept the simulator waiting for longer, the lost time is not made up for. */
 #define LAG_NS 50000000ull
+/* From one look at the pins for a person to the next. */
+#define PANEL_NS 100000000ull
 
 static const char USAGE[] =
-    "usage: simulator [--link PATH] [--reset-on-open] [--boot-ms N] [--detached] SKETCH.elf|SKETCH.hex\n"
+    "usage: simulator [--link PATH] [--reset-on-open] [--boot-ms N] [--detached] [--panel] SKETCH.elf|SKETCH.hex\n"
     "       simulator --stepped SKETCH.elf|SKETCH.hex\n"
     "  --link PATH      a symbolic link to the serial line\n"
     "  --reset-on-open  opening the line resets the board, as on an Uno\n"
     "  --boot-ms N      after power-on and reset, the boot loader keeps the line for so long\n"
     "  --detached       go on when standard input ends\n"
+    "  --panel          for a person: shows the pins that are in use, and takes settings of inputs such as A0=512\n"
     "  --stepped        no line and no real time: commands on standard input advance the board, see README.md\n";
 
 typedef struct {
@@ -36,6 +40,7 @@ typedef struct {
     const char *sketch;
     bool reset_on_open;
     bool detached;
+    bool panel;
     uint64_t boot_cycles;
 } options;
 
@@ -47,6 +52,8 @@ typedef struct {
     uint64_t boots_until_ns;
     char command[256];
     size_t command_length;
+    panel panel;
+    uint64_t panel_at_ns;
 } simulator;
 
 static volatile sig_atomic_t ended;
@@ -77,6 +84,8 @@ static bool read_options(options *o, int count, char **words)
             o->reset_on_open = true;
         else if (strcmp(words[i], "--detached") == 0)
             o->detached = true;
+        else if (strcmp(words[i], "--panel") == 0)
+            o->panel = true;
         else if (words[i][0] != '-' && !o->sketch)
             o->sketch = words[i];
         else
@@ -149,6 +158,8 @@ static bool take_commands(simulator *s)
     ssize_t i;
     if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR))
         return false;
+    if (s->options.panel)
+        return count < 0 || panel_type(&s->panel, bytes, (size_t)count);
     for (i = 0; i < count; i++) {
         if (bytes[i] != '\n') {
             if (s->command_length < sizeof s->command - 1)
@@ -161,6 +172,15 @@ static bool take_commands(simulator *s)
             return false;
     }
     return true;
+}
+
+static void show(simulator *s)
+{
+    uint64_t now = now_ns();
+    if (!s->options.panel || now < s->panel_at_ns)
+        return;
+    s->panel_at_ns = now + PANEL_NS;
+    panel_look(&s->panel);
 }
 
 /* Waits for something to do, at most for a slice of time. */
@@ -207,12 +227,19 @@ int main(int count, char **words)
     signal(SIGTERM, end);
     signal(SIGPIPE, SIG_IGN);
     setvbuf(stdout, NULL, _IOLBF, 0);
-    printf("port %s\n", s.options.link ? s.options.link : s.line.path);
+    if (s.options.panel)
+        panel_open(&s.panel, &s.board, s.options.link ? s.options.link : s.line.path);
+    else
+        printf("port %s\n", s.options.link ? s.options.link : s.line.path);
     s.offset_ns = now_ns();
     boot(&s);
-    while (runs && !ended && wait_for_work(&s, &has_input))
+    while (runs && !ended && wait_for_work(&s, &has_input)) {
         runs = booting(&s) || advance(&s);
+        show(&s);
+    }
     line_close(&s.line);
+    if (s.options.panel)
+        panel_close(&s.panel);
     if (!runs)
         fprintf(stderr, "simulator: the sketch has crashed or gone to sleep for ever, %.3f ms after power-on\n",
                 board_ms(&s.board));

@@ -106,6 +106,8 @@ extern int stub_pins[32];
 
 inline unsigned long millis() { return stub_millis; }
 inline void delay(unsigned long ms) { stub_millis += ms; }
+inline void delayMicroseconds(unsigned) {}
+inline unsigned long pulseIn(int pin, int, unsigned long) { return (unsigned long)stub_pins[pin]; }
 inline void pinMode(int, int) {}
 inline void digitalWrite(int pin, int value) { stub_pins[pin] = value; }
 inline int digitalRead(int pin) { return stub_pins[pin]; }

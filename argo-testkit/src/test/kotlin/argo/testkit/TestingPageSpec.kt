@@ -6,17 +6,26 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 import kotlin.io.path.readText
 
-/** The specs that the page on testing shows are run with the others, from `documented/`. */
+/** The specs that the page on testing and the tutorial show are run with the others, from `documented/`. */
 class TestingPageSpec : FunSpec({
     val page = Path.of("../docs/testing.md").readText()
+    val tutorial = Path.of("../docs/tutorial.md").readText()
+    fun blocks(text: String, language: String): List<String> =
+        Regex("```$language\\n(.*?)```", RegexOption.DOT_MATCHES_ALL).findAll(text).map { it.groupValues[1] }.toList()
 
-    test("each spec that the page shows is one that is run") {
-        val shown = Regex("```kotlin\\n(.*?)```", RegexOption.DOT_MATCHES_ALL).findAll(page).map { it.groupValues[1] }.toList()
-        shown.shouldNotBeEmpty()
-        shown.forEach { spec ->
-            val name = Regex("""class (\w+Spec)""").find(spec)?.groupValues?.get(1) ?: error("a block that is no spec:\n$spec")
-            spec shouldBe Path.of("src/test/kotlin/documented/$name.kt").readText()
+    mapOf("page on testing" to page, "tutorial" to tutorial).forEach { (name, text) ->
+        test("each spec that the $name shows is one that is run") {
+            val shown = blocks(text, "kotlin")
+            shown.shouldNotBeEmpty()
+            shown.forEach { spec ->
+                val named = Regex("""class (\w+Spec)""").find(spec)?.groupValues?.get(1) ?: error("a block that is no spec:\n$spec")
+                spec shouldBe Path.of("src/test/kotlin/documented/$named.kt").readText()
+            }
         }
+    }
+
+    test("the tutorial's agent is the one that its spec tests") {
+        blocks(tutorial, "agentspeak").single() shouldBe Path.of("src/test/resources/wall.asl").readText()
     }
 
     test("each call in its tables is there") {

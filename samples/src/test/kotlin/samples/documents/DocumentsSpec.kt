@@ -67,7 +67,7 @@ class DocumentsSpec : FunSpec({
     }
 
     context("the versions are those that this repository is built with in") {
-        val built = root.resolve("gradle/libs.versions.toml").readText()
+        val built = listOf("gradle/libs.versions.toml", "build.gradle.kts").joinToString("\n") { root.resolve(it).readText() }
         written("kts").forEach { snippet ->
             test("$snippet") {
                 val shown = Regex("""\d+\.\d+\.\d+""").findAll(snippet.text).map { it.value }.toList()

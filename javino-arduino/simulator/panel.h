@@ -1,0 +1,39 @@
+/** @file What a person sees of the board and sets by the keyboard: its pins. */
+#ifndef PANEL_H
+#define PANEL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <termios.h>
+
+#include "board.h"
+#include "sonar.h"
+
+/** The members are private. */
+typedef struct {
+    board *board;
+    const char *port;
+    sonar sonar;
+    bool is_drawn;                   /* on a terminal, as a line that is redrawn */
+    bool is_typed;                   /* the keyboard's settings are changed */
+    struct termios keyboard;         /* as they were */
+    bool is_set[BOARD_PINS + 2];     /* by a person; A6 and A7 are behind the pins */
+    char shown[BOARD_PINS + 2][32];
+    char line[512];                  /* as drawn last */
+    char typed[128];
+    size_t typed_length;
+} panel;
+
+/** Prints the port's name and how inputs are set, and begins to show the pins of a board. */
+void panel_open(panel *panel, board *board, const char *port);
+
+/** Shows what has changed. Meant to be called some ten times a second. */
+void panel_look(panel *panel);
+
+/** Takes what was typed, and carries out each line of it. @return false if it was quit */
+bool panel_type(panel *panel, const char *bytes, size_t count);
+
+/** Gives the terminal back as it was. */
+void panel_close(panel *panel);
+
+#endif

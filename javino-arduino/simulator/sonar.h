@@ -1,0 +1,35 @@
+/** @file Distance sensors of the kind HC-SR04 in front of the board. */
+#ifndef SONAR_H
+#define SONAR_H
+
+#include "board.h"
+
+/** The farthest that such a sensor measures, centimetres. */
+#define SONAR_MAX_CM 400
+
+/**
+ * What the sensors measure. A sensor answers each trigger pulse with a pulse on the pin of its echo. All sensors answer a trigger
+ * pulse on any pin: a sketch that has several reads one after the other.
+ */
+typedef struct sonar {
+    board *board;
+    struct sonar_pin {
+        struct sonar *sonar;
+        int number;
+        bool is_echo;
+        int cm;              /* that the sensor of this echo measures; 0: nothing in sight */
+        uint64_t high_since; /* the cycle at which a trigger pulse may have begun; 0: none has */
+    } pins[BOARD_PINS];
+} sonar;
+
+/** Connects the sensors to a board: none are there yet. */
+void sonar_connect(sonar *sonar, board *board);
+
+/**
+ * From now on there is a sensor whose echo is this pin.
+ *
+ * @param cm  the distance it measures, at most SONAR_MAX_CM; 0 for nothing in sight, which gives a pulse of 38 ms
+ */
+void sonar_set(sonar *sonar, int pin, int cm);
+
+#endif
