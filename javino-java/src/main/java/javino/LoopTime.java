@@ -42,6 +42,7 @@ final class LoopTime {
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
 
     private final long[] delays = new long[SAMPLES];
+    private final long[] sorted = new long[SAMPLES]; // the same, in their order
     private int count;
     private int next;
     private long range;
@@ -53,15 +54,30 @@ final class LoopTime {
         if (delayNanos > MAX_DELAY_NANOS) {
             return;
         }
+        if (count == SAMPLES) {
+            remove(delays[next]);
+        }
         delays[next] = Math.max(0, delayNanos);
+        insert(delays[next]);
         next = (next + 1) % SAMPLES;
-        count = Math.min(count + 1, SAMPLES);
-        long[] sorted = Arrays.copyOf(delays, count);
-        Arrays.sort(sorted);
         int outliers = count / OUTLIER_AMONG;
         int longestLeftOut = count < MANY ? 0 : Math.max(1, outliers);
         range = sorted[count - 1 - longestLeftOut] - sorted[outliers];
         longest = sorted[count - 1];
+    }
+
+    private void remove(long delay) {
+        int place = Arrays.binarySearch(sorted, 0, count, delay);
+        count--;
+        System.arraycopy(sorted, place + 1, sorted, place, count - place);
+    }
+
+    private void insert(long delay) {
+        int found = Arrays.binarySearch(sorted, 0, count, delay);
+        int place = found < 0 ? -found - 1 : found;
+        System.arraycopy(sorted, place, sorted, place + 1, count - place);
+        sorted[place] = delay;
+        count++;
     }
 
     /** Forgets all delays: an answer has not come, and the loop may take longer than before. */
