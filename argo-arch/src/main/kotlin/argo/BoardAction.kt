@@ -25,7 +25,7 @@ abstract class BoardAction internal constructor(private val name: String, privat
     internal abstract fun run(call: Call)
 
     final override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
-        val call = Call(ts, args, "$name(${args.joinToString(",")})")
+        val call = Call(ts, args)
         try {
             if (args.size !in arguments) throw ArgumentException("it takes ${counted(arguments)}, not ${args.size}")
             run(call)
@@ -38,12 +38,11 @@ abstract class BoardAction internal constructor(private val name: String, privat
     /** Never happens: the links that an action waits for have time limits of their own. */
     final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
 
-    /**
-     * One call of the action in a plan.
-     *
-     * @property text the call as the agent wrote it, for messages
-     */
-    internal inner class Call(val ts: TransitionSystem, val args: Array<Term>, val text: String) {
+    /** One call of the action in a plan. */
+    internal inner class Call(val ts: TransitionSystem, val args: Array<Term>) {
+        /** The call as the agent wrote it, for messages. */
+        val text: String get() = "$name(${args.joinToString(",")})"
+
         /** The agent's [Arch]. */
         val arch: Arch
             get() = archOf(ts) ?: throw notArgo(ts).of(text)
