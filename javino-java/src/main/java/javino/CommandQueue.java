@@ -4,7 +4,6 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.stream.Stream;
 
 /** The commands that wait for a line: urgent ones first, else in the order of their submission. Guarded by its user's lock. */
 final class CommandQueue {
@@ -26,7 +25,7 @@ final class CommandQueue {
     /** The queue without the commands that {@code command} replaces, which are withdrawn, and with itself if it {@code isIts}. */
     private static Deque<Command> without(
             Deque<Command> queue, Command command, List<Command> replaced, boolean isIts) {
-        if (queue.stream().noneMatch(command::replaces)) {
+        if (!replacesOneOf(queue, command)) {
             if (isIts) {
                 queue.add(command);
             }
@@ -45,6 +44,15 @@ final class CommandQueue {
             }
         }
         return rest;
+    }
+
+    private static boolean replacesOneOf(Deque<Command> queue, Command command) {
+        for (Command earlier : queue) {
+            if (command.replaces(earlier)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The command whose turn is next; null: none waits. */
@@ -77,8 +85,16 @@ final class CommandQueue {
 
     /** Whether none waits of those that had been submitted when {@link #submitted} returned {@code count}. */
     boolean haveBegun(long count) {
-        return Stream.concat(urgent.stream(), ordinary.stream())
-                .noneMatch(command -> command.isWaiting() && command.number() <= count);
+        return haveBegun(urgent, count) && haveBegun(ordinary, count);
+    }
+
+    private static boolean haveBegun(Deque<Command> queue, long count) {
+        for (Command command : queue) {
+            if (command.isWaiting() && command.number() <= count) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Removes all commands, and withdraws them. */

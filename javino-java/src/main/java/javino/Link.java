@@ -33,6 +33,8 @@ public final class Link implements AutoCloseable {
     /** For this part of the time that a request takes the line is left free behind an answer or an outcome, for commands that it causes. */
     private static final int GRACE_DIVISOR = 8;
 
+    private static final int REQUEST_BYTES = Frame.of(PerceptsRequest.ALL).length();
+
     private final Lock ending;
     private final Lock reading;
     private final Transport transport;
@@ -179,7 +181,7 @@ public final class Link implements AutoCloseable {
     public Reply request(Supplier<String> message, int timeoutMillis, int intervalMillis) throws PortException {
         requireTime(timeoutMillis);
         long limit = Math.max(TimeUnit.MILLISECONDS.toNanos(intervalMillis), exchangeNanos);
-        long grace = settings.line().byteNanos() * Frame.of(PerceptsRequest.ALL).length() / GRACE_DIVISOR;
+        long grace = settings.line().byteNanos() * REQUEST_BYTES / GRACE_DIVISOR;
         noticing(() -> {
             giveWay(limit);
             long outcome = writer.outcomeNanos();

@@ -394,10 +394,10 @@ public final class ComputerSession<C extends SessionCommand> {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
             boolean fits = isAlone || longer.length() <= Math.min(MAX_ROW, welcome.longestPayload());
-            long escapes = longer.chars()
-                    .filter(octet -> octet == 0xA4 || octet == 0xA5)
-                    .count();
-            long out = window.bytes() + requests.bytes() + WireFrame.OVERHEAD + longer.length() + escapes;
+            int out = window.bytes() + requests.bytes() + WireFrame.OVERHEAD + longer.length();
+            for (int i = 0; i < longer.length(); i++) {
+                out += longer.charAt(i) == 0xA4 || longer.charAt(i) == 0xA5 ? 1 : 0;
+            }
             if (!fits || out > welcome.credit() && !(isAlone && isFirst)) {
                 return false;
             }

@@ -63,7 +63,11 @@ final class Window<C> {
 
     /** Bytes of the frames that carry what is out. */
     int bytes() {
-        return frames.stream().mapToInt(Sent::bytes).sum();
+        int bytes = 0;
+        for (Sent frame : frames) {
+            bytes += frame.bytes;
+        }
+        return bytes;
     }
 
     /** Adds a command behind those that are out. */
