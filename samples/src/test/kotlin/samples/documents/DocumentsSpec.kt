@@ -76,6 +76,18 @@ class DocumentsSpec : FunSpec({
         }
     }
 
+    test("the coordinates of ARGO's libraries are those that ./argo install gives them") {
+        val pom = root.resolve("pom.xml").readText()
+        val version = Regex("<artifactId>argo</artifactId>\\s*<version>(.+?)</version>").find(pom)!!.groupValues[1]
+        val libraries = Regex("<module>(.+?)</module>").findAll(pom).map { it.groupValues[1] }
+            .filterNot { "<maven.install.skip>true" in root.resolve("$it/pom.xml").readText() }.toSet()
+        val inXml = Regex("<groupId>argo</groupId><artifactId>(.+?)</artifactId><version>(.+?)</version>")
+        val shown = (written("xml").flatMap { inXml.findAll(it.text) } + written("kts").flatMap { GRADLE.findAll(it.text) })
+            .map { it.groupValues[1] to it.groupValues[2] }
+        shown.map { it.first }.toSet() shouldContainAll listOf("argo-arch", "argo-view", "argo-testkit")
+        shown.filterNot { (name, its) -> name in libraries && its == version }.shouldBeEmpty()
+    }
+
     context("Kotlin compiles") {
         documents.filter { document -> document.snippets.any { it.language == "kotlin" } }.forEach { document ->
             test("$document") {
@@ -99,6 +111,9 @@ class DocumentsSpec : FunSpec({
  */
 private val LANGUAGES =
     setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "text")
+
+/** Coordinates as Gradle has them. */
+private val GRADLE = Regex("\"argo:(.+?):(.+?)\"")
 
 private const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
 
