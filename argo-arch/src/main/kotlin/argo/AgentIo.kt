@@ -40,7 +40,6 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 import java.util.logging.Level
 import java.util.logging.Logger
-import javino.wire.BoardAction as RegisteredAction
 
 /**
  * The boards of one agent: those that it perceives, the hand-over of what they sense, and the commands to them. [Arch] connects it with
@@ -121,9 +120,8 @@ internal class AgentIo(
 
     /** Whether [percept] is of [board], or of no board that the agent perceives. */
     private fun isOf(board: Board, percept: Literal): Boolean {
-        val boards = perceived.get().boards
-        if (boards.size < 2) return true
-        val claiming = boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
+        if (perceivedBoards().size < 2) return true
+        val claiming = boardsOf(percept)
         return claiming.isEmpty() || board in claiming
     }
 
@@ -136,8 +134,13 @@ internal class AgentIo(
     /** The port in use, or null. Any thread. */
     fun portInUse(): OpenPort? = ports.current
 
-    /** The actions that the board in use has registered; null: they are not known. Any thread. */
-    fun vocabulary(): List<RegisteredAction>? = portInUse()?.link?.vocabulary()?.orElse(null)?.takeIf { it.isNotEmpty() }
+    /** The open port of the agent that it calls [port], or the one that it waits for; null: there is none. Any thread. */
+    fun openPort(port: Term): OpenPort? = (perceivedBoards().map { it.port } + ports.all()).find { port in it.terms }
+
+    /** The boards that the agent perceives and that say [percept]. */
+    fun boardsOf(percept: Literal): List<Board> = perceivedBoards().let { boards ->
+        boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
+    }
 
     /** Makes [name] the port in use: see [Ports.choose]. */
     fun choosePort(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
@@ -237,22 +240,27 @@ internal class AgentIo(
      * off, time out or are stale do not count. Any thread.
      */
     fun skewMs(): Long? {
-        val readings = perceivedBoards().filter(::isSound).mapNotNull { it.sensedNanos }
+        val readings = perceivedBoards().filter { answers(it.port) }.mapNotNull { it.sensedNanos }
         val first = readings.firstOrNull() ?: return null
         val offsets = readings.map { it - first }
         return TimeUnit.NANOSECONDS.toMillis(offsets.max() - offsets.min())
     }
 
-    private fun isSound(board: Board) = states.statusOf(board.port.terms) == PortStatus.ON && board.port.terms.none(board::isStale)
+    override fun answers(port: Any) =
+        port is OpenPort && states.statusOf(port.terms) == PortStatus.ON && perceivedOn(port)?.let { port.terms.any(it::isStale) } != true
 
     /**
      * Sends [text] to the board on [port].
      *
+     * @param cause the percept that the agent sends it on account of, so that the board of this percept holds the command; else, or if no
+     *     board says it, the board holds it that it goes to
      * @param outcome is called once, by any thread, with null when the last byte has left the line or a version 2 board has acted, else
      *     with the reason why not
      */
-    fun send(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
-        val ledger = perceivedOn(port)?.ledger ?: return transmit(port, text, options, outcome)
+    fun send(port: OpenPort, text: String, options: CommandOptions, cause: Literal?, outcome: (Failure?) -> Unit) {
+        val causing = cause?.let(::boardsOf).orEmpty()
+        val holder = causing.find { it.port === port } ?: causing.firstOrNull() ?: perceivedOn(port)
+        val ledger = holder?.ledger ?: return transmit(port, text, options, outcome)
         val number = ledger.issue(port)
         transmit(port, text, options) {
             ledger.done(port, number)

@@ -10,13 +10,19 @@ import javino.Frame
 import javino.PerceptsRequest
 
 /**
- * The internal action `argo.act(W)`: sends the text of W, any literal, to the board in use: `ledOn`, `speed(120)`. A string
- * is sent without its quotes. `getPercepts`, with or without arguments, is no command: a board takes it for the request for percepts.
+ * The internal action `argo.act(W)`: sends the text of W, any literal, to a board: `ledOn`, `speed(120)`. A string is sent without its
+ * quotes. `getPercepts`, with or without arguments, is no command: a board takes it for the request for percepts.
+ *
+ * Of several boards that the agent perceives, `argo.act(left::stop)` is for the one in the namespace `left`, which is not sent, and
+ * `argo.act(stop, [port(P)])` for the one on P. `argo.act(stop)` is for the board of the module that the plan stands in, unless that board
+ * has described itself without `stop`; else for the one board that has described itself with it; if no board has, for the one on the port
+ * in use.
  *
  * The intention, not the agent, is suspended until the last byte has left the line, or, with a board of version 2 of the protocol, until
  * the board has acknowledged the action. Commands are sent in order.
  *
  * `argo.act(W, Options)` takes a list of
+ * - `port(P)`: the board is the one on P, a port that the agent has open, perceived or not
  * - `timeout(Ms)`, 1 to 600,000: the intention resumes at most Ms ms after the call. A command that has not begun to go out by then is
  *   withdrawn, never sent, and fails with `error(act_timeout)`. One that has begun fails with `error(act_unconfirmed)`: the board may carry
  *   it out
@@ -26,7 +32,8 @@ import javino.PerceptsRequest
  *   the functor that have not begun to go out are never sent, and fail with `error(act_replaced)`. So `argo.act(speed(V), [latest])` sends
  *   the newest speed when the line is free, however often it is called. With `urgent` it has the place of an urgent command
  *
- * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(port_gone)`,
+ * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(unknown_board)` if no board has the
+ * namespace or the port, `error(ambiguous_action)` if several boards have described themselves with it, `error(port_gone)`,
  * `error(port_timeout)`, `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` for an action
  * or arguments that it does not know, and with `error(act_unconfirmed)` without its acknowledgement, though it may have acted.
  */
@@ -38,16 +45,22 @@ open class act : BoardAction("argo.act", 1..2) {
         val io = call.arch.io
         val text = commandText(call.args[0])
         val options = call.args.getOrNull(1)?.let(CommandOptions::of) ?: CommandOptions()
-        val port = io.portInUse() ?: throw call.failure("no_port", "no port is in use; choose one with argo.port first")
-        io.send(port, text, options, call.suspendIntention())
+        val port = when (val route = Routing(io).routeOf(call.args[0], options.port, moduleOf(call.ts))) {
+            is Routing.Route.To -> route.port
+            is Routing.Route.Nowhere -> throw route.failure.of(call.text)
+        }
+        io.send(port, text, options, perceptBehind(call.ts), call.suspendIntention())
     }
 }
+
+private fun inDefaultNamespace(literal: Literal): Term =
+    if (literal.ns == Literal.DefaultNS) literal else literal.cloneNS(Literal.DefaultNS)
 
 private fun commandText(term: Term): String {
     val text = when {
         term is StringTerm -> term.string
-        !term.isGround -> throw ArgumentException("$term holds a variable that has no value")
-        term is Literal && !term.isList && !term.isPlanBody && term !is BinaryStructure -> term.toString()
+        !term.isGround || term is Literal && term.ns.isVar -> throw ArgumentException("$term holds a variable that has no value")
+        term is Literal && !term.isList && !term.isPlanBody && term !is BinaryStructure -> "${inDefaultNamespace(term)}"
         else -> throw ArgumentException("a command is a literal such as ledOn or speed(120), not $term")
     }
     if (text.isEmpty()) throw ArgumentException("a command has at least one character")

@@ -1,6 +1,7 @@
 package argo
 
 import argo.acting.isPlainName
+import argo.boards.Board
 import argo.calls.Failure
 import argo.calls.isStepOf
 import argo.calls.wrongArgument
@@ -12,14 +13,15 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.asSyntax.UnnamedVar
 import javino.wire.BoardAction.ANY
-import javino.wire.BoardAction as RegisteredAction
 
 /**
- * The internal action `argo.can(Action)`: true if the board in use has registered Action, that is its functor with this number of
- * arguments; their values do not matter. It is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
+ * The internal action `argo.can(Action)`: true if a board that the agent perceives has registered Action, that is its functor with this
+ * number of arguments; their values do not matter. `argo.can(left::stop)` is about the boards in the namespace `left`, and
+ * `argo.can(B::stop)` binds B to each namespace whose board has the action. It is meant for contexts:
+ * `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
  *
- * If Action is a variable, it is bound to one action after the other, as `speed(_)`: `.findall(A, argo.can(A), All)`. An action that takes
- * any number of arguments is given without any.
+ * If Action is a variable, it is bound to one action after the other, as `speed(_)`, or `left::speed(_)` of a board with a namespace:
+ * `.findall(A, argo.can(A), All)`. An action that takes any number of arguments is given without any.
  *
  * Boards of version 2 describe themselves; ARGO asks for the description at the beginning of a session. If it is not known (version 1, a
  * sketch without a table of actions, no port in use, or no answer yet), the action is false in a context; as a step of a plan it fails the
@@ -35,27 +37,39 @@ open class can : DefaultInternalAction() {
         checkArguments(args)
         val action = args[0] as? Literal
         if (action == null || action.isList) throw wrongArgument("an action is a literal such as speed(V), not ${args[0]}").of(call(args))
-        val arch = archOf(ts) ?: throw notArgo(ts).of(call(args))
-        val vocabulary = arch.io.vocabulary() ?: return if (isStepOf<can>(ts, un)) throw noVocabulary(arch).of(call(args)) else false
-        val actions = vocabulary.associateBy { it.name } // the newest of a name counts
-        if (!action.isVar) return actions[action.functor]?.let { it.arguments == ANY || it.arguments == action.arity } ?: false
-        return actions.values.mapNotNull(::literalOf).mapNotNull { known -> un.clone().takeIf { it.unifies(action, known) } }.iterator()
+        val io = (archOf(ts) ?: throw notArgo(ts).of(call(args))).io
+        val namespace = action.ns.takeUnless { action.isVar || it.isVar || it == Literal.DefaultNS }?.functor
+        val boards = io.perceivedBoards().filter { namespace == null || it.namespace == namespace }
+        if (boards.all { it.actions == null }) {
+            return if (isStepOf<can>(ts, un)) throw noVocabulary(boards, namespace).of(call(args)) else false
+        }
+        return when {
+            action.isVar -> boards.flatMap(::literalsOf).mapNotNull { known -> un.clone().takeIf { it.unifies(action, known) } }.iterator()
+            action.ns.isVar -> boards.filter { it.knows(action) }.mapNotNull { it.namespace }.distinct()
+                .mapNotNull { known -> un.clone().takeIf { it.unifies(action.ns, ASSyntax.createAtom(known)) } }.iterator()
+            else -> boards.any { it.knows(action) }
+        }
     }
 
     private fun call(args: Array<Term>) = "argo.can(${args.joinToString(",")})"
 
-    private fun noVocabulary(arch: Arch): Failure {
-        val port = arch.io.portInUse()?.link?.port()
+    private fun noVocabulary(boards: List<Board>, namespace: String?): Failure {
+        val ports = boards.joinToString(" and ") { it.port.link.port() }
         return Failure(
             "no_vocabulary",
-            if (port == null) "no port is in use; choose one with argo.port first"
-            else "the board on port $port has not described its actions; boards of version 2 with a table of actions do",
+            when {
+                boards.isEmpty() && namespace != null -> "no board has the namespace $namespace"
+                boards.isEmpty() -> "no port is in use; choose one with argo.port first"
+                boards.size == 1 -> "the board on port $ports has not described its actions; boards of version 2 with a table of actions do"
+                else -> "the boards on ports $ports have not described their actions; boards of version 2 with a table of actions do"
+            },
         )
     }
 }
 
-/** A literal that the agent can act by; null: the board's name for the action is no atom. */
-private fun literalOf(action: RegisteredAction): Literal? = action.name.takeIf(::isPlainName)?.let { name ->
+/** Literals that the agent can act by, in the namespace of [board]; without those whose names are no atoms. */
+private fun literalsOf(board: Board): List<Literal> = board.actions.orEmpty().filter { isPlainName(it.name) }.map { action ->
     val arguments = if (action.arguments == ANY) 0 else action.arguments
-    ASSyntax.createLiteral(name, *Array<Term>(arguments) { UnnamedVar() })
+    val literal = ASSyntax.createLiteral(action.name, *Array<Term>(arguments) { UnnamedVar() })
+    board.namespace?.let { literal.cloneNS(ASSyntax.createAtom(it)) as Literal } ?: literal
 }

@@ -1,22 +1,31 @@
 package argo.acting
 
-import java.util.TreeSet
+import argo.platform.Platform
+import argo.platform.nowMs
+import java.util.TreeMap
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Numbers an agent's commands, so that the hand-over of a snapshot can wait for the commands to the port in use that were issued before the
- * last hand-over. Safe for use by several threads.
+ * Numbers the commands that a board holds, so that the hand-over of its snapshots can wait for those that were issued before its last
+ * hand-over. Commands that it holds although they go to other boards count for [ELSEWHERE_MS] at most, so that no board waits for long on
+ * account of another. Safe for use by several threads.
  *
- * @param portInUse the port whose commands count; any object that is one and the same for one open port
+ * @param nowMs a clock in ms that never goes back
+ * @param countsElsewhere whether commands to this other port count; not while its board does not answer
+ * @param port the port of the board itself; any object that is one and the same for one open port
  */
-internal class CommandLedger(private val portInUse: () -> Any?) {
+internal class CommandLedger(
+    private val nowMs: () -> Long = Platform.system.nowMs,
+    private val countsElsewhere: (Any) -> Boolean = { false },
+    private val port: () -> Any?,
+) {
     private val lock = ReentrantLock()
-    private val pending = HashMap<Any, TreeSet<Long>>()
+    private val pending = HashMap<Any, TreeMap<Long, Long>>() // by port the numbers, each with the time of issue in ms
     private var issued = 0L
 
     /** Enters a new command to [port] and returns its number. */
-    fun issue(port: Any): Long = lock.withLock { (++issued).also { pending.getOrPut(port, ::TreeSet) += it } }
+    fun issue(port: Any): Long = lock.withLock { (++issued).also { pending.getOrPut(port, ::TreeMap)[it] = nowMs() } }
 
     /** Command [number] to [port] has gone out, failed or timed out. */
     fun done(port: Any, number: Long) = lock.withLock {
@@ -27,9 +36,29 @@ internal class CommandLedger(private val portInUse: () -> Any?) {
     /** The number of the command issued last, 0 if there is none. */
     fun lastIssued(): Long = lock.withLock { issued }
 
-    /** Whether every command up to [number] to the port in use is done. */
+    /** Whether every command up to [number] that counts is done. */
     fun allDoneUpTo(number: Long): Boolean {
-        val port = portInUse() ?: return true
-        return lock.withLock { pending[port]?.let { it.first() > number } ?: true }
+        val own = port() ?: return true
+        return lock.withLock { pending[own]?.let { it.firstKey() > number } ?: true } && dueInMs(number) == null
+    }
+
+    /** The time in ms until commands up to [number] to other ports do not count any more; null: there are none that count. */
+    fun dueInMs(number: Long): Long? {
+        val until = lastElsewhere(number).filterKeys(countsElsewhere).values.maxOrNull()?.plus(ELSEWHERE_MS) ?: return null
+        return (until - nowMs()).takeIf { it > 0 }
+    }
+
+    /** By each other port with commands up to [number] when the last of them was issued. */
+    private fun lastElsewhere(number: Long): Map<Any, Long> {
+        val own = port()
+        return lock.withLock {
+            pending.entries.filter { (to, _) -> to != own }
+                .mapNotNull { (to, commands) -> commands.floorEntry(number)?.let { to to it.value } }.toMap()
+        }
+    }
+
+    companion object {
+        /** How long a command to another board counts, in ms. */
+        const val ELSEWHERE_MS = 100L
     }
 }

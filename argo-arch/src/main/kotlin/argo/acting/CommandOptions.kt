@@ -12,11 +12,17 @@ import jason.asSyntax.Term
  * @property timeoutMs the time in ms from the call after which its outcome is known in any case; null: there is no such limit
  * @property urgent whether it goes before the commands that wait and are not urgent
  * @property latest whether it takes the place of the commands of the same functor that wait
+ * @property port the port of the board that it is for; null: it is not named
  */
-internal data class CommandOptions(val timeoutMs: Int? = null, val urgent: Boolean = false, val latest: Boolean = false) {
+internal data class CommandOptions(
+    val timeoutMs: Int? = null,
+    val urgent: Boolean = false,
+    val latest: Boolean = false,
+    val port: Term? = null,
+) {
     companion object {
         private const val MAX_MS = 600_000
-        private const val KNOWN = "timeout(Ms), urgent and latest"
+        private const val KNOWN = "timeout(Ms), urgent, latest and port(P)"
 
         /**
          * Reads a list such as `[timeout(200), latest]`.
@@ -31,6 +37,7 @@ internal data class CommandOptions(val timeoutMs: Int? = null, val urgent: Boole
                 literal?.functor == "urgent" && literal.arity == 0 -> copy(urgent = true)
                 literal?.functor == "latest" && literal.arity == 0 -> copy(latest = true)
                 literal?.functor == "timeout" && literal.arity == 1 -> copy(timeoutMs = whole(literal, 1..MAX_MS))
+                literal?.functor == "port" && literal.arity == 1 -> copy(port = literal.getTerm(0))
                 else -> throw ArgumentException("$option is not an option; there are $KNOWN")
             }
         }

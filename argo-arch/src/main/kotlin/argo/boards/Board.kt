@@ -24,9 +24,11 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
 import jason.bb.StructureWrapperForLiteral
+import javino.wire.BoardAction.ANY
 import javino.wire.ReflexOutcome
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
+import javino.wire.BoardAction as RegisteredAction
 
 /**
  * A board that an agent perceives or has perceived: what is believed of it, what is still to be perceived, its filter and its interval.
@@ -79,7 +81,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 
     /** The commands that its snapshots wait for. */
-    val ledger = CommandLedger { this.port }
+    val ledger = CommandLedger(agent.platform.nowMs, agent::answers) { this.port }
     private val handOver: HandOver = agent.handOverOf(this)
     private val lastSeen = LastSeen { sensed }
     private val choosing = ReentrantLock() // held while the filter is asked for and taken
@@ -91,6 +93,14 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
         { agent.observers().messageFiltered(it) }, BeliefReader(space) { agent.log.warning(it) }, agent.log,
         PerceptLimit(agent.maxPercepts, agent.rateLimitedWarning()), lastSeen, nowMs,
     )
+
+    /** The actions that it has registered, the newest of each name; null: they are not known. Any thread. */
+    val actions: List<RegisteredAction>?
+        get() = port.link.vocabulary().orElse(null)?.takeIf { it.isNotEmpty() }?.associateBy { it.name }?.values?.toList()
+
+    /** Whether it has registered an action of the name and number of arguments of [command]. Any thread. */
+    fun knows(command: Literal): Boolean =
+        actions.orEmpty().any { it.name == command.functor && (it.arguments == ANY || it.arguments == command.arity) }
 
     /** The critical rules of its filter. Any thread. */
     val critical: List<CriticalRule> get() = percepts.critical
@@ -194,8 +204,10 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
 
     /** The time in ms until there is something to do without news from the board; null: there will not be. */
-    fun dueInMs(): Long? =
-        listOfNotNull(percepts.dueInMs().takeIf { agent.perceives(this) }, stale.dueInMs().takeIf { it != 0L }).minOrNull()
+    fun dueInMs(): Long? {
+        val heldBack = percepts.dueInMs().takeIf { agent.perceives(this) }
+        return listOfNotNull(heldBack, stale.dueInMs().takeIf { it != 0L }, handOver.dueInMs()).minOrNull()
+    }
 
     /** Whether there is something to perceive now. Any thread. */
     fun hasNews(): Boolean = handOver.isReady() || stale.hasNews() || reflexes.hasNews() ||

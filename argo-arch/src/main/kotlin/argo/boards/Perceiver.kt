@@ -42,6 +42,9 @@ internal interface Perceiver {
     /** The board on [port], if the agent perceives it now. */
     fun boardOn(port: OpenPort): Board?
 
+    /** Whether the board on [port], an [OpenPort], answers: it is on and not stale. */
+    fun answers(port: Any): Boolean
+
     /** Whether the board on [port] watches [rule] itself. */
     fun isWatchedBy(port: OpenPort, rule: CriticalRule): Boolean
 

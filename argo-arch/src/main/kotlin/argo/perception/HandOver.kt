@@ -18,6 +18,9 @@ internal interface HandOver {
     /** Whether [take] would give one now. */
     fun isReady(): Boolean
 
+    /** The time in ms until a snapshot may become ready without any news; null: none will. */
+    fun dueInMs(): Long? = null
+
     /** The snapshot to perceive now, or null. */
     fun take(): Snapshot?
 
@@ -65,6 +68,8 @@ internal class FreshHandOver(
         val urgent = critical.first()
         return if (urgent == null) newest != null && isTakenIn() else mayBeEarly(urgent) || isTakenIn()
     }
+
+    override fun dueInMs(): Long? = if (newest == null) null else commands.dueInMs(commandsToAwait)
 
     /** Whether the agent has taken in the snapshot before. */
     private fun isTakenIn() = areEventsAndCommandsDone() && !intentions.wait()

@@ -207,6 +207,110 @@ class SeveralBoardsSpec : FunSpec({
         }
     }
 
+    context("a command") {
+        val asking = """
+            $leftAndRight
+            +!act(A) <- argo.act(A); +done(A).
+            +!act(A,P) <- argo.act(A,[port(P)]); +done(A).
+            -!act(A)[error(E),error_msg(M)] <- +failed(A,E,M).
+            -!act(A,P)[error(E),error_msg(M)] <- +failed(A,E,M).
+        """
+
+        fun described(left: Array<String>, right: Array<String>) = agentOf(asking) {
+            board("ttyACM0").version2().knows(*left)
+            board("ttyACM1").version2().knows(*right)
+        }.after(3.seconds)
+
+        test("goes to the board of its namespace, which is not sent") {
+            agentOf(asking).use { bob ->
+                bob.shouldBelieve("port(ttyACM1,on)").hears("user", "achieve", "act(right::stop)").shouldBelieve("done(_)")
+                bob.right().commands shouldBe listOf("stop")
+                bob.hears("user", "achieve", "act(arm::stop)").shouldBelieve("failed(_,unknown_board,_)")
+                bob.beliefs.single { it.startsWith("failed") } shouldContain "there are left, right"
+                bob.left().commands shouldHaveSize 0
+            }
+        }
+
+        test("goes to the board on the port of its options, perceived or not") {
+            agentOf("$asking +!one <- argo.port(ttyACM0).").use { bob ->
+                bob.shouldBelieve("port(ttyACM1,on)").hears("user", "achieve", "act(stop,ttyACM1)").shouldBelieve("done(stop)")
+                bob.hears("user", "achieve", "one").after(1.seconds).hears("user", "achieve", "act(go,ttyACM1)").shouldBelieve("done(go)")
+                bob.right().commands shouldBe listOf("stop", "go")
+                bob.hears("user", "achieve", "act(stop,ttyACM9)").shouldBelieve("failed(stop,unknown_board,_)")
+            }
+        }
+
+        test("goes to the one board that has described itself with it, and to the port in use if none has") {
+            described(arrayOf("beep", "turn/1"), arrayOf("beep", "grip/1")).use { bob ->
+                bob.hears("user", "achieve", "act(grip(3))").shouldBelieve("done(grip(3))")
+                bob.right().commands shouldBe listOf("grip(3)")
+                bob.hears("user", "achieve", "act(fly)").shouldBelieve("failed(fly,act_refused,_)")
+                bob.hears("user", "achieve", "act(beep)").shouldBelieve("failed(beep,ambiguous_action,_)")
+                bob.beliefs.single { "ambiguous" in it } shouldContain "ttyACM0 and ttyACM1"
+                bob.hears("user", "achieve", "act(left::beep)").shouldBelieve("done(left::beep)")
+                bob.left().commands shouldBe listOf("beep")
+            }
+        }
+
+        test("of version 1 goes to the port in use") {
+            agentOf(asking).use { bob ->
+                bob.shouldBelieve("port(ttyACM1,on)").hears("user", "achieve", "act(stop)").shouldBelieve("done(stop)")
+                bob.left().commands shouldBe listOf("stop")
+            }
+        }
+
+        test("in a module goes to the board of the module, whatever the version") {
+            project.file("wheels.asl", """
+                +dist(f,X) : X < 15 <- argo.act(stop).
+                +!halt <- argo.act(::stop).
+                +!reverse <- argo.act(back).
+            """)
+            project.agent("""
+                { include("wheels.asl", left) }
+                { include("wheels.asl", right) }
+                $leftAndRight
+            """).use { bob ->
+                bob.right().shows("dist(f,9)")
+                bob.shouldSend("stop").right().commands shouldBe listOf("stop")
+                bob.hears("user", "achieve", "right::halt").shouldSend("stop")
+                bob.hears("user", "achieve", "right::reverse").shouldSend("back")
+                bob.right().commands shouldBe listOf("stop", "stop", "back")
+                bob.left().commands shouldHaveSize 0
+            }
+        }
+
+        test("is asked for with argo.can, of one board or of any") {
+            agentOf("""
+                $leftAndRight
+                +!all <- .findall(A, argo.can(A), As); .print(As).
+                +!who <- .findall(B, argo.can(B::beep), Bs); .print(Bs).
+                +!one : argo.can(left::turn(_)) & not argo.can(right::turn(_)) & argo.can(turn(1)) & not argo.can(fly) <- +right_answers.
+            """) {
+                board("ttyACM0").version2().knows("beep", "turn/1")
+                board("ttyACM1").version2().knows("beep")
+            }.use { bob ->
+                bob.after(3.seconds).hears("user", "achieve", "one").shouldBelieve("right_answers").hears("user", "achieve", "all")
+                bob.shouldPrint("[left::beep,left::turn(_").hears("user", "achieve", "who").shouldPrint("[left,right]")
+            }
+        }
+
+        test("to a board that is dead or slow holds up no percepts of another board") {
+            agentOf("""
+                $leftAndRight
+                +left::dist(f,X) <- argo.act(right::turn(X)).
+            """).use { bob ->
+                bob.right().takes(10.seconds, "turn(0)")
+                bob.left().shows("dist(f,0)")
+                bob.right().shows("temp(1)")
+                bob.shouldBelieve("right::temp(1) & left::dist(f,0)").after(1.seconds)
+                for (n in 1..20) {
+                    bob.left().shows("dist(f,$n)")
+                    bob.shouldBelieve("left::dist(f,$n)", within = 150.milliseconds)
+                }
+            }
+        }
+    }
+
     context("argo.ports with another list") {
         test("disturbs no board that is in both, and forgets what the others said") {
             agentOf("""

@@ -1,0 +1,110 @@
+package argo
+
+import argo.boards.Board
+import argo.calls.Failure
+import argo.connecting.OpenPort
+import argo.filters.jason.PerceptReader
+import argo.filters.jason.PerceptSyntaxException
+import jason.asSemantics.IntendedMeans
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.Literal
+import jason.asSyntax.StringTerm
+import jason.asSyntax.Term
+import jason.bb.BeliefBase
+
+/**
+ * Which board of [io]'s agent a command is for. Belongs to the agent's thread.
+ *
+ * A command names its board by its namespace, or by a port in its options. One that does neither is for the board of the module that it
+ * stands in, unless that board has described itself without it; else for the one board that has described itself with it; else, if no
+ * board has, for the one on the port in use.
+ */
+internal class Routing(private val io: AgentIo) {
+    /** A board was found, or why there is none. */
+    sealed interface Route {
+        data class To(val port: OpenPort) : Route
+        data class Nowhere(val failure: Failure) : Route
+    }
+
+    /**
+     * The port for [command].
+     *
+     * @param command a literal, or a string
+     * @param port the port that the options name; null: they name none
+     * @param module the namespace of the module that the command stands in; null: it stands in none
+     */
+    fun routeOf(command: Term, port: Term?, module: String?): Route {
+        if (port != null) return io.openPort(port)?.let { Route.To(it) } ?: unknown(unknownBoard(port, io))
+        val inUse = io.portInUse() ?: return Route.Nowhere(NO_PORT)
+        val literal = literalOf(command)
+        val namespace = literal?.ns?.takeIf { command !is StringTerm && it != Literal.DefaultNS }?.functor
+        return when {
+            namespace != null -> within(namespace, literal, inUse)
+            io.perceivedBoards().size < 2 || literal == null -> Route.To(inUse)
+            else -> ofModule(module, literal, inUse) ?: among(io.perceivedBoards(), literal, inUse) ?: Route.To(inUse)
+        }
+    }
+
+    private fun within(namespace: String, command: Literal, inUse: OpenPort): Route {
+        val boards = io.perceivedBoards().filter { it.namespace == namespace }
+        return boards.singleOrNull()?.let { Route.To(it.port) }
+            ?: among(boards, command, inUse)
+            ?: boards.find { it.port === inUse }?.let { Route.To(it.port) }
+            ?: if (boards.isEmpty()) unknown(noSuchNamespace(namespace)) else ambiguous(command, boards)
+    }
+
+    private fun ofModule(module: String?, command: Literal, inUse: OpenPort): Route? {
+        val boards = io.perceivedBoards().filter { module != null && it.namespace == module && (it.actions == null || it.knows(command)) }
+        return if (boards.isEmpty()) null else within(checkNotNull(module), command, inUse)
+    }
+
+    /** The one of [boards] that has described itself with [command]; null: none has. */
+    private fun among(boards: List<Board>, command: Literal, inUse: OpenPort): Route? {
+        val knowing = boards.filter { it.knows(command) }
+        return when (knowing.size) {
+            0 -> null
+            1 -> Route.To(knowing.single().port)
+            else -> ambiguous(command, knowing)
+        }
+    }
+
+    private fun unknown(cause: String) = Route.Nowhere(Failure("unknown_board", cause))
+
+    private fun ambiguous(command: Literal, boards: List<Board>) = Route.Nowhere(
+        Failure(
+            "ambiguous_action",
+            "${boards.joinToString(" and ") { "${it.term}" }} are all boards for ${command.functor}; " +
+                "name one by its namespace, argo.act(NAMESPACE::${command.functor}), or by its port, [port(${boards.first().term})]",
+        ),
+    )
+
+    private fun noSuchNamespace(namespace: String) =
+        "no board has the namespace $namespace; " + io.perceivedBoards().mapNotNull { it.namespace }.distinct().let {
+            if (it.isEmpty()) "the option as($namespace) of argo.port gives it to one" else "there are ${it.joinToString()}"
+        }
+
+    private companion object {
+        val NO_PORT = Failure("no_port", "no port is in use; choose one with argo.port first")
+    }
+}
+
+/** The command as a literal; null: it is a string that holds none. */
+private fun literalOf(command: Term): Literal? = try {
+    if (command is StringTerm) PerceptReader.read(command.string) else command as? Literal
+} catch (_: PerceptSyntaxException) {
+    null
+}
+
+/** The namespace of the module that the plan stands in which the agent of [ts] is carrying out; null: it stands in none. */
+internal fun moduleOf(ts: TransitionSystem): String? {
+    val plan = stepsOf(ts)?.firstOrNull()?.plan ?: return null
+    val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null
+    return namespace.functor.takeIf { plan.sourceFile != ts.ag.aslSrc }
+}
+
+/** The percept whose event began the intention that the agent of [ts] is carrying out; null: none did. */
+internal fun perceptBehind(ts: TransitionSystem): Literal? = stepsOf(ts)?.lastOrNull()?.trigger?.literal
+    ?.takeIf { it.hasSource(BeliefBase.APercept) }
+
+/** What the intention consists of that the agent of [ts] is carrying out, the latest first. */
+private fun stepsOf(ts: TransitionSystem): List<IntendedMeans>? = ts.c.selectedIntention?.takeUnless { it.isFinished }?.toList()
