@@ -4,6 +4,7 @@ import argo.acting.CommandLedger
 import argo.acting.CommandOptions
 import argo.boards.Board
 import argo.boards.BoardLine
+import argo.boards.OneInstant
 import argo.boards.Perceiver
 import argo.calls.Failure
 import argo.connecting.OpenPort
@@ -25,6 +26,7 @@ import argo.perception.FreshHandOver
 import argo.perception.HandOver
 import argo.perception.PerceptEvents
 import argo.perception.PerceptIntentions
+import argo.perception.Snapshot
 import argo.platform.Platform
 import argo.platform.Waker
 import argo.platform.nowMs
@@ -87,6 +89,8 @@ internal class AgentIo(
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
 
+    private val instant = OneInstant(platform)
+
     /** Other boards are perceived than the agent's beliefs are about. */
     @Volatile
     private var isOtherBoards = false
@@ -106,6 +110,8 @@ internal class AgentIo(
     override val leavesRulesToBoards get() = coupling.isPaced
 
     override fun observers() = observing()
+
+    override val perceivesSeveral get() = perceivedBoards().size > 1
 
     override fun perceives(board: Board) = isPerceiving && board in perceived.get().boards
 
@@ -282,12 +288,17 @@ internal class AgentIo(
         val boards = perceived.get().boards
         coupling.perceiving(boards.filter { isPerceiving && it.port.link.isOpen }.mapNotNull { lines[it.port]?.sensing }, intervalMs)
         if (isPerceiving) boards.forEach(Board::putDue)
-        val snapshots = boards.mapNotNull(Board::take)
+        val snapshots = if (instant.isAwaited(boards, begins = true)) emptyList() else take(boards)
         if (snapshots.isNotEmpty()) perceived.updateAndGet { Perceived(it.boards, emptyList()) }
         snapshots.forEach { observers().messagePerceived(it) }
         newlyCritical = snapshots.flatMap { snapshot -> snapshot.critical.map { it.percept } }
         val isBoardNews = boards.count(Board::update) > 0 // each is to be updated
         return isOther || snapshots.isNotEmpty() || isBoardNews || states.hasNews()
+    }
+
+    private fun take(boards: List<Board>): List<Snapshot> {
+        instant.taken()
+        return boards.mapNotNull(Board::take)
     }
 
     /** What is critical in the snapshots that the last [update] handed over; empty when asked again. */
@@ -298,10 +309,12 @@ internal class AgentIo(
         believed().flatMap { it.sensed } + states.beliefs() + perceived.get().boards.flatMap(Board::metaBeliefs)
 
     /** The time in ms until [update] has something to do without news from a board; null: it will not have. */
-    fun dueInMs(): Long? = perceived.get().boards.mapNotNull(Board::dueInMs).minOrNull()
+    fun dueInMs(): Long? = (perceivedBoards().mapNotNull(Board::dueInMs) + listOfNotNull(instant.dueInMs())).minOrNull()
 
     /** Whether [update] has something to do now. Any thread. */
-    fun hasNews(): Boolean = isOtherBoards || states.hasNews() || perceived.get().boards.any(Board::hasNews)
+    fun hasNews(): Boolean = isOtherBoards || states.hasNews() || perceivedBoards().any(Board::hasNews) || hasSnapshots()
+
+    private fun hasSnapshots() = perceivedBoards().let { boards -> boards.any(Board::isReady) && !instant.isAwaited(boards) }
 
     /** Whether the agent believes that [port] is stale. Any thread. */
     fun isStale(port: Term): Boolean = perceived.get().boards.any { it.isStale(port) }

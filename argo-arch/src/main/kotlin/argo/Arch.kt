@@ -9,6 +9,7 @@ import argo.perception.EnvironmentPercepts
 import argo.perception.PerceptEvents
 import argo.perception.PerceptIntentions
 import argo.perception.bringForward
+import argo.perception.takeTurns
 import argo.platform.Platform
 import argo.platform.Waker
 import argo.platform.nowMs
@@ -39,6 +40,7 @@ import java.util.logging.Logger
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)
     private val deleted = DeletedPercepts()
+    private var waiting: Int? = null // events, before those of what is perceived in this cycle
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
     /** The agent's boards. There from [init] on. */
@@ -96,15 +98,18 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
         val isEnvironmentNew = environment.update(super.perceive())
+        waiting = if (io.perceivesSeveral) ts.c.events.size else null
         val isBoardNew = io.update()
         listOfNotNull(environment.dueInMs(), io.dueInMs()).minOrNull()?.let(waker::wakeIn)
-        if (!isEnvironmentNew && !isBoardNew) return null
+        if (!isEnvironmentNew && !isBoardNew) return null.also { waiting = null }
         return (environment.percepts + io.beliefs()).toMutableList().also { if (io.hasNamespaces) deleted.expect(ts.ag, it) }
     }
 
     /** Jason calls it when it has added the events of what was perceived. */
     override fun checkMail() {
         deleted.mend(ts.c.events)
+        waiting?.let { before -> takeTurns(ts.c.events, before) { io.boardsOf(it).firstOrNull() } }
+        waiting = null
         io.takeNewlyCritical().takeIf { it.isNotEmpty() }?.let { bringForward(ts.c.events, it) }
         super.checkMail()
     }

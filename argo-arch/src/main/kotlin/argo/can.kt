@@ -9,6 +9,7 @@ import jason.asSemantics.DefaultInternalAction
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
+import jason.asSyntax.Atom
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.asSyntax.UnnamedVar
@@ -20,8 +21,9 @@ import javino.wire.BoardAction.ANY
  * `argo.can(B::stop)` binds B to each namespace whose board has the action. It is meant for contexts:
  * `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
  *
- * If Action is a variable, it is bound to one action after the other, as `speed(_)`, or `left::speed(_)` of a board with a namespace:
- * `.findall(A, argo.can(A), All)`. An action that takes any number of arguments is given without any.
+ * If Action is a variable, it is bound to one action after the other, as `speed(_)`: `.findall(A, argo.can(A), All)`, or
+ * `.findall(left::A, argo.can(left::A), All)` for those of one namespace. An action that takes any number of arguments is given without
+ * any.
  *
  * Boards of version 2 describe themselves; ARGO asks for the description at the beginning of a session. If it is not known (version 1, a
  * sketch without a table of actions, no port in use, or no answer yet), the action is false in a context; as a step of a plan it fails the
@@ -38,13 +40,14 @@ open class can : DefaultInternalAction() {
         val action = args[0] as? Literal
         if (action == null || action.isList) throw wrongArgument("an action is a literal such as speed(V), not ${args[0]}").of(call(args))
         val io = (archOf(ts) ?: throw notArgo(ts).of(call(args))).io
-        val namespace = action.ns.takeUnless { action.isVar || it.isVar || it == Literal.DefaultNS }?.functor
-        val boards = io.perceivedBoards().filter { namespace == null || it.namespace == namespace }
+        val namespace = action.ns.takeUnless { it.isVar || it == Literal.DefaultNS }
+        val boards = io.perceivedBoards().filter { namespace == null || it.namespace == namespace.functor }
         if (boards.all { it.actions == null }) {
             return if (isStepOf<can>(ts, un)) throw noVocabulary(boards, namespace).of(call(args)) else false
         }
         return when {
-            action.isVar -> boards.flatMap(::literalsOf).mapNotNull { known -> un.clone().takeIf { it.unifies(action, known) } }.iterator()
+            action.isVar -> boards.flatMap { literalsOf(it, namespace) }.distinctBy { it.predicateIndicator }
+                .mapNotNull { known -> un.clone().takeIf { it.unifies(action, known) } }.iterator()
             action.ns.isVar -> boards.filter { it.knows(action) }.mapNotNull { it.namespace }.distinct()
                 .mapNotNull { known -> un.clone().takeIf { it.unifies(action.ns, ASSyntax.createAtom(known)) } }.iterator()
             else -> boards.any { it.knows(action) }
@@ -53,7 +56,7 @@ open class can : DefaultInternalAction() {
 
     private fun call(args: Array<Term>) = "argo.can(${args.joinToString(",")})"
 
-    private fun noVocabulary(boards: List<Board>, namespace: String?): Failure {
+    private fun noVocabulary(boards: List<Board>, namespace: Atom?): Failure {
         val ports = boards.joinToString(" and ") { it.port.link.port() }
         return Failure(
             "no_vocabulary",
@@ -67,9 +70,8 @@ open class can : DefaultInternalAction() {
     }
 }
 
-/** Literals that the agent can act by, in the namespace of [board]; without those whose names are no atoms. */
-private fun literalsOf(board: Board): List<Literal> = board.actions.orEmpty().filter { isPlainName(it.name) }.map { action ->
+/** Literals that the agent can act by, in [namespace]; without those of [board] whose names are no atoms. */
+private fun literalsOf(board: Board, namespace: Atom?) = board.actions.orEmpty().filter { isPlainName(it.name) }.map { action ->
     val arguments = if (action.arguments == ANY) 0 else action.arguments
-    val literal = ASSyntax.createLiteral(action.name, *Array<Term>(arguments) { UnnamedVar() })
-    board.namespace?.let { literal.cloneNS(ASSyntax.createAtom(it)) as Literal } ?: literal
+    ASSyntax.createLiteral(namespace ?: Literal.DefaultNS, action.name, *Array<Term>(arguments) { UnnamedVar() })
 }

@@ -80,6 +80,9 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     /** Its filter; null: everything is kept. Any thread may read. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 
+    /** When its answer is expected. */
+    val answer = ExpectedAnswer()
+
     /** The commands that its snapshots wait for. */
     val ledger = CommandLedger(agent.platform.nowMs, agent::answers) { this.port }
     private val handOver: HandOver = agent.handOverOf(this)
@@ -167,6 +170,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
 
     /** A message came: see [BoardPercepts.received]. Called by the sensing thread of [port]. */
     fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) {
+        answer.came(receivedNanos)
         if (!percepts.received(port, message, askedNanos, receivedNanos)) return
         stale.renew()
         agent.wake { !handOver.isReady() && stale.isEmpty() }
@@ -179,6 +183,12 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
 
     /** Makes a snapshot of the percepts that the filter held back and that are due. */
     fun putDue() = percepts.putDue()
+
+    /** Whether a snapshot is ready to be perceived. Any thread. */
+    fun isReady(): Boolean = handOver.isReady()
+
+    /** Whether a snapshot is ready that waits for no other board. Any thread. */
+    fun isUrgent(): Boolean = handOver.isUrgent()
 
     /** Takes the snapshot that the agent perceives now; null: none is ready. */
     fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also {
@@ -209,8 +219,8 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
         return listOfNotNull(heldBack, stale.dueInMs().takeIf { it != 0L }, handOver.dueInMs()).minOrNull()
     }
 
-    /** Whether there is something to perceive now. Any thread. */
-    fun hasNews(): Boolean = handOver.isReady() || stale.hasNews() || reflexes.hasNews() ||
+    /** Whether there is something to perceive now besides a snapshot. Any thread. */
+    fun hasNews(): Boolean = stale.hasNews() || reflexes.hasNews() ||
         agent.perceives(this) && percepts.dueInMs() == 0L
 
     /** Whether the agent believes that [port] is stale. Any thread. */

@@ -5,6 +5,7 @@ import argo.acting.CommandOptions
 import argo.acting.CommandSender
 import argo.connecting.OpenPort
 import argo.connecting.PortStatus
+import argo.sensing.Instants
 import argo.sensing.Sensing
 import argo.sensing.SensingListener
 import javino.BoardListener
@@ -13,6 +14,7 @@ import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.wire.ReflexOutcome
+import java.util.concurrent.TimeUnit
 
 /** What works through one open port, whether or not its agent perceives the board: sensing, commands, rules on the board. */
 internal class BoardLine(private val port: OpenPort, private val agent: Perceiver, private val closed: () -> Unit) :
@@ -28,10 +30,17 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
 
     override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs
 
+    override fun nextStart(startNanos: Long) =
+        if (agent.perceivesSeveral) Instants.after(startNanos, TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
+        else super.nextStart(startNanos)
+
     override fun isSensed(port: OpenPort) = agent.boardOn(port) != null
 
-    override fun request(port: OpenPort) =
-        agent.boardOn(port)?.request?.takeIf { port.link.protocol() == Protocol.V2 } ?: PerceptsRequest.ALL
+    override fun request(port: OpenPort): String {
+        val board = agent.boardOn(port) ?: return PerceptsRequest.ALL
+        board.answer.asked(agent.platform.clock.nanos())
+        return if (port.link.protocol() == Protocol.V2) board.request else PerceptsRequest.ALL
+    }
 
     override fun mayReport(port: OpenPort) = !rules.isEmpty
 
@@ -39,7 +48,10 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
         agent.boardOn(port)?.received(port, message, askedNanos, receivedNanos)
     }
 
-    override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = agent.report(port, PortStatus.TIMEOUT, trouble.message)
+    override fun unanswered(port: OpenPort, trouble: PortTimeoutException) {
+        agent.boardOn(port)?.answer?.stayedOut()
+        agent.report(port, PortStatus.TIMEOUT, trouble.message)
+    }
 
     override fun answeredAgain(port: OpenPort) = agent.report(port, PortStatus.ON)
 

@@ -36,6 +36,9 @@ internal interface Perceiver {
     /** Those who follow what happens to the agent. */
     fun observers(): Observers
 
+    /** Whether it perceives more than one board. */
+    val perceivesSeveral: Boolean
+
     /** Whether it perceives [board] now. */
     fun perceives(board: Board): Boolean
 

@@ -18,6 +18,9 @@ internal interface HandOver {
     /** Whether [take] would give one now. */
     fun isReady(): Boolean
 
+    /** Whether the one that [take] would give now waits for nothing else. */
+    fun isUrgent(): Boolean = isReady()
+
     /** The time in ms until a snapshot may become ready without any news; null: none will. */
     fun dueInMs(): Long? = null
 
@@ -68,6 +71,8 @@ internal class FreshHandOver(
         val urgent = critical.first()
         return if (urgent == null) newest != null && isTakenIn() else mayBeEarly(urgent) || isTakenIn()
     }
+
+    override fun isUrgent(): Boolean = critical.first() != null && isReady()
 
     override fun dueInMs(): Long? = if (newest == null) null else commands.dueInMs(commandsToAwait)
 

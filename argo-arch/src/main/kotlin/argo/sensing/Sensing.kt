@@ -19,7 +19,10 @@ internal interface SensingListener {
     /** The sensing interval in ms, 0: as fast as the line allows. Any thread; a change is signalled by [Sensing.wake]. */
     val intervalMs: Int
 
-    /** The request that the board is to answer. */
+    /** When a board is to be asked again that was asked at [startNanos], by the platform's clock. */
+    fun nextStart(startNanos: Long): Long = startNanos + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong())
+
+    /** The request that the board is to answer; asked for when it goes out. */
     fun request(port: OpenPort): String
 
     /** Whether the board on [port] may report critical percepts between two messages. Any thread. */
@@ -106,7 +109,7 @@ internal class Sensing(
     private fun nanosUntilDue(): Long = when {
         !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // not paced: the agent's own thread takes the messages
         port.options.listens -> 0
-        else -> lastStart?.let { it + TimeUnit.MILLISECONDS.toNanos(listener.intervalMs.toLong()) - clock.nanos() } ?: 0
+        else -> lastStart?.let { listener.nextStart(it) - clock.nanos() } ?: 0
     }
 
     private fun mayReport() = isPaced && !port.options.listens && listener.mayReport(port)

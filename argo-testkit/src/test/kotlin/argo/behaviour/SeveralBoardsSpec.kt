@@ -211,6 +211,10 @@ class SeveralBoardsSpec : FunSpec({
         val asking = """
             $leftAndRight
             +!act(A) <- argo.act(A); +done(A).
+            +!stop_right <- argo.act(right::stop); +done(stop).
+            +!beep_left <- argo.act(left::beep); +done(beep).
+            +!stop_arm <- argo.act(arm::stop).
+            -!stop_arm[error(E),error_msg(M)] <- +failed(stop,E,M).
             +!act(A,P) <- argo.act(A,[port(P)]); +done(A).
             -!act(A)[error(E),error_msg(M)] <- +failed(A,E,M).
             -!act(A,P)[error(E),error_msg(M)] <- +failed(A,E,M).
@@ -223,9 +227,9 @@ class SeveralBoardsSpec : FunSpec({
 
         test("goes to the board of its namespace, which is not sent") {
             agentOf(asking).use { bob ->
-                bob.shouldBelieve("port(ttyACM1,on)").hears("user", "achieve", "act(right::stop)").shouldBelieve("done(_)")
+                bob.shouldBelieve("port(ttyACM1,on)").hears("user", "achieve", "stop_right").shouldBelieve("done(stop)")
                 bob.right().commands shouldBe listOf("stop")
-                bob.hears("user", "achieve", "act(arm::stop)").shouldBelieve("failed(_,unknown_board,_)")
+                bob.hears("user", "achieve", "stop_arm").shouldBelieve("failed(stop,unknown_board,_)")
                 bob.beliefs.single { it.startsWith("failed") } shouldContain "there are left, right"
                 bob.left().commands shouldHaveSize 0
             }
@@ -247,7 +251,7 @@ class SeveralBoardsSpec : FunSpec({
                 bob.hears("user", "achieve", "act(fly)").shouldBelieve("failed(fly,act_refused,_)")
                 bob.hears("user", "achieve", "act(beep)").shouldBelieve("failed(beep,ambiguous_action,_)")
                 bob.beliefs.single { "ambiguous" in it } shouldContain "ttyACM0 and ttyACM1"
-                bob.hears("user", "achieve", "act(left::beep)").shouldBelieve("done(left::beep)")
+                bob.hears("user", "achieve", "beep_left").shouldBelieve("done(beep)")
                 bob.left().commands shouldBe listOf("beep")
             }
         }
@@ -283,6 +287,7 @@ class SeveralBoardsSpec : FunSpec({
             agentOf("""
                 $leftAndRight
                 +!all <- .findall(A, argo.can(A), As); .print(As).
+                +!lefts <- .findall(left::A, argo.can(left::A), As); .print(As).
                 +!who <- .findall(B, argo.can(B::beep), Bs); .print(Bs).
                 +!one : argo.can(left::turn(_)) & not argo.can(right::turn(_)) & argo.can(turn(1)) & not argo.can(fly) <- +right_answers.
             """) {
@@ -290,7 +295,8 @@ class SeveralBoardsSpec : FunSpec({
                 board("ttyACM1").version2().knows("beep")
             }.use { bob ->
                 bob.after(3.seconds).hears("user", "achieve", "one").shouldBelieve("right_answers").hears("user", "achieve", "all")
-                bob.shouldPrint("[left::beep,left::turn(_").hears("user", "achieve", "who").shouldPrint("[left,right]")
+                bob.shouldPrint("[beep,turn(_").hears("user", "achieve", "lefts").shouldPrint("[left::beep,left::turn(_")
+                bob.hears("user", "achieve", "who").shouldPrint("[left,right]")
             }
         }
 
@@ -306,6 +312,35 @@ class SeveralBoardsSpec : FunSpec({
                 for (n in 1..20) {
                     bob.left().shows("dist(f,$n)")
                     bob.shouldBelieve("left::dist(f,$n)", within = 150.milliseconds)
+                }
+            }
+        }
+    }
+
+    context("what boards sense at one instant") {
+        test("is mostly perceived together, though one answers later than the other") {
+            agentOf("""
+                $leftAndRight
+                +left::n(X) : not right::n(X) <- +torn(X).
+                +right::n(X) : not left::n(X) <- +torn(X).
+            """).use { bob ->
+                bob.after(1.seconds).left().shows { listOf("n(${(it.inWholeMilliseconds + 10) / 20})") }
+                bob.right().shows { listOf("n(${(it.inWholeMilliseconds + 10) / 20})", "b(1)") }
+                bob.after(500.milliseconds)
+                val before = bob.beliefs.count { it.startsWith("torn") }
+                bob.after(2.seconds).beliefs.count { it.startsWith("torn") } - before shouldBeInRange 0..20 // of 100 instants
+            }
+        }
+
+        test("is not waited for when a board misses its answers") {
+            agentOf("$leftAndRight\n+left::n(X) <- argo.act(left::saw(X)).").use { bob ->
+                bob.left().shows("n(0)")
+                bob.right().shows("m(0)")
+                bob.shouldSend("saw(0)").after(1.seconds).right().ignoresRequests()
+                bob.after(1.seconds)
+                for (n in 1..20) {
+                    bob.left().shows("n($n)")
+                    bob.shouldSend("saw($n)", within = 30.milliseconds)
                 }
             }
         }

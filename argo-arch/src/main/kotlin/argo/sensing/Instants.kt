@@ -1,0 +1,11 @@
+package argo.sensing
+
+/**
+ * The instants at which the boards of an agent that perceives several are asked: the multiples of the sensing interval, counted from the
+ * beginning of the clock. So boards of one interval are asked together.
+ */
+internal object Instants {
+    /** The first instant after [startNanos], with an interval of [intervalNanos]; 0: at once. */
+    fun after(startNanos: Long, intervalNanos: Long): Long =
+        if (intervalNanos == 0L) startNanos else (Math.floorDiv(startNanos, intervalNanos) + 1) * intervalNanos
+}
