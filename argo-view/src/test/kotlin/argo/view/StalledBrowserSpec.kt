@@ -63,6 +63,7 @@ internal object Nobody : ObservedAgent {
     override val name = "bob"
     override val policy = "fresh"
     override val intervalMs = 50
+    override val skewMs: Long? = null
     override val isPerceiving = false
     override val beliefs: BeliefBase = DefaultBeliefBase()
     override fun nanos() = System.nanoTime()
