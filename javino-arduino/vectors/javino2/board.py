@@ -6,6 +6,7 @@ from .percepts import MAX_SHAPES, Writer
 DONE, REFUSES, LATER = "done", "refused", "later"
 NO_REFLEX, REFLEX_DONE, REFLEX_REFUSED = 0, 1, 2
 PART_WITH_RULES = 12
+MAX_CRITICAL_PERCEPT = 253
 
 
 class Board:
@@ -133,7 +134,7 @@ class Board:
 
     def look(self):
         """The board looks at its sensors: rules that begin to be met have their reflexes carried out, and are sent."""
-        texts, sent = self.program.percepts(b""), []
+        texts, sent = [t for t in self.program.percepts(b"") if len(t) <= MAX_CRITICAL_PERCEPT], []
         for number in sorted(self.rules):
             rule = self.rules[number]
             text = next((t for t in texts if rules.met(rule, t)), None)

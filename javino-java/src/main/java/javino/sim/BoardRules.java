@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import javino.wire.BoardRule;
+import javino.wire.WireFrame;
 
 /** The critical rules that a board watches. One thread at a time. */
 final class BoardRules {
@@ -24,6 +25,8 @@ final class BoardRules {
             this.rule = rule;
         }
     }
+
+    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL holds the rule and the outcome besides
 
     private final int capacity;
     private final Map<Integer, Watched> rules = new TreeMap<>(); // by their numbers
@@ -62,12 +65,16 @@ final class BoardRules {
         return true;
     }
 
-    /** Compares what the sensors show now; the rules that begin to be met, in the order of their numbers. */
+    /**
+     * Compares what the sensors show now; a percept that CRITICAL has no room for meets no rule.
+     *
+     * @return the rules that begin to be met, in the order of their numbers
+     */
     List<Beginning> look(List<String> percepts) {
         List<Beginning> beginnings = new ArrayList<>();
         rules.forEach((number, watched) -> {
             String met = percepts.stream()
-                    .filter(text -> isMet(watched.rule, PerceptTerm.of(text)))
+                    .filter(text -> text.length() <= MAX_PERCEPT && isMet(watched.rule, PerceptTerm.of(text)))
                     .findFirst()
                     .orElse(null);
             if (met != null && !watched.isMet) {

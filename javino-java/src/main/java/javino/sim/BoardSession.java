@@ -53,7 +53,6 @@ public final class BoardSession {
     public static final int PART_WITH_RULES = 12;
 
     private static final int NUMBERS = 256;
-    private static final int MAX_CRITICAL_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // behind rule and outcome
 
     private final BoardProgram program;
     private final Capacity capacity;
@@ -259,10 +258,7 @@ public final class BoardSession {
     public void look(String percepts) throws PortException, InterruptedException {
         for (BoardRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
             ReflexOutcome outcome = carryOutReflex(beginning.rule().reflex());
-            boolean fits = beginning.percept().length() <= MAX_CRITICAL_PERCEPT; // else the next answer has it
-            send(
-                    FrameKind.CRITICAL,
-                    new CriticalReport(beginning.number(), outcome, fits ? beginning.percept() : "").payload());
+            send(FrameKind.CRITICAL, new CriticalReport(beginning.number(), outcome, beginning.percept()).payload());
         }
     }
 
