@@ -9,7 +9,7 @@ JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t siz
     : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), rules_(NULL), waiting_(false), busy_(false),
       mute_(false) {
   javino_board_init(&board_, memory, size, write, this);
-  board_.link.vocabulary = describe;
+  act.begin();
 }
 
 uint16_t JavinoBoard::receive() {
@@ -27,10 +27,6 @@ void JavinoBoard::write(void *board, uint8_t byte) {
     self->mute_ = self->stream_.write(byte) == 0;
   /* The port's receive buffer is short, and a write may have waited. */
   self->receive();
-}
-
-const char *JavinoBoard::describe(void *board, uint8_t number, uint8_t *arguments) {
-  return static_cast<JavinoBoard *>(board)->act.describe(number, arguments);
 }
 
 void JavinoBoard::supervise(JavinoBoard &board) {

@@ -186,7 +186,7 @@ public:
   bool addPercept(const __FlashStringHelper *text);
 
   /** Whether the request in hand asks for percepts of this functor; spares reading a sensor. */
-  bool wants(const char *functor) const { return javino_board_wants(&board_, functor, strlen(functor)); }
+  bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
 
   /** Sends the percepts as the answer. run() does so by itself after perceive()'s function. */
   void sendPercepts() { javino_board_answer(&board_); }
@@ -251,7 +251,6 @@ private:
   JavinoBoard &operator=(const JavinoBoard &);
 
   static void write(void *board, uint8_t byte);
-  static const char *describe(void *board, uint8_t number, uint8_t *arguments);
   static void supervise(JavinoBoard &board);
   static bool rules(JavinoBoard &board, bool action);
   static void look(void *board);

@@ -47,13 +47,14 @@ public:
     const String &name_;
   };
 
-  explicit JavinoActions(javino_board *memory) : memory_(memory), first_(NULL), reader_(NULL), count_(0), full_(false) {}
+  explicit JavinoActions(javino_board *board) : board_(board), reader_(NULL), full_(false) {}
+
 
   Place operator[](const char *name) { return Place(*this, name); }
   NamedPlace operator[](const String &name) { return NamedPlace(*this, name); }
 
   /** How many actions there are. */
-  uint8_t count() const { return count_; }
+  uint8_t count() const { return board_->link.action_count; }
 
   /**
    * Whether an action has been left out because the memory was full, of which JavinoSized has more, or because
@@ -70,10 +71,9 @@ private:
   typedef bool (*Caller)(const Action &action, const JavinoArguments &arguments);
 
   struct Action {
-    const char *name;
+    javino_action named;
     Function function;
     Caller caller; /* null where the function takes no arguments */
-    uint8_t arguments;
   };
 
   enum Outcome : uint8_t {
@@ -87,24 +87,26 @@ private:
 
   JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
-    reader_ = findByFunctor;
+    reader_ = callByFunctor;
     return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
 
-  static const Action *findByFunctor(const JavinoActions &actions, const char *text, uint8_t length);
+  /** Calls the action that was found by its whole text or, null, by its functor. */
+  static bool callByFunctor(const JavinoActions &actions, const Action *found, const char *text, uint8_t length);
 
   static bool callWithArguments(const Action &action, const JavinoArguments &arguments);
   static bool askWithArguments(const Action &action, const JavinoArguments &arguments);
 
-  /** The name of an action, numbered in the order in which they were added; null: there are fewer. */
-  const char *describe(uint8_t number, uint8_t *arguments) const;
+  /** Tells the link how far the actions are apart. */
+  void begin() { board_->link.action_size = sizeof(Action); }
 
-  javino_board *memory_;
-  Action *first_;
+  /** The newest action; behind it are the older ones. */
+  const Action *newest() const { return static_cast<const Action *>(board_->link.actions); }
+
+  javino_board *board_;
   /* Set with the first action that takes arguments, so that other sketches are spared the code. */
-  const Action *(*reader_)(const JavinoActions &actions, const char *text, uint8_t length);
-  uint8_t count_;
+  bool (*reader_)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length);
   bool full_;
 };
 

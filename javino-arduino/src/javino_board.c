@@ -6,19 +6,20 @@
 #include "javino_literal.h"
 
 #ifdef JAVINO_VERSION_1_ONLY
-#define IS_PLAIN(board) true
 #define IS_OPEN(board) false
+#define HEADER 0
 #else
-/* Text for a request of version 1 stands as it is, any other in items. */
-#define IS_PLAIN(board) ((board)->link.event == JAVINO_REQUEST && (board)->link.version == 1)
 /* Whether parts of an answer have gone out, but not the last. */
 #define IS_OPEN(board) ((board)->part != 0)
-/* Bytes of an answer in a frame; in version 2 besides the numbers of the request and the part. */
+#define HEADER JAVINO_ITEM_HEADER
+/* Bytes of an answer in a frame besides the numbers of the request and the part. */
 #define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
 #if JAVINO_TEXT_MAX > 255
 #define SPLITS /* percepts that are longer than the memory into pieces */
 #endif
 #endif
+
+#define NOT_SAME 0xFF /* a name begins otherwise than the functor */
 
 #ifndef JAVINO_VERSION_1_ONLY
 static JAVINO_NOINLINE bool rule(javino_board *b, uint8_t where)
@@ -27,40 +28,77 @@ static JAVINO_NOINLINE bool rule(javino_board *b, uint8_t where)
 }
 #endif
 
-/* Bytes of an answer that a frame holds. */
-static uint8_t frame_max(const javino_board *b)
+static uint16_t least(uint16_t a, uint16_t b)
 {
-#ifndef JAVINO_VERSION_1_ONLY
-    if (b->link.version == 2)
-        return PART_MAX;
+    return a < b ? a : b;
+}
+
+JAVINO_OUTLINE void javino_board_place(javino_board *board, uint16_t base)
+{
+    javino_board *b = board;
+    javino_decoder *d = &b->link.decoder;
+    uint8_t *place = d->bytes;
+    uint16_t room = b->memory - base;
+    /* In version 1 a message is one frame; while an answer is written, bytes arrive. */
+#if JAVINO_TEXT_MAX > 255
+    if (b->link.version == 1)
+        room = least(room, JAVINO_MAX_PAYLOAD + HEADER);
+    else if (b->link.event == JAVINO_REQUEST)
+        room = least(room, PART_MAX);
+    if (room < b->length)
+        return;
+#elif defined JAVINO_VERSION_1_ONLY
+    room = least(room, JAVINO_MAX_PAYLOAD);
+#else
+    room = least(room, b->link.event == JAVINO_REQUEST && b->link.version == 1 ? JAVINO_MAX_PAYLOAD : PART_MAX);
 #endif
-    (void)b;
-    return JAVINO_MAX_PAYLOAD;
+    b->room = (javino_room)room;
+    d->size = b->memory - room;
+    place += d->size;
+    if (b->length)
+        memmove(place, b->text, b->length);
+    b->text = (char *)place;
+}
+
+JAVINO_OUTLINE void javino_board_clear(javino_board *board)
+{
+    uint16_t base = board->memory - JAVINO_TEXT_MIN;
+    board->length = board->whole = 0;
+    board->overlong = false;
+#ifndef JAVINO_VERSION_1_ONLY
+    board->coded = 0;
+    board->answering = 0;
+#endif
+    javino_board_place(board, least(base, JAVINO_WINDOW));
 }
 
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context)
 {
     memset(board, 0, offsetof(javino_board, link));
     board->memory = size;
-    javino_link_init(&board->link, memory, size - JAVINO_TEXT_MIN, write, context);
-    return size >= JAVINO_MEMORY_MIN;
+    javino_link_init(&board->link, memory, 0, write, context);
+    if (size < JAVINO_MEMORY_MIN)
+        return false;
+    javino_board_clear(board);
+    return true;
 }
 
 void *javino_board_take(javino_board *board, uint16_t size)
 {
     javino_decoder *d = &board->link.decoder;
-    uint16_t used = d->end + (JAVINO_MEMORY_MIN - JAVINO_TEXT_MIN);
-    if (board->room || d->size < used || size > d->size - used)
+    uint16_t left = board->memory - d->end;
+    if (board->length || left < JAVINO_MEMORY_MIN + (uint32_t)size)
         return NULL;
-    d->size -= size;
     board->memory -= size;
+    javino_board_clear(board);
     return d->bytes + board->memory;
 }
 
-JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *functor, size_t length)
+bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length)
 {
     const char *p = board->link.text;
-    const char *end;
+    uint8_t left = board->link.length;
+    uint8_t same = NOT_SAME; /* bytes of a name that are those of the functor */
     bool all = true;
 #ifndef JAVINO_VERSION_1_ONLY
     if (board->link.event == JAVINO_WATCH)
@@ -68,55 +106,21 @@ JAVINO_OUTLINE bool javino_board_wants(const javino_board *board, const char *fu
 #endif
     if (board->link.event != JAVINO_REQUEST)
         return true;
-    end = p + board->link.length;
     /* Each name stands between a bracket or comma and another. */
-    for (; p < end; p++) {
-        const char *after = p + 1 + length;
-        if (*p != '(' && *p != ',')
-            continue;
-        if (after < end && (*after == ',' || *after == ')') && memcmp(p + 1, functor, length) == 0)
-            return true;
-        all = false;
+    for (; left; left--) {
+        char c = *p++;
+        if (c == '(' || c == ',' || c == ')') {
+            if (same == length)
+                return true;
+            same = 0;
+            all = false;
+        } else if (same < length && functor[same] == c) {
+            same++;
+        } else {
+            same = NOT_SAME;
+        }
     }
     return all;
-}
-
-JAVINO_OUTLINE void javino_board_clear(javino_board *board)
-{
-    board->room = board->length = board->whole = 0;
-    board->overlong = false;
-#ifndef JAVINO_VERSION_1_ONLY
-    board->row = 0;
-    board->answering = 0;
-#endif
-    board->link.decoder.size = board->memory - JAVINO_TEXT_MIN;
-}
-
-/* Lays the text where it has more room, if there is such a place, and keeps bytes received out of it. Besides a request
- * that is behind the bytes received. Otherwise the longest frame has to find room. */
-static JAVINO_OUTLINE void place_text(javino_board *b)
-{
-    javino_decoder *d = &b->link.decoder;
-    char *place = (char *)d->bytes;
-    uint16_t base = b->memory - JAVINO_TEXT_MIN;
-    uint16_t room;
-    if (base > JAVINO_WINDOW)
-        base = JAVINO_WINDOW;
-    if (b->link.event == JAVINO_REQUEST || base < d->end)
-        base = d->end;
-    room = b->memory - base;
-    /* In version 1 a message is one frame; while an answer is written, bytes arrive. */
-    if (room > JAVINO_MAX_PAYLOAD && (JAVINO_TEXT_MAX == 255 || b->link.event == JAVINO_REQUEST || b->link.version == 1))
-        room = JAVINO_MAX_PAYLOAD;
-    if (room <= b->room)
-        return;
-    base = b->memory - room;
-    b->room = (javino_room)room;
-    d->size = base;
-    place += base;
-    if (b->length)
-        memmove(place, b->text, b->length);
-    b->text = place;
 }
 
 /* ---- Sending ---- */
@@ -156,57 +160,79 @@ static void send_item(javino_board *b, bool last, uint8_t head, const char *text
     javino_encoder_finish(e, text, length);
 }
 
-static void begin_item(javino_board *b)
-{
-    b->text[b->length] = JAVINO_ITEM_CONTINUED;
-    b->length += JAVINO_ITEM_HEADER;
-}
-
 #endif
 
 JAVINO_OUTLINE void javino_board_send_text(javino_board *board, bool last, javino_room n)
 {
     javino_board *b = board;
-#ifdef JAVINO_VERSION_1_ONLY
-    (void)last;
-    javino_link_send(&b->link, b->text, (uint8_t)n);
-#else
-    b->row = 0;
-    if (b->link.version == 1) {
-        javino_link_send(&b->link, b->text, (uint8_t)n);
-    } else {
+#ifndef JAVINO_VERSION_1_ONLY
+    if (b->link.version == 2)
         begin_part(b, last, (uint8_t)n);
-        javino_encoder_finish(&b->link.encoder, b->text, (uint8_t)n);
-    }
+    else
 #endif
+        javino_encoder_begin(&b->link.encoder, (uint8_t)n);
+    (void)last;
+    b->link.answered = true;
+    javino_encoder_finish(&b->link.encoder, b->text, (uint8_t)n);
     b->length -= n;
     b->whole -= n;
-    if (b->length)
-        memmove(b->text, b->text + n, b->length);
+    memmove(b->text, b->text + n, b->length);
+#ifndef JAVINO_VERSION_1_ONLY
+    b->coded = b->whole;
+#endif
 }
 
-/* Sends as much as one frame holds ahead of the rest: in version 1 whole percepts. */
-static JAVINO_OUTLINE bool send_ahead(javino_board *b)
+/* Codes what is not coded yet. What is not whole stays behind it. */
+static JAVINO_NOINLINE void code(javino_board *b)
+{
+#ifdef JAVINO_VERSION_1_ONLY
+    (void)b;
+#else
+    javino_items_code(b);
+#endif
+}
+
+static void put(javino_board *b, char c);
+
+#ifndef JAVINO_VERSION_1_ONLY
+static void begin_item(javino_board *b)
+{
+    put(b, (char)JAVINO_ITEM_NEW);
+    put(b, 0); /* its length */
+}
+#endif
+
+/* Sends what is whole ahead of the rest, as much as a frame holds, or a piece of a percept that is longer than the memory. */
+static void send_ahead(javino_board *b)
 {
     javino_room n = b->whole;
 #ifdef SPLITS
-    bool splits = !n && !IS_PLAIN(b);
-    if (splits) {
+    if (n == 0 && b->link.version == 2) {
         b->split = true;
+        b->text[0] = JAVINO_ITEM_CONTINUED;
         b->text[1] = (char)(b->length - JAVINO_ITEM_HEADER);
-        n = b->whole = b->length;
-    }
-#endif
-    if (n == 0)
-        return false;
-    if (n > frame_max(b))
-        n = frame_max(b);
-    javino_board_send_text(b, false, n);
-#ifdef SPLITS
-    if (splits)
+        b->whole = b->length;
+        javino_board_send_text(b, false, b->whole);
         begin_item(b);
+        return;
+    }
+    if (n > PART_MAX && b->link.version == 2)
+        n = PART_MAX;
 #endif
-    return true;
+    if (n)
+        javino_board_send_text(b, false, n);
+}
+
+/* Makes room for one byte more of an answer, where need be by sending what there is ahead of the rest. */
+static void make_room(javino_board *b)
+{
+    if (b->link.event == JAVINO_REQUEST) {
+        code(b);
+        if (b->length == b->room)
+            send_ahead(b);
+    }
+    if (b->length == b->room)
+        b->overlong = true;
 }
 
 /* ---- Percepts ---- */
@@ -214,31 +240,27 @@ static JAVINO_OUTLINE bool send_ahead(javino_board *b)
 bool javino_percept_begin(javino_board *board, const char *functor)
 {
     const char *name = *functor == '~' ? functor + 1 : functor; /* A negation is not part of it. */
-    if (!javino_board_wants(board, name, strlen(name)))
+    if (!javino_board_wants(board, name, (uint8_t)strlen(name)))
         return false;
     javino_percept_text(board, functor);
     return true;
 }
 
-/* Whether there is room for so many bytes more. */
-static JAVINO_OUTLINE bool has_room(javino_board *b, uint8_t bytes)
+static JAVINO_NOINLINE void put(javino_board *b, char c)
 {
-    if (b->room - b->length < bytes)
-        place_text(b);
-    if (b->room - b->length < bytes && (b->link.event != JAVINO_REQUEST || !send_ahead(b)))
-        b->overlong = true;
-    return !b->overlong;
+    if (b->length == b->room)
+        make_room(b);
+    if (!b->overlong)
+        b->text[b->length++] = c;
 }
 
-JAVINO_OUTLINE void javino_percept_put(javino_board *board, char c)
+JAVINO_NOINLINE void javino_percept_put(javino_board *board, char c)
 {
-    javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (b->length == b->whole && !IS_PLAIN(b) && has_room(b, JAVINO_ITEM_HEADER))
-        begin_item(b);
+    if (board->length == board->whole)
+        begin_item(board);
 #endif
-    if (has_room(b, 1))
-        b->text[b->length++] = c;
+    put(board, c);
 }
 
 void javino_percept_text(javino_board *board, const char *text)
@@ -287,90 +309,52 @@ void javino_percept_term(javino_board *board, const char *text)
     javino_percept_put(board, '"');
 }
 
-#ifndef JAVINO_VERSION_1_ONLY
-
-/* Ends the item that is being written. What nobody has asked for is coded when it is sent: a session may begin until then. */
-static JAVINO_OUTLINE void end_item(javino_board *b)
-{
-    javino_room length = b->length - b->whole - JAVINO_ITEM_HEADER;
-    if (b->overlong || IS_PLAIN(b))
-        return;
-    if (b->link.event == JAVINO_REQUEST) {
-        javino_item_end(b);
-        return;
-    }
-#if JAVINO_TEXT_MAX > 255
-    b->overlong = length > JAVINO_MAX_PAYLOAD;
-#endif
-    b->text[b->whole] = JAVINO_ITEM_TEXT;
-    b->text[b->whole + 1] = (char)length;
-}
-
-/* Makes of the percepts that have waited what the version is that they are sent in. */
-static JAVINO_OUTLINE void code_waiting(javino_board *b)
-{
-    char *from = b->text;
-    char *end;
-    b->length = b->whole;
-    if (!b->length)
-        return;
-    end = from + b->whole;
-    b->whole = 0;
-    while (from < end) {
-        uint8_t n = (uint8_t)from[1];
-        bool plain = b->link.version == 1;
-        if (plain)
-            from += JAVINO_ITEM_HEADER;
-        else
-            n += JAVINO_ITEM_HEADER;
-        memmove(b->text + b->whole, from, n);
-        from += n;
-        b->length = b->whole + n;
-        if (!plain)
-            javino_item_end(b);
-        b->whole = b->length;
-    }
-}
-
-#endif
-
 bool javino_percept_end(javino_board *board)
 {
+    javino_board *b = board;
+    javino_room length;
     bool fits;
-    javino_percept_put(board, ';');
-#ifndef JAVINO_VERSION_1_ONLY
-    end_item(board);
-    if (board->link.event == JAVINO_WATCH) {
-        if (!board->overlong)
-            rule(board, JAVINO_RULES_PERCEPT);
-        board->length = board->whole;
-    }
-#endif
-    fits = !board->overlong;
-    if (!fits)
-        board->length = board->whole;
+    javino_percept_put(b, ';');
+    length = b->length - b->whole - HEADER;
 #ifdef SPLITS
-    board->split = false;
+    if (length > JAVINO_MAX_PAYLOAD)
+        b->overlong = true;
+    if (b->split)
+        b->text[b->whole] = JAVINO_ITEM_TEXT;
+    b->split = false;
 #endif
-    board->overlong = false;
-    board->whole = board->length;
+    fits = !b->overlong;
+    b->overlong = false;
+    if (fits) {
+#ifdef JAVINO_VERSION_1_ONLY
+        (void)length;
+#else
+        b->text[b->whole + 1] = (char)length;
+        if (b->link.event == JAVINO_WATCH)
+            rule(b, JAVINO_RULES_PERCEPT);
+        else
+#endif
+            b->whole = b->length;
+    }
+    b->length = b->whole;
     return fits;
 }
 
 /* ---- Answers ---- */
 
-JAVINO_OUTLINE void javino_board_answer(javino_board *board)
+void javino_board_answer(javino_board *board)
 {
     javino_board *b = board;
-#ifndef JAVINO_VERSION_1_ONLY
     b->length = b->whole;
+    code(b);
+#ifndef JAVINO_VERSION_1_ONLY
     if (rule(b, JAVINO_RULES_ANSWER))
         return;
-    if (b->link.event != JAVINO_REQUEST)
-        code_waiting(b);
 #endif
-    while (b->length > frame_max(b))
-        send_ahead(b);
+#if JAVINO_TEXT_MAX > 255
+    while (b->length > PART_MAX && b->link.version == 2)
+        javino_board_send_text(b, false, PART_MAX);
+#endif
     if (b->length || IS_OPEN(b) || !b->link.answered)
         javino_board_send_text(b, true, b->length);
     javino_board_clear(b);
@@ -385,21 +369,25 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
     {
         if (IS_OPEN(b))
             javino_board_answer(b);
-        if (b->link.event == JAVINO_REQUEST)
+        if (b->link.event == JAVINO_REQUEST) {
+            b->link.event = JAVINO_NOTHING;
             javino_board_clear(b);
+        }
     }
     javino_link_poll(&b->link, now_ms);
-#ifndef JAVINO_VERSION_1_ONLY
-    if (b->link.event == JAVINO_REQUEST) {
-        rule(b, JAVINO_RULES_ALL);
-        code_waiting(b);
-    }
-#endif
 #if JAVINO_TEXT_MAX > 255
     /* What has waited for version 2 may be too long for version 1. */
-    if (b->link.version == 1 && b->room > JAVINO_MAX_PAYLOAD)
+    if (b->length == 0 || (b->link.version == 1 && b->room > JAVINO_MAX_PAYLOAD + HEADER))
         javino_board_clear(b);
 #endif
+    if (b->link.event == JAVINO_REQUEST) {
+#ifndef JAVINO_VERSION_1_ONLY
+        rule(b, JAVINO_RULES_ALL);
+#endif
+        b->length = b->whole;
+        javino_board_place(b, b->link.decoder.end);
+        code(b);
+    }
     return b->link.event;
 }
 

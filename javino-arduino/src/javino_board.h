@@ -2,11 +2,11 @@
  * @file
  * A board: a link, and the percepts that it answers with when it is asked for them.
  *
- * An answer is text: percepts with a `;` after each. It is built in the memory that the link receives
- * into, behind what has been received. For a request of version 2 each percept is coded as soon as it is whole: one whose
- * text the computer knows but for the digits takes half a byte for each digit. What does not fit goes out ahead, in version 2
- * as a part of the answer, in version 1 as messages of whole percepts. Percepts that nobody has asked for wait in all memory but
- * JAVINO_WINDOW bytes, so that the longest frame still arrives; in version 1 they are one message of 255 bytes at most.
+ * An answer is text: percepts with a `;` after each. It is built in the memory that the link receives into, behind what has been
+ * received, and coded in place when it is sent, or before that where there is no more room. In version 2 a percept whose text the
+ * computer knows but for the digits takes half a byte for each digit. What does not fit then goes out ahead, in version 2 as a part of the
+ * answer, in version 1 as messages of whole percepts. Percepts that nobody has asked for wait in all memory but JAVINO_WINDOW bytes, so
+ * that the longest frame still arrives; in version 1 they are one message of 255 bytes at most.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -53,6 +53,12 @@ typedef uint8_t javino_room;
 #endif
 #endif
 
+/** A text without its digits: its CRC, and the sum of the CRCs of all its beginnings. */
+typedef struct {
+    uint16_t crc;
+    uint16_t sum;
+} javino_shape;
+
 struct javino_board;
 struct javino_rules;
 
@@ -68,23 +74,22 @@ enum {
 typedef struct javino_board {
     char *text;
     uint16_t memory; /* bytes */
-    javino_room room;   /* bytes for text; 0: none has been begun */
+    javino_room room;   /* bytes for text */
     javino_room length; /* bytes of text */
     javino_room whole;  /* bytes of whole percepts in it */
     bool overlong;   /* the percept that is being written does not fit */
 #ifndef JAVINO_VERSION_1_ONLY
     bool split;         /* of the percept that is being written a piece has been ended */
-    bool half;          /* the last byte of the row has room for a digit */
-    javino_room row;    /* where the row of digits at its end counts its percepts; 0: there is none */
+    javino_room coded;  /* bytes of items that are as they are sent */
     uint8_t part;       /* parts that have gone out; 0: no answer has been begun */
     uint8_t answering;  /* the request whose answer goes out part by part; 0: none */
     bool (*rule)(struct javino_board *board, uint8_t where); /* NULL: it holds no rules */
-    bool (*watches)(const struct javino_board *board, const char *functor, size_t length);
+    bool (*watches)(const struct javino_board *board, const char *functor, uint8_t length);
     struct javino_rules *rules;
 #endif
     javino_link link;
 #ifndef JAVINO_VERSION_1_ONLY
-    uint32_t shapes[JAVINO_SHAPES]; /* checksums; as many as the link says */
+    javino_shape shapes[JAVINO_SHAPES]; /* as many as the link says */
 #endif
 } javino_board;
 
@@ -114,7 +119,7 @@ void *javino_board_take(javino_board *board, uint16_t size);
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
 /** @return whether the request in hand asks for percepts of this functor. Without a request: true. */
-bool javino_board_wants(const javino_board *board, const char *functor, size_t length);
+bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length);
 
 /**
  * Begins a percept with its functor, which must be an atom, a ~ before it where it is negated.
@@ -148,6 +153,9 @@ void javino_board_answer(javino_board *board);
 
 /** For javino_rules.c: sends so many bytes of the text, as the end of an answer or ahead of the rest of it. */
 void javino_board_send_text(javino_board *board, bool last, javino_room n);
+
+/** For javino_rules.c: lays the text at the end of the memory, behind this many bytes at least for what arrives. */
+void javino_board_place(javino_board *board, uint16_t base);
 
 /** Forgets the percepts written so far. */
 void javino_board_clear(javino_board *board);

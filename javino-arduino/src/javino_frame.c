@@ -2,17 +2,15 @@
 
 #include <string.h>
 
-#define HEADER 6 /* bytes of preamble and size in version 1 */
+#define PREAMBLE_LENGTH 4
+#define HEADER JAVINO_PAYLOAD_AT_1
 #define NO_DIGIT 16
 
-#define START 0xA5
+static const char PREAMBLE[] = "fffe";
+
+#define START JAVINO_START
 #define ESCAPE 0xA4
 #define ESCAPED 0xA0 /* what differs between a byte and the one behind an escape that stands for it */
-/* Where they stand in a frame of version 2 without escapes. */
-#define LENGTH_AT 1
-#define KIND_AT 2
-#define NUMBER_AT 3
-#define PAYLOAD_AT 4
 
 #ifdef JAVINO_VERSION_1_ONLY
 #define IS_FRAME_2(bytes) false
@@ -24,10 +22,11 @@
 
 static uint8_t digit_value(uint8_t c)
 {
-    if (c >= '0' && c <= '9')
-        return (uint8_t)(c - '0');
-    c |= 0x20;
-    return c >= 'a' && c <= 'f' ? (uint8_t)(c - ('a' - 10)) : NO_DIGIT;
+    c = (uint8_t)(c - '0');
+    if (c < 10)
+        return c;
+    c = (uint8_t)((c | 0x20) - ('a' - '0')); /* of either case */
+    return c < 6 ? c + 10 : NO_DIGIT;
 }
 
 JAVINO_OUTLINE uint16_t javino_crc16(uint16_t crc, uint8_t byte)
@@ -66,9 +65,11 @@ JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms
     uint16_t silence;
     if (d->end >= d->size)
         d->last_ms = now_ms;
-    silence = elapsed(now_ms, d->last_ms);
-    if (d->end == d->held && silence > d->timeout_ms / 4)
+    d->silence = silence = elapsed(now_ms, d->last_ms);
+#ifndef JAVINO_VERSION_1_ONLY
+    if (d->end == d->taken && silence > d->timeout_ms / 4)
         d->quiet = true;
+#endif
     if (!d->gap && silence > d->timeout_ms)
         d->gap = d->end;
 }
@@ -84,10 +85,10 @@ JAVINO_OUTLINE void javino_decoder_put(javino_decoder *decoder, uint8_t byte, ui
     decoder->last_ms = now_ms;
 }
 
-void javino_decoder_session(javino_decoder *decoder)
+void javino_decoder_session(javino_decoder *decoder, uint8_t nonce)
 {
-    decoder->session = true;
-    decoder->quiet = false;
+    decoder->session = nonce;
+    decoder->quiet = !nonce;
 }
 
 #ifndef JAVINO_VERSION_1_ONLY
@@ -95,185 +96,171 @@ void javino_decoder_session(javino_decoder *decoder)
 /* Of a computer's frame. */
 static bool is_kind(uint8_t kind)
 {
-    return kind == JAVINO_HELLO || kind == JAVINO_ASK || kind == JAVINO_DESCRIBE || (kind & 0xFE) == JAVINO_COMMANDS;
+    switch (kind) {
+    case JAVINO_HELLO:
+    case JAVINO_ASK:
+    case JAVINO_DESCRIBE:
+    case JAVINO_COMMANDS:
+    case JAVINO_RESUME: return true;
+    default: return false;
+    }
 }
 
-static bool is_intact(const uint8_t *frame, uint16_t length)
+static bool is_intact(const uint8_t *frame, const uint8_t *end)
 {
     uint16_t crc = JAVINO_CRC_START;
-    while (--length)
-        crc = javino_crc16(crc, *++frame);
+    while (++frame < end)
+        crc = javino_crc16(crc, *frame);
     return crc == 0; /* Over a checksum, too, it is none. */
 }
 
 /**
- * Reads on in the frame of version 2 at the front, as far as the bytes go, and takes the escapes out of them.
+ * Reads on in the frame of version 2 at p, as far as the bytes go, and takes the escapes out of them.
  *
- * FOLLOWS_HEADER: it is whole; FOLLOWS_OTHER: it is damaged, and ends with or in front of the byte that shows it. In either
- * case position is the bytes that it takes.
+ * FOLLOWS_HEADER: it is whole; FOLLOWS_OTHER: it is damaged, and ends with or in front of the byte that shows it.
  */
-static javino_follows read_frame2(javino_decoder *d, uint8_t *p, uint16_t stop)
+static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *end)
 {
-    const uint8_t *end = p + stop;
-    const uint8_t *in = p + d->position;
-    uint8_t *out = p + d->position;
-    bool intact = false;
+    uint8_t *out = p + d->taken;
+    const uint8_t *in = out;
+    javino_follows read = JAVINO_FOLLOWS_UNKNOWN;
     while (in < end) {
-        uint8_t c = *in;
         uint16_t place = (uint16_t)(out - p);
+        bool escaped = *in == ESCAPE;
+        uint8_t c;
+        if (escaped && in + 1 == end)
+            break;
+        c = in[escaped];
+        read = JAVINO_FOLLOWS_OTHER;
         if (c == START && place)
-            goto ended;
-        if (c == ESCAPE) {
-            if (in + 1 == end)
+            break;
+        in += escaped + 1;
+        if (escaped) {
+            c ^= ESCAPED;
+            if ((c & 0xFE) != ESCAPE)
                 break;
-            if (*++in == START)
-                goto ended;
-            c = *in ^ ESCAPED;
-            in++;
-            if (c != START && c != ESCAPE)
-                goto ended;
-        } else {
-            in++;
         }
         *out++ = c;
-        if (place == LENGTH_AT) {
+        if (place == JAVINO_LENGTH_AT) {
             if (c >= d->size - JAVINO_OVERHEAD)
-                goto ended;
-            d->length = c;
-        } else if (place == KIND_AT) {
+                break;
+        } else if (place == JAVINO_KIND_AT) {
             if (!is_kind(c))
-                goto ended;
-        } else if (place == (uint16_t)(d->length + JAVINO_OVERHEAD - 1) && place > KIND_AT) {
-            intact = is_intact(p, place + 1);
-            goto ended;
+                break;
+        } else if (place && place == (uint16_t)(p[JAVINO_LENGTH_AT] + JAVINO_OVERHEAD - 1)) {
+            if (is_intact(p, out))
+                read = JAVINO_FOLLOWS_HEADER;
+            break;
         }
+        read = JAVINO_FOLLOWS_UNKNOWN;
     }
-    if (!d->gap) {
-        memmove(out, in, (size_t)(p + d->end - in));
-        d->end -= (uint16_t)(in - out);
-        d->position = (uint16_t)(out - p);
-        return JAVINO_FOLLOWS_UNKNOWN;
+    d->taken = (uint16_t)(out - p);
+    memmove(out, in, (size_t)(p + d->end - in));
+    d->end -= (uint16_t)(in - out);
+    if (d->gap) {
+        d->gap -= (uint16_t)(in - out);
+        if (read == JAVINO_FOLLOWS_UNKNOWN)
+            read = JAVINO_FOLLOWS_OTHER;
     }
-    in = end;
-ended:
-    d->position = (uint16_t)(in - p);
-    return intact ? JAVINO_FOLLOWS_HEADER : JAVINO_FOLLOWS_OTHER;
+    return read;
 }
 #endif
 
-/* Reads the next byte of a frame of version 1; false if it cannot stand there. */
-static bool read_byte(javino_decoder *d, uint8_t c)
-{
-    uint16_t position = d->position;
-    uint8_t wanted = position < 3 ? 'f' : 'e';
-    uint8_t value;
-    if (position >= HEADER)
-        return true;
-    if (position < 4)
-        return c == wanted;
-    value = digit_value(c);
-    d->length = (uint8_t)(d->length << 4) | value;
-    return value != NO_DIGIT;
-}
-
-/* Reads on as far as the bytes go. FOLLOWS_HEADER: a whole frame or, behind a frame that is held, a header or
- * silence; FOLLOWS_OTHER: the bytes make no frame; FOLLOWS_UNKNOWN: there are no more yet. */
-static JAVINO_OUTLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
+/* Reads on as far as the bytes go. FOLLOWS_HEADER: a whole frame or, behind a frame that is held, a header or silence;
+ * FOLLOWS_OTHER: the bytes taken make no frame; FOLLOWS_UNKNOWN: there are no more yet. */
+static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
 {
     uint16_t stop = d->gap ? d->gap : d->end;
-    uint16_t held = d->held;
+    const uint8_t *end = p + stop;
+    const uint8_t *next = p;
+    uint8_t length = 0;
+    uint8_t i;
+    if (d->held) {
+        if (IS_FRAME_2(p))
+            return JAVINO_FOLLOWS_HEADER;
+        next += d->taken;
+    }
+    if (next == end)
+        return d->gap ? JAVINO_FOLLOWS_HEADER : JAVINO_FOLLOWS_UNKNOWN;
 #ifndef JAVINO_VERSION_1_ONLY
-    if ((stop && *p == START) || (!d->position && held < stop && p[held] == START))
-        return held ? JAVINO_FOLLOWS_HEADER : read_frame2(d, p, stop);
-    if (!d->quiet && !held && stop)
+    if (IS_FRAME_2(next))
+        return d->held ? JAVINO_FOLLOWS_HEADER : read_frame2(d, p, end);
+    if (!d->quiet && !d->held)
         return JAVINO_FOLLOWS_OTHER;
 #endif
-    for (;;) {
-        uint16_t next = held + d->position;
-        if (d->position >= HEADER) {
-            uint16_t whole = HEADER + d->length;
-            if (held || d->position == whole)
-                return JAVINO_FOLLOWS_HEADER;
-            if (whole > d->size - HEADER || (d->gap && whole > stop))
-                return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with what follows it. */
+    for (i = 0; i < HEADER; i++) {
+        uint8_t c;
+        if (next == end)
+            goto cut;
+        c = *next++;
+        if (i < PREAMBLE_LENGTH) {
+            if (c != (uint8_t)PREAMBLE[i])
+                return JAVINO_FOLLOWS_OTHER;
+        } else {
+            c = digit_value(c);
+            if (c == NO_DIGIT)
+                return JAVINO_FOLLOWS_OTHER;
+            length = (uint8_t)(length << 4) | c;
         }
-        if (d->work == 0)
-            return JAVINO_FOLLOWS_UNKNOWN;
-        d->work--;
-        if (next == stop)
-            return !d->gap ? JAVINO_FOLLOWS_UNKNOWN : d->position ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_HEADER;
-        if (!read_byte(d, p[next]))
-            return JAVINO_FOLLOWS_OTHER;
-        d->position++;
     }
+    if (!d->held) {
+        uint16_t whole = HEADER + length;
+        if (whole > d->size - HEADER)
+            return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with what follows it. */
+        if (whole > stop)
+            goto cut;
+        d->taken = whole;
+    }
+    return JAVINO_FOLLOWS_HEADER;
+cut:
+    return d->gap ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_UNKNOWN;
 }
 
-/* Drops bytes from the front, which are then of no frame. */
-static JAVINO_OUTLINE void drop(javino_decoder *d, uint16_t count)
-{
-    d->held = 0;
-    d->end -= count;
-    if (d->gap) {
-        d->gap -= count;
-        if (!d->gap)
-            d->quiet = true;
-    }
-    if (!d->quiet)
-        d->position = 0;
-}
-
-bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame *frame)
+const uint8_t *javino_decoder_next(javino_decoder *decoder, uint16_t now_ms)
 {
     javino_decoder *d = decoder;
     uint8_t *p = d->bytes;
     javino_follows read;
     javino_decoder_idle(d, now_ms);
-    d->work = JAVINO_WORK;
-    while ((read = read_on(d, p)) != JAVINO_FOLLOWS_UNKNOWN) {
-        uint16_t step = d->held;
-        if (read == JAVINO_FOLLOWS_OTHER) {
-            step = IS_FRAME_2(p) ? d->position : 1;
-            d->position = 0;
-            if (d->session)
-                d->quiet = false;
-        } else if (!step) {
-            break;
-        }
-        drop(d, step);
-        p += step;
-    }
-    if (p != d->bytes)
-        memmove(d->bytes, p, d->end);
-    if (read == JAVINO_FOLLOWS_UNKNOWN)
-        return false;
-    p = d->bytes;
-    d->held = d->position;
-    d->position = 0;
-    frame->payload = p + HEADER;
-    frame->length = d->length;
-    frame->version = 1;
+    while ((read = read_on(d, p)) == JAVINO_FOLLOWS_OTHER || (read && d->held)) {
+        uint16_t step = read == JAVINO_FOLLOWS_HEADER || IS_FRAME_2(p) ? d->taken : 1;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (IS_FRAME_2(p)) {
-        frame->payload = p + PAYLOAD_AT;
-        frame->version = 2;
-        frame->kind = p[KIND_AT];
-        frame->number = p[NUMBER_AT];
+        if (read == JAVINO_FOLLOWS_OTHER && d->session)
+            d->quiet = false;
+#endif
+        d->held = false;
+        d->taken = 0;
+        p += step;
+        d->end -= step;
+        if (d->gap) {
+            d->gap -= step;
+#ifndef JAVINO_VERSION_1_ONLY
+            if (!d->gap)
+                d->quiet = true;
+#endif
+        }
     }
+    memmove(d->bytes, p, d->end);
+    if (read == JAVINO_FOLLOWS_UNKNOWN)
+        return NULL;
+    d->held = true;
+#ifndef JAVINO_VERSION_1_ONLY
     if (d->session)
         d->quiet = false;
 #endif
-    return true;
+    return d->bytes;
 }
 
 javino_follows javino_decoder_follows(javino_decoder *decoder, uint16_t now_ms)
 {
+    javino_decoder *d = decoder;
     javino_follows read;
-    if (!decoder->held)
+    if (!d->held)
         return JAVINO_FOLLOWS_UNKNOWN;
-    decoder->work = JAVINO_WORK;
-    read = read_on(decoder, decoder->bytes);
-    if (read == JAVINO_FOLLOWS_UNKNOWN && elapsed(now_ms, decoder->last_ms) > decoder->timeout_ms / 16)
-        return decoder->position ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_HEADER;
+    javino_decoder_idle(d, now_ms);
+    read = read_on(d, d->bytes);
+    if (read == JAVINO_FOLLOWS_UNKNOWN && d->silence > d->timeout_ms / 16)
+        return d->end > d->taken ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_HEADER;
     return read;
 }
 
@@ -284,7 +271,7 @@ static void put_plain(javino_encoder *e, uint8_t byte)
     e->write(e->context, byte);
 }
 
-static void put_digit(javino_encoder *e, uint8_t digit)
+static JAVINO_NOINLINE void put_digit(javino_encoder *e, uint8_t digit)
 {
     put_plain(e, (uint8_t)(digit + (digit < 10 ? '0' : 'A' - 10)));
 }
@@ -292,7 +279,7 @@ static void put_digit(javino_encoder *e, uint8_t digit)
 void javino_encoder_begin(javino_encoder *encoder, uint8_t length)
 {
     encoder->version2 = false;
-    javino_encoder_finish(encoder, "fffe", 4);
+    javino_encoder_finish(encoder, PREAMBLE, PREAMBLE_LENGTH);
     put_digit(encoder, length >> 4);
     put_digit(encoder, length & 0x0F);
 }

@@ -73,14 +73,11 @@ uint16_t javino_crc16(uint16_t crc, uint8_t byte);
 
 /* ---- Decoder ---- */
 
-/** A frame that was received. */
-typedef struct {
-    const uint8_t *payload; /**< Not terminated. Stays in place until the next call of javino_decoder_next. */
-    uint8_t length;         /**< Bytes of payload. */
-    uint8_t version;        /**< 1 or 2. */
-    uint8_t kind;           /**< Version 2: JAVINO_HELLO and so on. */
-    uint8_t number;         /**< Version 2: the byte SS. */
-} javino_frame;
+/** Begins a frame of version 2. One of version 1 begins with `f`. */
+#define JAVINO_START 0xA5
+
+/** Where the parts of a frame are that was received: of version 2, without escapes, and the payload of version 1. */
+enum { JAVINO_LENGTH_AT = 1, JAVINO_KIND_AT = 2, JAVINO_NUMBER_AT = 3, JAVINO_PAYLOAD_AT = 4, JAVINO_PAYLOAD_AT_1 = 6 };
 
 /** What stands after a frame of version 1. */
 enum {
@@ -96,14 +93,13 @@ typedef struct {
     uint16_t size;
     uint16_t end;      /* bytes there are */
     uint16_t gap;      /* where a silence lies between them; 0: nowhere */
-    uint16_t held;     /* bytes of the frame at the front that has been handed out; 0: none has */
-    uint16_t position; /* bytes read of the frame that begins behind that; in version 2 they are without escapes */
-    uint16_t work;     /* bytes that may still be read */
+    uint16_t taken;    /* bytes of the frame at the front: all of them, or in version 2 those that stand without escapes already */
     uint16_t timeout_ms;
     uint16_t last_ms;
-    uint8_t length; /* of that frame's payload */
+    uint16_t silence; /* ms at the end of the bytes, as far as is known */
+    bool held; /* the frame at the front has been handed out */
     bool quiet;     /* a frame of version 1 may begin here */
-    bool session;   /* version 2 is spoken: such a frame begins behind a silence only */
+    uint8_t session; /* its nonce; 0: there is none, and such a frame may begin anywhere */
 } javino_decoder;
 
 /**
@@ -139,11 +135,10 @@ void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms);
 /**
  * Begins a session of version 2: from now on a frame of version 1 counts only if it begins behind a silence of a quarter of
  * the timeout, and is not read twice.
+ *
+ * @param nonce  the session's; 0 ends it
  */
-void javino_decoder_session(javino_decoder *decoder);
-
-/** Bytes of version 1 that one call of javino_decoder_next or javino_link_poll reads at most, those read again included. */
-#define JAVINO_WORK 1024
+void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
 
 /**
  * Looks for the next frame. Ends the use of the frame before.
@@ -156,11 +151,10 @@ void javino_decoder_session(javino_decoder *decoder);
  *
  * @param now_ms  when the receive buffer was last looked into. Unless javino_decoder_ready returns false, nothing
  *                has come since the last byte handed in.
- * @param frame   filled in when there is one
- * @return whether there is one; if so, ask again before the next byte. If not, there is none yet, or reading again
- *         has taken JAVINO_WORK bytes and goes on with the next call.
+ * @return the frame, JAVINO_OVERHEAD bytes and its payload, of version 2 without escapes; if there is one, ask again before the
+ *         next byte. NULL: there is none yet
  */
-bool javino_decoder_next(javino_decoder *decoder, uint16_t now_ms, javino_frame *frame);
+const uint8_t *javino_decoder_next(javino_decoder *decoder, uint16_t now_ms);
 
 /**
  * Whether the version 1 frame in hand can still turn out to be the beginning of a longer one whose size was damaged.

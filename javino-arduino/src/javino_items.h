@@ -1,6 +1,6 @@
 /**
  * @file
- * Codes the percepts of an answer of version 2 in place, for javino_board.c.
+ * Codes the percepts of an answer in place, for javino_board.c.
  */
 #ifndef JAVINO_ITEMS_H
 #define JAVINO_ITEMS_H
@@ -15,14 +15,15 @@ extern "C" {
 enum {
     JAVINO_ITEM_CONTINUED = 0x7E, /**< The beginning of a text. */
     JAVINO_ITEM_TEXT = 0x7F,      /**< A text without an id. */
-    JAVINO_ITEM_DIGITS = 0x80     /**< An id is added: of it and those that follow only the digits. */
+    JAVINO_ITEM_DIGITS = 0x80,    /**< An id is added: of it and those that follow only the digits. */
+    JAVINO_ITEM_NEW = 0xFF        /**< Never sent: a text that is not coded yet. */
 };
 
 /** Bytes in front of an item's text. */
 #define JAVINO_ITEM_HEADER 2
 
-/** Codes the percept behind the whole ones, of which the text begins behind room for a header. */
-void javino_item_end(javino_board *board);
+/** Makes of the percepts that are not coded yet what the version of the answer is. Drops one that is not whole. */
+void javino_items_code(javino_board *board);
 
 #ifdef __cplusplus
 }

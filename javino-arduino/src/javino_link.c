@@ -7,6 +7,9 @@
 /* Frames that one poll deals with by itself, so that a flood of them cannot keep the program. */
 #define FRAMES_PER_POLL 8
 
+/* Behind a payload. */
+#define CRC_LENGTH 2
+
 /* What begins an item of a row of commands. */
 #define LONG_TEXT 0x00
 #define BY_NUMBER 0x80
@@ -64,7 +67,7 @@ static void put(javino_link *l, uint8_t byte)
     javino_encoder_put(&l->encoder, byte);
 }
 
-static JAVINO_NOINLINE void send(javino_link *l, uint8_t kind, const uint8_t *payload, uint8_t length)
+static void send(javino_link *l, uint8_t kind, const uint8_t *payload, uint8_t length)
 {
     javino_link_begin(l, kind, length);
     javino_encoder_finish(&l->encoder, (const char *)payload, length);
@@ -76,59 +79,52 @@ static void acknowledge(javino_link *l)
 }
 
 /* Ends the command that is due. */
-static JAVINO_OUTLINE void settle(javino_link *l, bool done)
+static void settle(javino_link *l, bool done)
 {
     l->due++;
     l->flags = done ? 0 : JAVINO_REFUSED;
 }
 
-static uint8_t longest_payload(const javino_link *l)
-{
-    uint16_t room = l->decoder.size - JAVINO_OVERHEAD - 1;
-    return room < JAVINO_MAX_PAYLOAD ? (uint8_t)room : JAVINO_MAX_PAYLOAD;
-}
-
 static JAVINO_NOINLINE void welcome(javino_link *l)
 {
-    uint8_t payload[] = {l->session, JAVINO_CREDIT, longest_payload(l), l->rules_max};
-    send(l, JAVINO_WELCOME, payload, sizeof payload);
+    uint16_t room = l->decoder.size - JAVINO_OVERHEAD - 1;
+    l->credit = JAVINO_CREDIT;
+    l->longest = room < JAVINO_MAX_PAYLOAD ? (uint8_t)room : JAVINO_MAX_PAYLOAD;
+    send(l, JAVINO_WELCOME, &l->session, 4);
 }
 
 static void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
     l->due = l->flags = l->known = l->shapes = l->rules = 0;
-    javino_decoder_session(&l->decoder);
+    javino_decoder_session(&l->decoder, nonce);
 }
 
-/* The name of an action; NULL if there is none of that number. */
-static JAVINO_NOINLINE const char *name_of(javino_link *l, uint8_t number, uint8_t *arguments)
+/* The newest action of a program may come first. */
+static JAVINO_NOINLINE const javino_action *action_at(const javino_link *l, uint8_t number)
 {
-    return l->vocabulary ? l->vocabulary(l->encoder.context, number, arguments) : NULL;
+    return (const javino_action *)((const char *)l->actions + l->action_size * (uint8_t)(l->action_count - 1 - number));
 }
 
 /* Sends the actions from this one on, as many as a frame holds. */
 static void describe(javino_link *l, uint8_t request, uint8_t first)
 {
     uint8_t length = 3;
-    uint8_t end = first;
-    uint8_t count = 0;
-    uint8_t arguments;
-    const char *name;
-    while ((name = name_of(l, count, &arguments)) != NULL) {
-        size_t bytes = strlen(name) + 2;
-        if (count++ == end && bytes <= (uint8_t)(JAVINO_MAX_PAYLOAD - length)) {
-            length += (uint8_t)bytes;
-            end++;
-        }
+    uint8_t end;
+    for (end = first; end < l->action_count; end++) {
+        size_t bytes = strlen(action_at(l, end)->name) + 2;
+        if (bytes > (uint8_t)(JAVINO_MAX_PAYLOAD - length))
+            break;
+        length += (uint8_t)bytes;
     }
     javino_link_begin(l, JAVINO_VOCABULARY, length);
     put(l, request);
     put(l, first);
-    put(l, count);
+    put(l, l->action_count);
     for (; first < end; first++) {
-        name = name_of(l, first, &arguments);
-        put(l, arguments);
+        const javino_action *action = action_at(l, first);
+        const char *name = action->name;
+        put(l, action->arguments);
         put(l, (uint8_t)strlen(name));
         while (*name)
             put(l, (uint8_t)*name++);
@@ -139,14 +135,16 @@ static void describe(javino_link *l, uint8_t request, uint8_t first)
 /* Hands out the next command of the row that is to be carried out; at its end acknowledges it. */
 static javino_event next_command(javino_link *l)
 {
-    while (l->row_length) {
-        const uint8_t *p = l->row;
-        uint8_t left = l->row_length - 1;
-        uint8_t head = *p++;
+    uint8_t *frame = l->decoder.bytes;
+    const uint8_t *end = frame + l->decoder.taken - CRC_LENGTH;
+    for (;;) {
+        uint8_t left = frame[JAVINO_LENGTH_AT];
+        const uint8_t *p = end - left;
         uint8_t length = 0;
-        uint8_t arguments;
-        if (head == NO_ITEM)
+        uint8_t head;
+        if (!left || (head = *p++) == NO_ITEM)
             break;
+        left--;
         if (head < BY_NUMBER) {
             length = head;
             if (head == LONG_TEXT && left) {
@@ -156,49 +154,51 @@ static javino_event next_command(javino_link *l)
             if (length == 0 || length > left)
                 break;
         }
-        l->row = p + length;
-        l->row_length = left - length;
-        if (l->command++ != l->due || l->flags)
+        frame[JAVINO_LENGTH_AT] = left - length;
+        if (frame[JAVINO_NUMBER_AT]++ != l->due || l->flags)
             continue;
         l->text = (const char *)p;
         l->length = length;
         if (head < BY_NUMBER)
             return JAVINO_ACTION;
-        if (head != NO_COMMAND && (l->text = name_of(l, head - BY_NUMBER, &arguments)) != NULL) {
+        if ((uint8_t)(head - BY_NUMBER) < l->action_count) {
+            l->text = action_at(l, head - BY_NUMBER)->name;
             l->length = (uint8_t)strlen(l->text);
             return JAVINO_ACTION;
         }
         settle(l, head == NO_COMMAND);
     }
-    l->row = NULL;
+    l->row = false;
     acknowledge(l);
     return JAVINO_NOTHING;
 }
 
 /* What a frame of version 2 means to the program. */
-static javino_event meaning2(javino_link *l, const javino_frame *f)
+static javino_event meaning2(javino_link *l, const uint8_t *frame)
 {
-    uint8_t first = f->length ? *f->payload : 0;
-    if (f->kind == JAVINO_HELLO) {
-        begin_session(l, f->number);
+    uint8_t length = frame[JAVINO_LENGTH_AT];
+    uint8_t kind = frame[JAVINO_KIND_AT];
+    uint8_t number = frame[JAVINO_NUMBER_AT];
+    const uint8_t *payload = frame + JAVINO_PAYLOAD_AT;
+    uint8_t first = length ? *payload : 0;
+    if (kind == JAVINO_HELLO) {
+        begin_session(l, number);
         welcome(l);
     } else if (!l->session) {
         l->version = 1;
         welcome(l);
-    } else if (f->kind == JAVINO_DESCRIBE) {
-        describe(l, f->number, first);
-    } else if (f->kind == JAVINO_ASK) {
-        l->request = f->number;
+    } else if (kind == JAVINO_DESCRIBE) {
+        describe(l, number, first);
+    } else if (kind == JAVINO_ASK) {
+        l->request = number;
         l->known = first < l->shapes ? first : l->shapes;
-        l->text = (const char *)f->payload + 1;
-        l->length = f->length ? f->length - 1 : 0;
+        l->text = (const char *)payload + 1;
+        l->length = length ? length - 1 : 0;
         return JAVINO_REQUEST;
     } else {
-        if (f->kind == JAVINO_RESUME && f->number == l->due)
+        l->row = true;
+        if (kind == JAVINO_RESUME && number == l->due)
             l->flags &= (uint8_t)~JAVINO_REFUSED;
-        l->row = f->payload;
-        l->row_length = f->length;
-        l->command = f->number;
     }
     return JAVINO_NOTHING;
 }
@@ -208,19 +208,21 @@ static javino_event meaning2(javino_link *l, const javino_frame *f)
 /* ---- Both versions ---- */
 
 /* What the frame that has just arrived means to the program. */
-static javino_event meaning(javino_link *l, const javino_frame *f)
+static javino_event meaning(javino_link *l, const uint8_t *frame)
 {
     const uint8_t n = REQUEST_LENGTH;
-    l->version = f->version;
+    l->version = 1;
     l->answered = false;
     l->heard = true;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (IS_VERSION_2(f))
-        return meaning2(l, f);
+    if (*frame == JAVINO_START) {
+        l->version = 2;
+        return meaning2(l, frame);
+    }
 #endif
-    l->text = (const char *)f->payload;
-    l->length = f->length;
-    if (f->length < n || memcmp(f->payload, "getPercepts", n) != 0 || (f->length > n && f->payload[n] != '('))
+    l->text = (const char *)frame + JAVINO_PAYLOAD_AT_1;
+    l->length = (uint8_t)(l->decoder.taken - JAVINO_PAYLOAD_AT_1);
+    if (l->length < n || memcmp(l->text, "getPercepts", n) != 0 || (l->length > n && l->text[n] != '('))
         return JAVINO_ACTION;
     l->text += n;
     l->length -= n;
@@ -279,7 +281,7 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms)
     javino_link *l = link;
     bool all_handed_in = javino_decoder_ready(&l->decoder);
     uint8_t frames = FRAMES_PER_POLL;
-    javino_frame frame;
+    const uint8_t *frame;
     javino_link_finish(l, true);
     l->drained = false;
     for (;;) {
@@ -289,11 +291,12 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms)
 #endif
         if (l->event != JAVINO_NOTHING || !frames--)
             break;
-        if (!javino_decoder_next(&l->decoder, now_ms, &frame)) {
-            l->drained = all_handed_in && l->decoder.work;
+        frame = javino_decoder_next(&l->decoder, now_ms);
+        if (!frame) {
+            l->drained = all_handed_in;
             break;
         }
-        l->event = meaning(l, &frame);
+        l->event = meaning(l, frame);
     }
     return l->event;
 }

@@ -32,15 +32,11 @@ enum {
 };
 typedef uint8_t javino_event;
 
-/**
- * Names the actions of a program, so that the computer can ask for them and send their numbers in place of their texts.
- *
- * @param context    that of javino_link_init
- * @param number     counted from 0
- * @param arguments  set to how many arguments the action takes; JAVINO_ANY: any number
- * @return the action's functor, which lasts; NULL if there are not that many actions
- */
-typedef const char *(*javino_vocabulary)(void *context, uint8_t number, uint8_t *arguments);
+/** An action of a program, which the computer may ask for and name by its number. What else an action has may stand behind it. */
+typedef struct {
+    const char *name;  /**< Its functor, which lasts. */
+    uint8_t arguments; /**< How many it takes, or JAVINO_ANY. */
+} javino_action;
 
 /** Any number of arguments. */
 #define JAVINO_ANY 0xFF
@@ -50,31 +46,33 @@ typedef uint8_t javino_later;
 
 /**
  * The board's end of a line. The members are private but for event, text, length and version, which may be read, and
- * vocabulary, which may be set.
+ * actions, action_size and action_count, which may be set.
  */
 typedef struct {
     javino_event event; /**< The message in hand: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
     uint8_t length;     /**< Bytes of its text. */
     uint8_t version;    /**< 1 or 2: the message's; without one, 2 in a session. */
     const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
-    javino_vocabulary vocabulary; /**< NULL, as at first: the actions have no numbers. */
+    const void *actions;  /**< A row of javino_action, which are numbered from the last. */
+    uint8_t action_size;  /**< Bytes from one to the next. */
+    uint8_t action_count; /**< At most 126. 0, as at first: the actions have no numbers. */
     bool answered;
     bool drained; /* the last poll has read all that there was */
     bool heard;   /* something valid, since javino_link_lost was asked */
     bool lost;
 #ifndef JAVINO_VERSION_1_ONLY
-    uint8_t session;    /* its nonce; 0: there is none */
+    uint8_t session;    /* its nonce; 0: there is none. This and the next three are the payload of WELCOME */
+    uint8_t credit;
+    uint8_t longest;    /* bytes of payload that a frame may have */
+    uint8_t rules_max;  /* how many the board holds */
     uint8_t due;        /* number of the command that is carried out next */
     uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
     uint8_t request;    /* number of the request in hand; 0: there is none, or it is answered */
     uint8_t known;      /* shapes whose text the computer knows */
     uint8_t shapes;     /* shapes that have been sent in this session */
     javino_later later; /* the newest */
-    uint8_t command;    /* number of the next command in the row */
-    uint8_t row_length; /* bytes of the row that are left */
     uint8_t rules;      /* how many are set */
-    uint8_t rules_max;  /* how many the board holds */
-    const uint8_t *row; /* commands of the frame in hand; NULL: it holds none */
+    bool row;           /* the frame in hand holds commands; its length is of those that are left, its number the next one's */
 #endif
     javino_encoder encoder;
     javino_decoder decoder;
@@ -88,7 +86,7 @@ typedef struct {
  * @param bytes    memory that belongs to the link from now on
  * @param size     its bytes: JAVINO_WINDOW, or fewer where longer frames may be lost
  * @param write    puts bytes on the line; may call javino_link_receive, but nothing else of this link
- * @param context  handed to write and vocabulary
+ * @param context  handed to write
  */
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context);
 

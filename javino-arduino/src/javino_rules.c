@@ -250,7 +250,7 @@ bool javino_rules_set(javino_board *board)
 
 /* ---- Looking ---- */
 
-static bool wants(const javino_board *b, const char *functor, size_t length)
+static bool wants(const javino_board *b, const char *functor, uint8_t length)
 {
     const struct javino_rules *r = b->rules;
     uint16_t at;
@@ -296,7 +296,7 @@ static void watch(javino_board *b)
     javino_room end = b->length;
     uint16_t at = 0;
     uint8_t bit;
-    if (end - begin > PERCEPT_MAX)
+    if (end - begin - JAVINO_ITEM_HEADER > PERCEPT_MAX)
         return;
     b->whole = end; /* It stays in place until it has been compared. */
     for (bit = 1; at < r->used; at += r->texts[at] + 1u, bit = (uint8_t)(bit << 1)) {
@@ -333,8 +333,6 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
     perceive(l->encoder.context);
     l->event = event;
     r->met = r->seen;
-    if (board->length == 0 && event != JAVINO_REQUEST)
-        javino_board_clear(board);
 }
 
 /* ---- Answers part by part ---- */
@@ -343,13 +341,15 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
 static void send_next(javino_board *b)
 {
     javino_link *l = &b->link;
-    bool last = b->whole <= SHORT_PART;
+    bool last;
     bool answered = l->answered;
     uint8_t version = l->version;
     uint8_t request = l->request;
-    b->length = b->whole;
     l->version = 2;
+    b->length = b->whole;
+    javino_items_code(b);
     l->request = b->answering;
+    last = b->whole <= SHORT_PART;
     javino_board_send_text(b, last, last ? b->whole : SHORT_PART);
     l->answered = answered;
     l->version = version;
@@ -358,16 +358,17 @@ static void send_next(javino_board *b)
         javino_board_clear(b);
 }
 
-/* Lays the answer at the end of the memory: until its last part has left, frames arrive in front of it. */
+/* Divides what the answer leaves free: until its last part has left, frames arrive in front of it, and percepts are compared
+ * behind it. */
 static void make_room(javino_board *b)
 {
-    javino_decoder *d = &b->link.decoder;
-    uint16_t place = b->memory - b->length;
-    uint16_t most = b->memory - JAVINO_TEXT_MIN;
-    memmove(d->bytes + place, b->text, b->length);
-    b->text = (char *)d->bytes + place;
-    b->room = b->length;
-    d->size = place < most ? place : most;
+    uint16_t left = b->memory - b->length;
+    uint16_t percept = left / 2 < JAVINO_TEXT_MIN ? left / 2 : JAVINO_TEXT_MIN;
+    uint16_t place = left - percept;
+    uint16_t arrived = b->link.decoder.end;
+    if (place > JAVINO_WINDOW)
+        place = JAVINO_WINDOW;
+    javino_board_place(b, place < arrived ? arrived : place);
 }
 
 /* Whether the answer goes out part by part from now on, or what is sent unasked goes with one that does. */
@@ -375,10 +376,11 @@ static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;
     if (l->event == JAVINO_REQUEST && l->version == 2 && l->rules && !b->part && b->length > SHORT_PART) {
-        make_room(b);
         b->answering = l->request;
+        b->rules->session = l->session;
         l->request = 0;
         l->event = JAVINO_NOTHING;
+        make_room(b);
     }
     return b->answering != 0;
 }
@@ -389,6 +391,11 @@ static bool go_on(javino_board *b, bool all)
     const struct javino_rules *r = b->rules;
     if (!b->answering)
         return false;
+    if (r->session != b->link.session) {
+        b->part = 0;
+        javino_board_clear(b);
+        return false;
+    }
     if (all || !r->is_free || r->is_free(b->link.encoder.context))
         do
             send_next(b);
@@ -415,6 +422,7 @@ bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (
     if (d->end || !javino_board_take(board, bytes))
         return false;
     d->bytes += bytes; /* In front, since the program's actions lie at the end, without a gap. */
+    javino_board_clear(board);
     r = (struct javino_rules *)(memory + (ALIGNMENT - (uintptr_t)memory % ALIGNMENT) % ALIGNMENT);
     memset(r, 0, sizeof *r);
     r->act = act;

@@ -34,6 +34,7 @@ struct javino_rules {
     uint16_t used;
     uint8_t met;  /* which of them were met at the last look, the first in the lowest bit */
     uint8_t seen; /* at this look */
+    uint8_t session; /* of the answer that goes out part by part */
 };
 
 /**

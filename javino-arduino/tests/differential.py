@@ -111,7 +111,7 @@ class Stream:
         rng = self.rng
         kind = rng.random()
         if kind < 0.12:
-            return frames.encode(frames.Frame(frames.HELLO, rng.randrange(1, 256)))
+            return frames.encode(frames.Frame(frames.HELLO, rng.choice((0, *[rng.randrange(1, 256)] * 15))))
         if kind < 0.25:
             self.request = self.request % 255 + 1
             known = rng.choice((0, 0, rng.randrange(4), len(self.device.board.writer.ids), 255))

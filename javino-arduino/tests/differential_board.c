@@ -19,10 +19,7 @@ static uint8_t out[1 << 20];
 static uint8_t carried[1 << 16];
 static uint32_t out_length, carried_length;
 
-static const struct {
-    const char *name;
-    uint8_t arguments;
-} actions[] = {{"front", 0}, {"left", 0}, {"speed", 1}, {"bump", 0}, {"grip", 0}, {"say", JAVINO_ANY}};
+static const javino_action actions[] = {{"say", JAVINO_ANY}, {"grip", 0}, {"bump", 0}, {"speed", 1}, {"left", 0}, {"front", 0}};
 
 static void write_byte(void *context, uint8_t byte)
 {
@@ -30,15 +27,6 @@ static void write_byte(void *context, uint8_t byte)
     if (out_length == sizeof out)
         abort();
     out[out_length++] = byte;
-}
-
-static const char *name_of(void *context, uint8_t number, uint8_t *arguments)
-{
-    (void)context;
-    if (number >= sizeof actions / sizeof *actions)
-        return NULL;
-    *arguments = actions[number].arguments;
-    return actions[number].name;
 }
 
 static bool is(const char *text, uint8_t length, const char *other)
@@ -71,7 +59,7 @@ static void answer(void)
     const char *p;
     for (p = percepts; p < percepts + percepts_length; p += strlen(p) + 1) {
         size_t functor = strcspn(p, "(");
-        if (javino_board_wants(&board, p, functor)) {
+        if (javino_board_wants(&board, p, (uint8_t)functor)) {
             javino_percept_text(&board, p);
             javino_percept_end(&board);
         }
@@ -110,7 +98,9 @@ static void begin(void)
 {
     if (!javino_board_init(&board, memory, sizeof memory, write_byte, NULL))
         abort();
-    board.link.vocabulary = name_of;
+    board.link.actions = actions;
+    board.link.action_size = sizeof *actions;
+    board.link.action_count = sizeof actions / sizeof *actions;
     later = 0;
     percepts_length = 0;
 }

@@ -107,15 +107,7 @@ static void answer(void)
     javino_board_answer(&board);
 }
 
-static const char *name_action(void *context, uint8_t number, uint8_t *arguments)
-{
-    static const char *const names[] = {"lampOn", "lampOff", "dim"};
-    (void)context;
-    if (number >= sizeof names / sizeof *names)
-        return NULL;
-    *arguments = number == 2;
-    return names[number];
-}
+static const javino_action actions[] = {{"dim", 1}, {"lampOff", 0}, {"lampOn", 0}};
 
 static bool is(const char *text, uint8_t length, const char *name)
 {
@@ -153,7 +145,9 @@ int main(int count, char **words)
     setvbuf(stdout, NULL, _IOLBF, 0);
     port = open_port(words[1], baud);
     javino_board_init(&board, memory, sizeof memory, put_byte, NULL);
-    board.link.vocabulary = name_action;
+    board.link.actions = actions;
+    board.link.action_size = sizeof *actions;
+    board.link.action_count = sizeof actions / sizeof *actions;
     javino_link_timeout(&board.link, JAVINO_TIMEOUT_MS(baud));
     javino_link_supervise(&board.link, now_ms());
     for (;;) {

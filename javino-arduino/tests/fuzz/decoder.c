@@ -12,13 +12,7 @@ static void discard(void *context, uint8_t byte)
     (void)byte;
 }
 
-static const char *name_action(void *context, uint8_t number, uint8_t *arguments)
-{
-    static const char *const names[] = {"front", "speed", ""};
-    (void)context;
-    *arguments = number;
-    return number < 3 ? names[number] : NULL;
-}
+static const javino_action actions[] = {{"front", 0}, {"speed", 1}, {"", 2}};
 
 static void read_action(const javino_link *link)
 {
@@ -114,7 +108,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     bytes = (uint16_t)(JAVINO_MEMORY_MIN + 3 * data[0]);
     memory = malloc(bytes);
     javino_board_init(&board, memory, bytes, discard, &board);
-    board.link.vocabulary = name_action;
+    board.link.actions = actions;
+    board.link.action_size = sizeof *actions;
+    board.link.action_count = 3;
     if (data[0] & 1)
         javino_rules_init(&board, data[0] / 2, react, NULL);
     for (i = 1; i < size; i++) {

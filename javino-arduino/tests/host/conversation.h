@@ -19,22 +19,15 @@ struct Conversation {
   uint16_t now = 1000;
   Percepts percepts;
   std::vector<std::pair<std::string, uint8_t>> actions; /* with how many arguments */
+  std::vector<javino_action> named;
 
   explicit Conversation(uint16_t bytes = JAVINO_MEMORY + 255) : memory(bytes) {
     REQUIRE(javino_board_init(&board, memory.data(), bytes, write, this));
-    board.link.vocabulary = name;
+    board.link.action_size = sizeof(javino_action);
     poll();
   }
 
   static void write(void *self, uint8_t byte) { static_cast<Conversation *>(self)->out += static_cast<char>(byte); }
-
-  static const char *name(void *self, uint8_t number, uint8_t *arguments) {
-    const auto &actions = static_cast<Conversation *>(self)->actions;
-    if (number >= actions.size())
-      return nullptr;
-    *arguments = actions[number].second;
-    return actions[number].first.c_str();
-  }
 
   /** What arrives while the program polls often. */
   void receive(const std::string &bytes) {
@@ -51,8 +44,18 @@ struct Conversation {
     waiting.erase(0, n);
   }
 
+  /** The board's actions are those of now. */
+  void name() {
+    named.clear();
+    for (auto action = actions.rbegin(); action != actions.rend(); ++action)
+      named.push_back({action->first.c_str(), action->second});
+    board.link.actions = named.data();
+    board.link.action_count = static_cast<uint8_t>(named.size());
+  }
+
   javino_event poll() {
     find("");
+    name();
     return javino_board_poll(&board, now);
   }
 

@@ -26,8 +26,30 @@ const json &vectors2() {
   return all;
 }
 
+/** A frame that was received. */
+struct Received {
+  const uint8_t *payload = nullptr;
+  uint8_t length = 0, version = 0, kind = 0, number = 0;
+};
+
+bool receiveNext(javino_decoder *decoder, uint16_t now, Received *frame) {
+  const uint8_t *bytes = javino_decoder_next(decoder, now);
+  if (!bytes)
+    return false;
+  *frame = Received();
+  frame->version = *bytes == JAVINO_START ? 2 : 1;
+  frame->length = static_cast<uint8_t>(decoder->taken - JAVINO_OVERHEAD);
+  frame->payload = bytes + (frame->version == 2 ? JAVINO_PAYLOAD_AT : JAVINO_PAYLOAD_AT_1);
+  if (frame->version == 2) {
+    CHECK(bytes[JAVINO_LENGTH_AT] == frame->length);
+    frame->kind = bytes[JAVINO_KIND_AT];
+    frame->number = bytes[JAVINO_NUMBER_AT];
+  }
+  return true;
+}
+
 /** A frame as the vectors have it: of version 2 CC SS payload, of version 1 its text. */
-std::string hexOfFrame(const javino_frame &frame) {
+std::string hexOfFrame(const Received &frame) {
   std::string payload(reinterpret_cast<const char *>(frame.payload), frame.length);
   return frame.version == 2 ? hexOf(std::string{octet(frame.kind), octet(frame.number)} + payload) : hexOf(payload);
 }
@@ -42,12 +64,12 @@ struct Receiver {
   explicit Receiver(uint16_t timeout = 100, bool session = false) {
     javino_decoder_init(&decoder, memory.data(), JAVINO_WINDOW, timeout);
     if (session)
-      javino_decoder_session(&decoder);
+      javino_decoder_session(&decoder, 1);
   }
 
   void idle(uint16_t now) {
-    javino_frame frame;
-    while (javino_decoder_next(&decoder, now, &frame))
+    Received frame;
+    while (receiveNext(&decoder, now, &frame))
       (frame.version == 2 ? frames : messages).push_back(hexOfFrame(frame));
   }
 
@@ -287,7 +309,7 @@ TEST_CASE("ten million random bytes do no harm and leave the decoder able to rea
   std::vector<uint8_t> memory(JAVINO_WINDOW);
   javino_decoder decoder;
   javino_decoder_init(&decoder, memory.data(), JAVINO_WINDOW, 100);
-  javino_frame frame;
+  Received frame;
   uint16_t now = 0;
   unsigned sum = 0;
   for (long i = 0; i < total; i++) {
@@ -298,24 +320,24 @@ TEST_CASE("ten million random bytes do no harm and leave the decoder able to rea
       now = static_cast<uint16_t>(now + (r >> 8) % 300);
     REQUIRE(javino_decoder_ready(&decoder));
     javino_decoder_put(&decoder, byte, now);
-    while (javino_decoder_next(&decoder, now, &frame))
+    while (receiveNext(&decoder, now, &frame))
       for (int k = 0; k < frame.length; k++)
         sum += frame.payload[k];
   }
   printf("  %ld random bytes under the sanitizers (sum of what was delivered: %u)\n", total, sum);
-  while (javino_decoder_next(&decoder, static_cast<uint16_t>(now + 200), &frame)) {
+  while (receiveNext(&decoder, static_cast<uint16_t>(now + 200), &frame)) {
   }
   for (unsigned char byte : frame1("hello")) {
     REQUIRE(javino_decoder_ready(&decoder));
     javino_decoder_put(&decoder, byte, static_cast<uint16_t>(now + 200));
   }
-  REQUIRE(javino_decoder_next(&decoder, static_cast<uint16_t>(now + 200), &frame));
+  REQUIRE(receiveNext(&decoder, static_cast<uint16_t>(now + 200), &frame));
   CHECK(std::string(reinterpret_cast<const char *>(frame.payload), frame.length) == "hello");
 }
 
 TEST_CASE("bytes that wait while a frame is in hand are read afterwards, with the silence between them") {
   Receiver receiver;
-  javino_frame frame;
+  Received frame;
   std::string cut = frame1("never whole");
   auto put = [&](const std::string &bytes, uint16_t now) {
     javino_decoder_idle(&receiver.decoder, now);
@@ -325,12 +347,12 @@ TEST_CASE("bytes that wait while a frame is in hand are read afterwards, with th
     }
   };
   put(frame1("in hand"), 0);
-  REQUIRE(javino_decoder_next(&receiver.decoder, 0, &frame));
+  REQUIRE(receiveNext(&receiver.decoder, 0, &frame));
   const uint8_t *payload = frame.payload;
   put(cut.substr(0, 8), 1);
   put(frame1("after"), 200);
   CHECK(std::string(reinterpret_cast<const char *>(payload), frame.length) == "in hand");
-  REQUIRE(javino_decoder_next(&receiver.decoder, 200, &frame));
+  REQUIRE(receiveNext(&receiver.decoder, 200, &frame));
   CHECK(std::string(reinterpret_cast<const char *>(frame.payload), frame.length) == "after");
 }
 
@@ -340,12 +362,12 @@ TEST_CASE("a decoder with less memory reads what fits and passes over what does 
     javino_decoder decoder;
     javino_decoder_init(&decoder, memory.data(), size, 100);
     std::string stream = frame1(std::string(200, 'x')) + frame1("hello");
-    javino_frame frame;
+    Received frame;
     int found = 0;
     for (unsigned char byte : stream) {
       REQUIRE(javino_decoder_ready(&decoder));
       javino_decoder_put(&decoder, byte, 0);
-      while (javino_decoder_next(&decoder, 0, &frame)) {
+      while (receiveNext(&decoder, 0, &frame)) {
         CHECK(frame.length == 5);
         found++;
       }
@@ -358,13 +380,13 @@ TEST_CASE("a frame of version 2 that is longer than the memory is dropped, and t
   std::vector<uint8_t> memory(100);
   javino_decoder decoder;
   javino_decoder_init(&decoder, memory.data(), 100, 100);
-  javino_frame frame;
+  Received frame;
   for (size_t length : {93, 94}) {
     bool found = false;
     for (unsigned char byte : frame2(0x30, 0xA5, std::string(length, '\xA4')) + hello(9)) {
       REQUIRE(javino_decoder_ready(&decoder));
       javino_decoder_put(&decoder, byte, 0);
-      if (javino_decoder_next(&decoder, 0, &frame))
+      if (receiveNext(&decoder, 0, &frame))
         found |= frame.length == length;
     }
     CHECK(found == (length == 93));
@@ -376,14 +398,14 @@ TEST_CASE("bytes of version 2 that were not looked at for long are read all at o
   std::vector<uint8_t> memory(JAVINO_WINDOW);
   javino_decoder decoder;
   javino_decoder_init(&decoder, memory.data(), JAVINO_WINDOW, 100);
-  javino_frame frame;
+  Received frame;
   std::string waits = command(0, "\xA5\xA4") + command(1, std::string(60, '\xA5')) + "noise\xA5" + hello();
   for (unsigned char byte : waits) {
     REQUIRE(javino_decoder_ready(&decoder));
     javino_decoder_put(&decoder, byte, 0);
   }
   std::vector<int> lengths;
-  while (javino_decoder_next(&decoder, 0, &frame))
+  while (receiveNext(&decoder, 0, &frame))
     lengths.push_back(frame.length);
   CHECK(lengths == std::vector<int>{3, 61, 0});
 }
@@ -398,24 +420,22 @@ TEST_CASE("asking what follows without a frame in hand changes nothing") {
   CHECK(receiver.messages == json{hexOf("ledOn")});
 }
 
-TEST_CASE("a call reads a bounded number of bytes of version 1, and the next goes on") {
+TEST_CASE("headers in payloads that nothing confirms are each read again, and a frame behind them is found") {
   std::string nasty;
   while (nasty.size() < 1000)
     nasty += "fffeF0fffe8012";
   std::vector<uint8_t> memory(1500);
   javino_decoder decoder;
-  javino_frame frame;
+  Received frame;
   javino_decoder_init(&decoder, memory.data(), static_cast<uint16_t>(memory.size()), 100);
   for (unsigned char byte : nasty + frame1("hello"))
     javino_decoder_put(&decoder, byte, 0);
   // Seventy headers, each of a message behind which there is no header, so that it is read again.
-  int calls = 1, found = 0;
-  while (calls < 1000 && (!javino_decoder_next(&decoder, 101, &frame) || frame.length != 5)) {
-    found += frame.length != 5;
-    calls++;
-  }
+  int found = 0;
+  while (found < 1000 && receiveNext(&decoder, 101, &frame) && frame.length != 5)
+    found++;
   CHECK(found > 0);
-  CHECK(calls > 10);
+  CHECK(found < 1000);
   CHECK(std::string(reinterpret_cast<const char *>(frame.payload), frame.length) == "hello");
 }
 
@@ -428,9 +448,9 @@ TEST_CASE("what cannot be whole before a silence is not read again and again") {
   javino_decoder_idle(&receiver.decoder, 101);
   for (unsigned char byte : frame1("hi"))
     javino_decoder_put(&receiver.decoder, byte, 101);
-  javino_frame frame;
+  Received frame;
   // One call is enough.
-  REQUIRE(javino_decoder_next(&receiver.decoder, 101, &frame));
+  REQUIRE(receiveNext(&receiver.decoder, 101, &frame));
   CHECK(frame.length == 2);
 }
 

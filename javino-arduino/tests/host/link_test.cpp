@@ -52,6 +52,21 @@ TEST_CASE("version 1 is never acknowledged") {
   CHECK(c.sent() == "");
 }
 
+TEST_CASE("HELLO with the nonce 0 ends the session") {
+  Conversation c;
+  c.begin();
+  c.hear(command(0, "front"));
+  c.finish();
+  c.poll();
+  c.sent();
+  c.hear(hello(0));
+  CHECK(c.sent() == frame2(0x80, 0, std::string{0, JAVINO_CREDIT, octet(255), 0}));
+  CHECK(c.hear(frame1("getPercepts") + frame1("ledOn")) == JAVINO_REQUEST);
+  javino_board_answer(&c.board);
+  CHECK(c.sent() == frame1(""));
+  CHECK(c.poll() == JAVINO_ACTION);
+}
+
 TEST_CASE("WELCOME says what the board takes") {
   Conversation c;
   c.hear(hello(9));
@@ -128,7 +143,7 @@ TEST_CASE("a number that is none of the vocabulary's is refused, and so is any w
   c.begin();
   CHECK(c.hear(frame2(0x30, 0, "\x81")) == JAVINO_NOTHING);
   CHECK(c.sent() == ack(1, REFUSED));
-  c.board.link.vocabulary = nullptr;
+  c.actions = {};
   CHECK(c.hear(frame2(0x31, 1, "\x80")) == JAVINO_NOTHING);
   CHECK(c.sent() == ack(2, REFUSED));
 }

@@ -258,14 +258,50 @@ TEST_CASE("commands are carried out while an answer goes out, and another reques
   CHECK(w.percepts.read(w.sent(), 2) == "light(1,2,3,4);");
 }
 
-TEST_CASE("a long command finds room while an answer goes out") {
+TEST_CASE("parts of an answer that have not gone out when a session begins are dropped") {
   Watcher w;
+  w.set(rule(1, "dist", {"1<40"}));
+  w.hear(ask(1));
+  w.percept("light(100,200,300,400)");
+  javino_board_answer(&w.board);
+  w.begin(8);
+  w.poll();
+  CHECK(w.sent() == "");
+  CHECK(w.hear(ask(1)) == JAVINO_REQUEST);
+  w.percept("light(1,2,3,4)");
+  CHECK(w.answered(1) == "light(1,2,3,4);");
+}
+
+TEST_CASE("on a board as small as an Uno a long command finds room while an answer goes out") {
+  Watcher w(368);
   w.set(rule(1, "dist", {"1<40"}));
   w.hear(ask(1));
   w.percept("light(100,200,300,400)");
   javino_board_answer(&w.board);
   REQUIRE(w.board.answering);
   CHECK(w.hear(command(1, "say(" + std::string(100, 'x') + ")")) == JAVINO_ACTION);
+}
+
+TEST_CASE("on a board as small as an Uno rules are watched while a long answer goes out") {
+  Watcher w(368);
+  w.set(rule(1, "dist", {"1<40"}));
+  w.hear(ask(1));
+  for (int i = 0; i < 12; i++)
+    w.percept(std::string(1, static_cast<char>('a' + i)) + "light(100)");
+  javino_board_answer(&w.board);
+  REQUIRE(w.board.length > 120);
+  w.readings = {"dist(front,3)", "dist(3)"};
+  CHECK(w.look() == critical(1, 1, 0, "dist(3);"));
+}
+
+TEST_CASE("a percept of more than 253 bytes meets no rule") {
+  Watcher w(1000);
+  w.set(rule(1, "say"));
+  auto percept = [](size_t size) { return "say(\"" + std::string(size - 8, 'x') + "\")"; };
+  w.readings = {percept(254)};
+  CHECK(w.look() == "");
+  w.readings = {percept(253)};
+  CHECK(w.look() == critical(1, 1, 0, percept(253) + ";"));
 }
 
 TEST_CASE("percepts that wait are not disturbed by looking at the rules") {
@@ -281,5 +317,5 @@ TEST_CASE("percepts that wait are not disturbed by looking at the rules") {
   while (w.board.answering)
     w.poll();
   CHECK(w.percepts.read(w.sent(), 1) == "bumped(1);bumped(2);");
-  CHECK(w.board.link.decoder.size == w.board.memory - JAVINO_TEXT_MIN);
+  CHECK(w.board.link.decoder.size == JAVINO_WINDOW);
 }

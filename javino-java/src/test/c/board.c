@@ -48,18 +48,7 @@ static void write_byte(void *context, uint8_t byte)
     printf("%02x", byte);
 }
 
-static const char *name_action(void *context, uint8_t number, uint8_t *arguments)
-{
-    static const struct {
-        const char *name;
-        uint8_t arguments;
-    } actions[] = {{"front", 0}, {"speed", 1}, {"no", 0}, {"later", 0}, {"say", JAVINO_ANY}};
-    (void)context;
-    if (number >= sizeof actions / sizeof *actions)
-        return NULL;
-    *arguments = actions[number].arguments;
-    return actions[number].name;
-}
+static const javino_action actions[] = {{"say", JAVINO_ANY}, {"later", 0}, {"no", 0}, {"speed", 1}, {"front", 0}};
 
 static bool begins(const javino_link *link, const char *text)
 {
@@ -107,7 +96,7 @@ static void perceive(void *context)
     for (i = 0; i < percept_count; i++) {
         const char *p = percepts[i];
         const char *name = *p == '~' ? p + 1 : p;
-        if (!javino_board_wants(&board, name, strcspn(name, "(")))
+        if (!javino_board_wants(&board, name, (uint8_t)strcspn(name, "(")))
             continue;
         javino_percept_text(&board, p);
         javino_percept_end(&board);
@@ -136,7 +125,9 @@ static void start(void)
     memory = malloc(MEMORY); /* of its own, so that the sanitizer sees what goes beyond it */
     if (!memory || !javino_board_init(&board, memory, MEMORY, write_byte, NULL))
         exit(1);
-    board.link.vocabulary = name_action;
+    board.link.actions = actions;
+    board.link.action_size = sizeof *actions;
+    board.link.action_count = sizeof actions / sizeof *actions;
     now = 0;
     later = 0;
     percept_count = 0;
