@@ -1,6 +1,8 @@
 package javino
 
 import io.kotest.core.spec.style.FunSpec
+import javino.interleavings.concurrently
+import javino.interleavings.inEachInterleaving
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.locks.Condition
 
@@ -84,6 +86,30 @@ class CommandInterleavingsSpec : FunSpec({
             }
             concurrently(submit, end)
             check(isRefused != (command in withdrawn)) { "refused: $isRefused, withdrawn: ${withdrawn.size}" }
+        }
+    }
+
+    test("a command that its own thread has written while the line ends is left to who ends the line, or fails") {
+        inEachInterleaving {
+            val writer = FrameWriter(TakingLine(), Pacer(settings, 0), PassingTime())
+            val command = command("stop")
+            writer.submit(command)
+            check(writer.beginAtOnce(command)) { "the line is free" }
+            var hasFailed = false
+            var leaving: Command? = null
+            val write = {
+                try {
+                    writer.leaves(writer.writeNow(FrameWriter.Kind.ACTION, command.frame().toBytes(), 1000) { })
+                } catch (_: PortGoneException) {
+                    hasFailed = true
+                }
+            }
+            val end = {
+                writer.end("it was closed")
+                leaving = writer.takeLeaving()
+            }
+            concurrently(write, end)
+            check(hasFailed != (leaving == command)) { "failed: $hasFailed, left: ${leaving != null}" }
         }
     }
 })

@@ -1,8 +1,8 @@
 package argo.acting
 
-import argo.concurrently
-import argo.inEachInterleaving
 import io.kotest.core.spec.style.FunSpec
+import javino.interleavings.concurrently
+import javino.interleavings.inEachInterleaving
 
 class CommandLedgerInterleavingsSpec : FunSpec({
     test("a command that was issued while the port changed is awaited on its own port alone") {

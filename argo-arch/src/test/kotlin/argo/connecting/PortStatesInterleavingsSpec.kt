@@ -1,9 +1,9 @@
 package argo.connecting
 
-import argo.concurrently
-import argo.inEachInterleaving
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
+import javino.interleavings.concurrently
+import javino.interleavings.inEachInterleaving
 
 class PortStatesInterleavingsSpec : FunSpec({
     val port = ASSyntax.createAtom("p")

@@ -2,16 +2,16 @@ package argo.perception
 
 import argo.acting.CommandLedger
 import argo.acting.Reflexes
-import argo.concurrently
 import argo.connecting.OpenPort
 import argo.connecting.PortOptions
 import argo.filters.dropFilter
-import argo.inEachInterleaving
 import argo.platform.RateLimitedWarning
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
 import javino.Link
 import javino.LinkSettings
+import javino.interleavings.concurrently
+import javino.interleavings.inEachInterleaving
 import javino.sim.FakeBoard
 import javino.wire.ReflexOutcome
 import java.util.concurrent.locks.ReentrantLock

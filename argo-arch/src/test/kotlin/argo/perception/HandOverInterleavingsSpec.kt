@@ -1,14 +1,14 @@
 package argo.perception
 
 import argo.acting.CommandLedger
-import argo.concurrently
 import argo.filters.CriticalRule
 import argo.filters.Rule
 import argo.filters.matching.CriticalPercept
-import argo.inEachInterleaving
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
+import javino.interleavings.concurrently
+import javino.interleavings.inEachInterleaving
 
 /** Board and agent at one hand-over; what the agent takes is checked as it does. */
 private class Perceptions(private val handOver: HandOver) {

@@ -1,9 +1,7 @@
 package argo.sensing
 
-import argo.concurrently
 import argo.connecting.OpenPort
 import argo.connecting.PortOptions
-import argo.inEachInterleaving
 import argo.platform.Platform
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
@@ -16,6 +14,8 @@ import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.Transport
+import javino.interleavings.concurrently
+import javino.interleavings.inEachInterleaving
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 

@@ -1,8 +1,9 @@
-package javino
+package javino.interleavings
 
 import org.jetbrains.lincheck.datastructures.ModelCheckingOptions
 import org.jetbrains.lincheck.datastructures.Operation
 import org.jetbrains.lincheck.datastructures.Validate
+import org.jetbrains.lincheck.datastructures.forClasses
 import org.jetbrains.lincheck.datastructures.verifier.EpsilonVerifier
 import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
@@ -20,6 +21,8 @@ internal fun inEachInterleaving(block: () -> Unit) {
         .iterations(0) // no scenarios but the one below
         .invocationsPerIteration(Integer.getInteger("argo.interleavings", 60))
         .loopIterationsBeforeThreadSwitch(LONGEST_LOOP).loopBound(100 * LONGEST_LOOP)
+        .addGuarantee(forClasses { name -> ATOMIC.any(name::startsWith) }.allMethods().treatAsAtomic())
+        .verifier(EpsilonVerifier::class.java).minimizeFailedScenario(false) // the block checks itself
         .addCustomScenario { parallel { thread { actor(CheckedBlock::run) } } }
     // Of the 30 s that an invocation may take by default, a busy machine uses all to instrument the classes that the first one meets.
     options.javaClass.getMethod("invocationTimeout\$lincheck", Long::class.java).invoke(options, 600_000L)
@@ -49,6 +52,11 @@ internal fun concurrently(vararg work: () -> Unit) {
  * way, so that more cost time.
  */
 private const val LONGEST_LOOP = 40
+
+/** Packages of classes that one thread at a time uses: no other thread is let in while one is in them. */
+private val ATOMIC = listOf(
+    "jason.", "argo.filters.", "javino.session.", "javino.sim.", "javino.wire.", "kotlin.collections.", "kotlin.text.",
+)
 
 private lateinit var checked: () -> Unit
 
