@@ -112,11 +112,6 @@ public final class FrameDecoder {
         clear();
     }
 
-    /** Whether a header has arrived and its payload has not ended, so that the next byte belongs to it whatever it is. */
-    public boolean isInPayload() {
-        return delivered == 0 && end > start && headerAt(start) == Header.COMPLETE;
-    }
-
     /** Frames handed over so far. */
     public long frames() {
         return frames;

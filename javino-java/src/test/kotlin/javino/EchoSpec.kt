@@ -3,6 +3,8 @@ package javino
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import javino.sim.VirtualBoard2
+import javino.virtual.LineEnd
 
 private const val REQUEST = "getPercepts"
 

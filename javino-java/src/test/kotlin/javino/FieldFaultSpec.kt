@@ -5,6 +5,11 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
+import javino.virtual.EventBoard
+import javino.virtual.EventLine
+import javino.virtual.OneFault
+import javino.virtual.Piece
+import javino.virtual.RandomFaults
 import kotlin.math.roundToInt
 import kotlin.time.Duration.Companion.minutes
 

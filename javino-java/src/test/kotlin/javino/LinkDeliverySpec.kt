@@ -9,12 +9,13 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import javino.sim.VirtualBoard2
+import javino.sim.count
+import javino.virtual.LineEnd
 import javino.wire.BoardAction
 import javino.wire.BoardRule
-import javino.wire.CriticalReport
 import javino.wire.FrameKind
 import javino.wire.ReflexOutcome
-import javino.wire.WireFrame
 import java.util.concurrent.CompletableFuture
 
 private const val REQUEST = "getPercepts"
@@ -133,7 +134,7 @@ class LinkDeliverySpec : FunSpec({
             val events = Events()
             bench.link.sendAndAwait("a", 500)
             bench.link.onBoardEvents(events)
-            board.model.restart()
+            board.restart()
             shouldThrow<ActionUnconfirmedException> { bench.link.sendAndAwait("b", 500) }
             bench.link.sendAndAwait("c", 500)
             board.handled shouldContainExactly listOf("2:a", "2:c")
@@ -226,12 +227,10 @@ class LinkDeliverySpec : FunSpec({
         bench(board).use { bench ->
             bench.link.onBoardEvents(events)
             bench.link.sendAndAwait(rule.text(3), SendOptions(true, 0))
-            board.handled shouldContainExactly listOf("2:" + rule.text(3))
-            val report = WireFrame.of(FrameKind.CRITICAL, 1, CriticalReport(3, ReflexOutcome.CARRIED_OUT, "dist(f,9);").payload())
-            board.posting = { listOf(if (it.kind() == FrameKind.PERCEPTS) report else it) }
-            board.say("dist(f,9);")
+            board.sees("dist(f,11);dist(b,9);")
             bench.link.watch(100)
-            events.all shouldContainExactly listOf("began 4", "3 CARRIED_OUT dist(f,9);")
+            events.all shouldContainExactly listOf("began 4", "3 CARRIED_OUT dist(b,9);")
+            board.handled shouldContainExactly listOf("2:stop")
             shouldThrow<IllegalArgumentException> { bench.link.send("\u0001say(hello)", SendOptions.defaults()) }
         }
         VirtualBench(LinkSettings.defaults().withBootMillis(0), VirtualBoard(), Protocol.V1).use { bench ->

@@ -7,89 +7,29 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
-import java.util.concurrent.CompletableFuture
+import javino.sim.VirtualBoard2
+import javino.virtual.EventLine
+import javino.virtual.FAULTLESS
+import javino.virtual.FaultyExchanges
+import javino.virtual.FaultyExchanges.Companion.FAST
+import javino.virtual.FaultyExchanges.Companion.ninePercepts
+import javino.virtual.FaultyExchanges.Companion.numberIn
+import javino.virtual.OneFault
+import javino.virtual.Piece
+import javino.virtual.RandomFaults
 import kotlin.math.exp
 import kotlin.math.pow
 import kotlin.math.roundToInt
 import kotlin.time.Duration.Companion.minutes
 
 private const val REQUEST = "getPercepts"
-private const val ACTION = "speed("
-
-/** Commands that are sent before the next request, and requests before the next commands. */
-private const val ROW = 4
 
 /** Bytes of a request, and of an answer of nine percepts whose texts are known. */
 private const val ASK_BYTES = 7
 private const val ANSWER_BYTES = 42
 
-/** Exchanges at each rate, half of them actions; `./argo bench faults` asks for a million. */
+/** Exchanges at each rate, half of them actions; `./argo bench faults` makes a million. */
 private val EXCHANGES = Integer.getInteger("argo.exchanges", 100_000)
-private val FAST = LinkSettings.defaults().withBaud(115_200).withBootMillis(0)
-
-private fun percepts(n: Int) = "count($n,${n * 31L % 1009});" + "dist(f,$n);".repeat(8)
-
-/** What became of many actions and requests on a faulty line to a board of version 2. */
-private class Outcomes(private val exchanges: Int, toBoard: LineFaults, toComputer: LineFaults) {
-    private val carriedOut = ByteArray(exchanges / 2 + 1)
-    private var last = 0
-    private val confirmed = BooleanArray(exchanges / 2 + 1)
-    val answered get() = answers
-    private var answers = 0
-    var corruptFrames = 0L
-    val wrong = mutableListOf<String>()
-    val corruptBelieved = mutableListOf<String>()
-    val confirmations get() = confirmed.count { it }
-    val twice get() = carriedOut.count { it > 1 }
-
-    init {
-        val board = VirtualBoard2()
-        board.answer = { percepts(it) }
-        board.onReceived = { }
-        board.onHandled = ::note
-        EventLine(FAST.withProtocol(Protocol.V2), board, toBoard, toComputer).use { line ->
-            for (i in 1..exchanges / 2 step ROW) {
-                val row = (i until minOf(i + ROW, exchanges / 2 + 1)).map { line.link.send("speed($it)", SendOptions.defaults()) }
-                ask(line.link)
-                for (n in 1 until row.size) ask(line.link)
-                line.link.settle(row)
-                row.forEachIndexed { n, outcome -> note(i + n, outcome) }
-            }
-            corruptFrames = line.link.corruptFrames()
-        }
-        for (i in confirmed.indices) {
-            if (confirmed[i] && carriedOut[i].toInt() == 0) wrong += "speed($i) is confirmed and was not carried out"
-        }
-    }
-
-    private fun note(handled: String) {
-        if (REQUEST in handled || handled.startsWith("1:")) return
-        val action = Regex("2:speed\\((\\d+)\\)").matchEntire(handled)?.groupValues?.get(1)?.toInt()
-        if (action == null || action !in carriedOut.indices || action < last) wrong += "the board did $handled after speed($last)"
-        else last = action.also { carriedOut[it]++ }
-    }
-
-    private fun note(i: Int, outcome: CompletableFuture<Void>) {
-        val trouble = outcome.handle { _, trouble -> trouble }.join()
-        confirmed[i] = trouble == null
-        if (trouble != null && trouble !is ActionUnconfirmedException) wrong += "$trouble"
-    }
-
-    private fun ask(link: Link) {
-        try {
-            val text = link.request(REQUEST, 500).text()
-            answers++
-            if (text != percepts(text.substringAfter('(').substringBefore(',').toIntOrNull() ?: 0)) corruptBelieved += text
-        } catch (_: PortTimeoutException) {
-            return
-        }
-    }
-}
-
-/** Waits until the outcomes are known; nobody else works on the line. */
-private fun Link.settle(row: List<CompletableFuture<Void>>) {
-    while (row.any { !it.isDone }) watch(10)
-}
 
 /** The share of exchanges of frames of so many bytes that one of three tries gets through unharmed. */
 private fun inThreeTries(wrongBits: Double, wrongBytes: Double, there: Int, back: Int): Double {
@@ -125,16 +65,20 @@ private fun most(expected: Double): Int {
     return k
 }
 
-private fun report(words: String, outcomes: Outcomes, exchanges: Int) = println("measured: $words, $exchanges exchanges in version 2: " +
-    "${outcomes.confirmations} of ${exchanges / 2} actions confirmed, ${outcomes.twice} twice, ${outcomes.wrong.size} wrong; " +
-    "${outcomes.answered} of ${exchanges / 2} requests answered; ${outcomes.corruptFrames} frames dropped for their checksum")
+private fun report(words: String, outcomes: FaultyExchanges, exchanges: Int) {
+    println(
+        "measured: $words, $exchanges exchanges in version 2: " +
+            "${outcomes.confirmations} of ${exchanges / 2} actions confirmed, ${outcomes.twice} twice, ${outcomes.wrong.size} wrong; " +
+            "${outcomes.answered} of ${exchanges / 2} requests answered; ${outcomes.corruptFrames} frames dropped for their checksum",
+    )
+}
 
 class LinkFaultSpec : FunSpec({
     for (rate in listOf(1e-5, 1e-4, 1e-3)) {
         test("with one bit in ${(1 / rate).roundToInt()} wrong no action is carried out twice or wrongly, and no percept is").config(
             timeout = 30.minutes,
         ) {
-            val outcomes = Outcomes(EXCHANGES, RandomFaults(rate, seed = 2026), RandomFaults(rate, seed = 7))
+            val outcomes = FaultyExchanges(EXCHANGES, RandomFaults(rate, seed = 2026), RandomFaults(rate, seed = 7))
             val half = EXCHANGES / 2
             val answer = ANSWER_BYTES
             val requests = inThreeTries(rate, 0.0, ASK_BYTES, answer)
@@ -165,7 +109,7 @@ class LinkFaultSpec : FunSpec({
     )) {
         test("with one byte in 1000 $words no action is carried out twice or wrongly, and no percept is").config(timeout = 30.minutes) {
             val exchanges = maxOf(2_000, EXCHANGES / 10)
-            val outcomes = Outcomes(exchanges, faults(11), faults(12))
+            val outcomes = FaultyExchanges(exchanges, faults(11), faults(12))
             report("one byte in 1000 $words", outcomes, exchanges)
             outcomes.wrong.shouldBeEmpty()
             outcomes.twice shouldBe 0
@@ -208,13 +152,13 @@ class LinkFaultSpec : FunSpec({
             var at = 0
             while (at < length) {
                 val one = OneFault(turn) { bytes -> length = bytes.size; fault(bytes, at) }
-                val board = VirtualBoard2().apply { answer = { percepts(it) } }
+                val board = VirtualBoard2().apply { answer = ::ninePercepts }
                 withClue("$name at byte $at of write $turn, to the board: $toBoard") {
                     val (there, back) = if (toBoard) one to FAULTLESS else FAULTLESS to one
                     EventLine(FAST.withProtocol(Protocol.V2), board, there, back).use { line ->
                         for (i in 1..3) {
                             val text = line.link.request(REQUEST, 1_000).text()
-                            text shouldBe percepts(text.substringAfter('(').substringBefore(',').toInt())
+                            text shouldBe ninePercepts(numberIn(text))
                             line.link.sendAndAwait("speed($i)", 1_000)
                         }
                     }
@@ -237,7 +181,7 @@ class LinkFaultSpec : FunSpec({
         var millis = 0.0
         var number = 0
         for (pull in 1..DISCONNECTIONS) {
-            EventLine(FAST.withProtocol(Protocol.V2), board, goneAfter = pull * 13L, startMillis = millis, name = name).use { line ->
+            EventLine(FAST.withProtocol(Protocol.V2), board, goneAfter = pull * 13L, startMillis = millis, open = owned(name)).use { line ->
                 try {
                     while (true) {
                         val action = "speed(${++number})"
@@ -261,6 +205,11 @@ class LinkFaultSpec : FunSpec({
         (confirmed - done.toSet()).shouldBeEmpty()
     }
 })
+
+/** Opens a link that has an owner. */
+private fun owned(name: String) = { line: Transport, settings: LinkSettings, clock: LineClock ->
+    Link(line, settings, PortOwners.claim(name, "the test"), clock)
+}
 
 private const val LINKS = 300
 private const val DISCONNECTIONS = 100

@@ -10,6 +10,8 @@ import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
+import javino.sim.VirtualBoard2
+import javino.virtual.LineEnd
 import javino.wire.WireDecoder
 
 private const val REQUEST = "getPercepts"

@@ -4,6 +4,7 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
+import javino.virtual.LineEnd
 
 /** What a link notices of its device while nobody waits for a message. */
 class LinkWatchSpec : FunSpec({

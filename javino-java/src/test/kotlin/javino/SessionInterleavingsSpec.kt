@@ -31,11 +31,14 @@ private class AnsweringLine(program: BoardProgram) : Transport {
     private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, board::receive)
     private var isClosed = false
 
+    @Volatile
+    var isWritable = true
+
     override fun name() = "answering"
 
     override fun line() = LineSettings(1_000_000)
 
-    override fun isWritableNow() = true
+    override fun isWritableNow() = isWritable
 
     override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) = lock.withLock {
         requireOpen()
@@ -65,35 +68,37 @@ private class AnsweringLine(program: BoardProgram) : Transport {
 private class Session {
     private val settings = LinkSettings.defaults().withProtocol(Protocol.V2).withPaced(false).withBootMillis(0)
     private val time = LineTime()
-    private val program = Recorder()
-    private val transport = AnsweringLine(program)
+    private val board = Recorder()
+    private val transport = AnsweringLine(board)
     private val monitor = Monitor(time, transport.name())
     private val writer = FrameWriter(monitor, transport, Pacer(settings, 0), time)
     private val line = SessionLine(monitor, transport, time, writer, settings)
+    private val commands = CommandLoop(monitor, transport, writer, line, RequestChannel(line, writer, time, settings), time) { }
 
-    val carriedOut get() = program.carriedOut.toList()
+    val carriedOut get() = board.carriedOut.toList()
 
     init {
         request()
-        program.carriedOut.clear()
+        commands.sendAndAwait(Frame.of("first"), SendOptions.defaults(), LIMIT_MS) // behind it the vocabulary is asked for
+        board.carriedOut.clear()
     }
 
-    fun command(text: String) = Command(Frame.of(text), SendOptions.defaults(), 0)
+    fun submit(text: String): Command = commands.submit(Frame.of(text), SendOptions.defaults())
 
-    /** Submits [command], and writes and reads until its outcome is known. */
-    fun send(command: Command) {
-        submit(command)
-        line.await({ command.isOver || command.isWithdrawn }, LIMIT_NANOS, false)
+    /** A command that waits, since the line takes nothing at the moment. */
+    fun waiting(text: String): Command {
+        transport.isWritable = false
+        return submit(text).also { transport.isWritable = true }
     }
 
-    /** As a caller who does not wait. */
-    fun submit(command: Command) {
-        writer.submit(command)
-        line.writeAtOnce()
-        writer.wake()
-    }
+    fun send(text: String) = commands.sendAndAwait(Frame.of(text), SendOptions.defaults(), LIMIT_MS)
 
-    fun withdraw(command: Command) = writer.withdraw(command)
+    fun await(command: Command) = check(line.await(command::isOver, LIMIT_NANOS, false)) { "no outcome" }
+
+    /** Withdraws [command] unless it has begun to go out, and returns whether it has. */
+    fun withdraw(command: Command): Boolean = writer.withdraw(command).also {
+        if (it) command.outcome().completeExceptionally(CommandWithdrawnException(transport.name(), "it was withdrawn"))
+    }
 
     fun request() = line.request("", LIMIT_NANOS)?.text()
 
@@ -101,14 +106,13 @@ private class Session {
 
     /** What a link does that is closed. */
     fun end() {
-        val gone = PortGoneException(transport.name(), "it was closed")
         writer.end("it was closed")
-        writer.withdrawAll().forEach { it.outcome().completeExceptionally(gone) }
-        line.abandon(gone)
+        commands.failAll("it was closed")
         transport.close()
     }
 
     private companion object {
+        const val LIMIT_MS = 60_000
         const val LIMIT_NANOS = 60_000_000_000L
     }
 }
@@ -120,62 +124,41 @@ private fun untilGone(work: () -> Unit) = try {
 }
 
 class SessionInterleavingsSpec : FunSpec({
-    test("two threads that send have each command carried out once, and learn its outcome, whoever of them reads") {
-        inEachInterleaving {
+    test("two threads that send have each command carried out once and learn its outcome, whoever of them writes and reads") {
+        inEachInterleaving(divisor = 3) {
             val session = Session()
-            val on = session.command("on")
-            val off = session.command("off")
-            concurrently({ session.send(on) }, { session.send(off) })
-            check(on.outcome().isDone && off.outcome().isDone) { "on: ${on.outcome()}, off: ${off.outcome()}" }
+            concurrently({ session.send("on") }, { session.send("off") })
             check(session.carriedOut.sorted() == listOf("off", "on")) { "carried out: ${session.carriedOut}" }
         }
     }
 
     test("a command and a request that share the line are both answered") {
-        inEachInterleaving {
+        inEachInterleaving(divisor = 3) {
             val session = Session()
-            val on = session.command("on")
             var answer: String? = null
-            concurrently({ session.send(on) }, { answer = session.request() })
-            check(on.outcome().isDone && session.carriedOut == listOf("on")) { "carried out: ${session.carriedOut}, ${on.outcome()}" }
+            concurrently({ session.send("on") }, { answer = session.request() })
+            check(session.carriedOut == listOf("on")) { "carried out: ${session.carriedOut}" }
             check(answer == "p;") { "the answer is $answer" }
         }
     }
 
     test("a command is either withdrawn or carried out") {
-        inEachInterleaving {
+        inEachInterleaving(divisor = 3) {
             val session = Session()
-            val on = session.command("on")
+            val command = session.waiting("on")
             var isWithdrawn = false
-            concurrently({ session.send(on) }, { isWithdrawn = session.withdraw(on) })
+            concurrently({ session.await(command) }, { isWithdrawn = session.withdraw(command) })
             check(isWithdrawn == session.carriedOut.isEmpty()) { "withdrawn: $isWithdrawn, carried out: ${session.carriedOut}" }
-            check(isWithdrawn != on.outcome().isDone) { "withdrawn: $isWithdrawn, ${on.outcome()}" }
+            check(isWithdrawn == command.outcome().isCompletedExceptionally) { "withdrawn: $isWithdrawn, ${command.outcome()}" }
         }
     }
 
-    test("a command that is sent while the line ends is refused or has an outcome, and who waits returns") {
-        inEachInterleaving {
+    test("when the line ends while a command is sent and the line is read, the command has an outcome and the reader returns") {
+        inEachInterleaving(divisor = 3) {
             val session = Session()
-            val on = session.command("on")
-            var isRefused = false
-            concurrently(
-                {
-                    try {
-                        session.submit(on)
-                    } catch (_: PortGoneException) {
-                        isRefused = true
-                    }
-                },
-                { session.end() },
-            )
-            check(isRefused || on.outcome().isDone) { "no outcome" }
-        }
-    }
-
-    test("who reads, and who waits for who reads, return when the line ends") {
-        inEachInterleaving {
-            val session = Session()
-            concurrently({ untilGone { session.listen() } }, { untilGone { session.request() } }, { session.end() })
+            var command: Command? = null
+            concurrently({ untilGone { session.listen() } }, { command = session.submit("on") }, { session.end() })
+            check(command?.isOver == true) { "the command has no outcome" }
         }
     }
 })

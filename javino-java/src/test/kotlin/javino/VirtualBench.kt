@@ -1,6 +1,7 @@
 package javino
 
 import javino.sim.MemoryLine
+import javino.virtual.LineEnd
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.Condition
 
@@ -49,12 +50,6 @@ internal class VirtualBench(
         const val STEP_NANOS = 100_000L
         val benches = AtomicInteger()
     }
-}
-
-/** What is at the far end of a line. */
-internal fun interface LineEnd {
-    /** Does what there is to do [now], in ms since the link was opened; called again and again. */
-    fun look(end: Transport, now: Double)
 }
 
 /**

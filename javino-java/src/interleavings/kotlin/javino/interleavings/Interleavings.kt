@@ -13,13 +13,15 @@ import kotlin.concurrent.thread
  * has. Fails with the first in which it throws, or in which its threads wait for each other, and shows it.
  *
  * It is run once as it is before, so that what classes do when they are first used is not part of the check.
+ *
+ * @param divisor the interleavings are so many times fewer: for a block that is long
  */
-internal fun inEachInterleaving(block: () -> Unit) {
+internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     block()
     checked = block
     val options = ModelCheckingOptions()
         .iterations(0) // no scenarios but the one below
-        .invocationsPerIteration(Integer.getInteger("argo.interleavings", 60))
+        .invocationsPerIteration(maxOf(1, Integer.getInteger("argo.interleavings", 60) / divisor))
         .loopIterationsBeforeThreadSwitch(LONGEST_LOOP).loopBound(100 * LONGEST_LOOP)
         .addGuarantee(forClasses { name -> ATOMIC.any(name::startsWith) }.allMethods().treatAsAtomic())
         .verifier(EpsilonVerifier::class.java).minimizeFailedScenario(false) // the block checks itself

@@ -1,4 +1,4 @@
-package javino
+package javino.virtual
 
 import java.util.SplittableRandom
 import kotlin.math.ln

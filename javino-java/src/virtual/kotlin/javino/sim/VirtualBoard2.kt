@@ -1,14 +1,16 @@
-package javino
+package javino.sim
 
-import javino.session.BoardModel
+import javino.Frame
+import javino.Protocol
+import javino.Transport
+import javino.virtual.EventBoard
 import javino.wire.BoardAction
 import javino.wire.FrameKind
-import javino.wire.WireDecoder
 import javino.wire.WireFrame
 
 /**
- * A board of version 2, in virtual time: it answers each request in the version it was asked in, carries out commands but those that begin
- * with `bad`, and takes longer over those that begin with `walk`.
+ * A simulated board in virtual time: it answers each request in the version it was asked in, carries out commands but those that begin with
+ * `bad`, and takes longer over those that begin with `walk`.
  *
  * @param startsAt the time in ms until which what comes is lost
  * @param damage what the line makes of bytes, in either direction
@@ -16,8 +18,8 @@ import javino.wire.WireFrame
  */
 internal class VirtualBoard2(
     private val startsAt: Double = 0.0,
-    private val readsVersion1: Boolean = true,
-    actions: List<BoardAction> = emptyList(),
+    readsVersion1: Boolean = true,
+    private val actions: List<BoardAction> = emptyList(),
     private val damage: (ByteArray) -> ByteArray = { it },
 ) : EventBoard {
     /** Requests and commands in the order in which they were handled, as `2:getPercepts`. */
@@ -48,19 +50,24 @@ internal class VirtualBoard2(
     private var now = 0.0
     private var lastByteAt = Double.NEGATIVE_INFINITY
     private var finishAt = Double.POSITIVE_INFINITY
-    val model = BoardModel(actions, percepts = ::percepts, act = ::act)
-    private val version2 = WireDecoder(false, TIMEOUT_NANOS) { frame ->
-        onReceived(frame)
-        if (!silent) postAll(model.received(frame))
+    private var session = newSession()
+    private val receiver = BoardReceiver(
+        if (readsVersion1) Protocol.AUTO else Protocol.V2, TIMEOUT_NANOS, WireFrame.MAX_PAYLOAD, { session.isOpen }, ::found,
+    )
+
+    private fun newSession() = BoardSession(Program(), CAPACITY) { frame -> posting(frame).forEach { post(it.toBytes()) } }
+
+    /** Forgets the session. */
+    fun restart() {
+        session = newSession()
     }
-    private val version1 = FrameDecoder(TIMEOUT_NANOS) { handleVersion1(it.text()) }
 
     override val dueMillis: Double
         get() = if (stopped) Double.POSITIVE_INFINITY
         else minOf(outgoing.firstOrNull()?.first ?: Double.POSITIVE_INFINITY, idleMillis(), finishAt)
 
     private fun idleMillis(): Double {
-        val nanos = minOf(version1.nanosUntilIdle(nanos()), version2.nanosUntilIdle(nanos()))
+        val nanos = receiver.nanosUntilIdle(nanos())
         return if (nanos == Long.MAX_VALUE) Double.POSITIVE_INFINITY else now + nanos / 1e6
     }
 
@@ -72,10 +79,10 @@ internal class VirtualBoard2(
         val bytes = ByteArray(1024)
         val length = end.read(bytes, 0, bytes.size, 0)
         if (now < startsAt) return
-        if (length > 0) accept(damage(bytes.copyOf(length))) else idle()
+        if (length > 0) accept(damage(bytes.copyOf(length))) else receiver.idle(nanos())
         if (finishAt <= now) {
             finishAt = Double.POSITIVE_INFINITY
-            postAll(listOf(model.finish()))
+            session.report(session.openAction(), true)
         }
         while (outgoing.isNotEmpty() && outgoing.first().first <= now) {
             val frame = damage(outgoing.removeFirst().second)
@@ -83,45 +90,49 @@ internal class VirtualBoard2(
         }
     }
 
-    private fun idle() {
-        version1.idle(nanos())
-        version2.idle(nanos())
+    private fun accept(bytes: ByteArray) {
+        for (byte in bytes) {
+            receiver.accept(byte, nanos(), ((now - lastByteAt) * 1e6).toLong())
+            lastByteAt = now
+        }
     }
 
-    private fun accept(bytes: ByteArray) {
-        val countsVersion1 = readsVersion1 && (model.nonce == 0 || now - lastByteAt >= QUIET_MILLIS)
-        lastByteAt = now
-        for (byte in bytes) {
-            if (!version1.isInPayload && version2.accept(byte, nanos())) continue
-            if (countsVersion1) version1.accept(byte, nanos())
-        }
+    private fun found(message: BoardReceiver.Found) {
+        val frame: WireFrame? = message.version2()
+        if (frame != null) onReceived(frame)
+        if (silent) return
+        if (frame != null) session.receive(frame) else handleVersion1(message.version1().text())
     }
 
     /** Sends percepts that nobody asked for. */
     fun say(text: String, version: Int = 2) {
-        if (version == 1) post(Frame.of(text).toBytes()) else postAll(model.say(text))
+        if (version == 1) post(Frame.of(text).toBytes()) else session.sendPercepts(text)
     }
 
+    /** Compares what its sensors show with its rules. */
+    fun sees(percepts: String) = session.look(percepts)
+
     private fun handleVersion1(text: String) {
-        if (silent) return
         onHandled("1:$text")
         if (text.startsWith("getPercepts")) post(Frame.of(answer(++answers)).toBytes())
     }
 
-    private fun percepts(functors: String): String {
-        onHandled("2:getPercepts$functors")
-        return answer(++answers)
-    }
+    private inner class Program : BoardProgram {
+        override fun vocabulary() = actions
 
-    private fun act(text: String): Boolean? {
-        if (text.startsWith("bad")) return false
-        onHandled("2:$text")
-        if (!text.startsWith("walk")) return true
-        finishAt = now + walkTakes
-        return null
-    }
+        override fun percepts(request: String): String {
+            onHandled("2:$request")
+            return answer(++answers)
+        }
 
-    private fun postAll(frames: List<WireFrame>) = frames.flatMap(posting).forEach { post(it.toBytes()) }
+        override fun carryOut(command: String): BoardProgram.Outcome {
+            if (command.startsWith("bad")) return BoardProgram.Outcome.REFUSED
+            onHandled("2:$command")
+            if (!command.startsWith("walk")) return BoardProgram.Outcome.DONE
+            finishAt = now + walkTakes
+            return BoardProgram.Outcome.LATER
+        }
+    }
 
     private fun post(bytes: ByteArray) {
         outgoing += maxOf(now + takes, outgoing.lastOrNull()?.first ?: 0.0) to bytes
@@ -129,7 +140,7 @@ internal class VirtualBoard2(
 
     private companion object {
         const val TIMEOUT_NANOS = 100_000_000L
-        const val QUIET_MILLIS = 25.0
+        val CAPACITY = BoardSession.Capacity(60, WireFrame.MAX_PAYLOAD, 4, 16)
     }
 }
 

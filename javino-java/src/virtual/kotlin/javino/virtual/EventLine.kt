@@ -1,5 +1,11 @@
-package javino
+package javino.virtual
 
+import javino.LineClock
+import javino.LineSettings
+import javino.Link
+import javino.LinkSettings
+import javino.PortGoneException
+import javino.Transport
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.Condition
 
@@ -14,6 +20,12 @@ internal fun interface LineFaults {
 /** Nothing happens to the bytes. */
 internal val FAULTLESS = LineFaults { listOf(Piece(it)) }
 
+/** What is at the far end of a line. */
+internal fun interface LineEnd {
+    /** Does what there is to do [now], in ms since the link was opened; called again and again. */
+    fun look(end: Transport, now: Double)
+}
+
 /** A board on an [EventLine]. */
 internal interface EventBoard : LineEnd {
     /** The next time, in ms, at which it has to look though nothing arrives; infinite: none. */
@@ -24,6 +36,7 @@ internal interface EventBoard : LineEnd {
  * A paced line, a link and a board on one thread, in a time of their own that jumps from one event to the next: so a million exchanges take
  * seconds. What is written arrives in one piece when its last byte does, unless faults break it up.
  *
+ * @param open makes the link
  * @param goneAfter bytes in both directions after which the line is gone
  * @param startMillis what the clock shows when the line is opened
  */
@@ -34,11 +47,13 @@ internal class EventLine(
     toComputer: LineFaults = FAULTLESS,
     private val goneAfter: Long = Long.MAX_VALUE,
     startMillis: Double = 0.0,
-    private val name: String = "event${lines.incrementAndGet()}",
+    open: (Transport, LinkSettings, LineClock) -> Link = Link::over,
 ) : AutoCloseable {
+    private val name = "event${lines.incrementAndGet()}"
     private val byteNanos = settings.line().byteNanos()
     private var now = (startMillis * 1e6).toLong()
     private var carried = 0L
+    private var isWoken = false
     private val there = Way(toBoard)
     private val back = Way(toComputer)
     private val computer = End(back, there, settings.line()) { deadline -> step(deadline) }
@@ -48,16 +63,25 @@ internal class EventLine(
 
         override fun await(condition: Condition, nanos: Long) = step(now + nanos)
     }
-    val link = Link(computer, settings, PortOwners.claim(name, "the test"), clock)
+    val link: Link = open(computer, settings, clock)
     val transport: Transport get() = computer
     val millis: Double get() = now / 1e6
 
     override fun close() = link.close()
 
+    /** Ends the read that waits, so that its thread writes what has been queued: there is no other that would. */
+    fun wake() {
+        isWoken = true
+    }
+
+    /** Lets time go on to the next event, or by [nanos]. */
+    fun pass(nanos: Long) = step(now + nanos)
+
     /** Lets time go on to the next event, or to [deadline]. */
     private fun step(deadline: Long) {
         val due = board.dueMillis.let { if (it.isInfinite()) Long.MAX_VALUE else (it * 1e6).toLong() + 1 }
-        now = maxOf(now, minOf(deadline, there.nextAt, back.nextAt, due))
+        val unread = back.nextAt <= now // and nobody reads at the moment
+        now = maxOf(now, minOf(deadline, there.nextAt, if (unread) deadline else back.nextAt, due))
         if (there.nextAt <= now || due <= now) board.look(boardEnd, millis)
     }
 
@@ -99,10 +123,12 @@ internal class EventLine(
                 val count = incoming.take(b, off)
                 if (count > 0) return count
                 if (carried > goneAfter) throw PortGoneException(name, "port $name is gone: the plug was pulled")
-                if (now >= deadline) return 0
+                if (now >= deadline || isWoken) return 0.also { isWoken = false }
                 wait(deadline)
             }
         }
+
+        override fun isWritableNow() = true
 
         override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
             if (carried > goneAfter) throw PortGoneException(name, "port $name is gone: the plug was pulled")

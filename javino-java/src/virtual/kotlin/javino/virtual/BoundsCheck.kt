@@ -1,0 +1,23 @@
+package javino.virtual
+
+import kotlin.random.Random
+
+/**
+ * Makes so many exchanges or more on random courses, the same ones for the same [seed], and returns what came closest to each bound, or
+ * exceeded it most.
+ */
+internal fun checkBounds(exchanges: Int, seed: Long): Map<Bounded, Closest> {
+    val closest = LinkedHashMap<Bounded, Closest>()
+    val courses = Random(seed)
+    var made = 0
+    while (made < exchanges) {
+        val random = Random(courses.nextLong())
+        val run = BoundsRun(Course.random(random), random)
+        run.use { while (it.exchanges < EXCHANGES_OF_A_COURSE) it.step() }
+        made += run.exchanges
+        run.closest.forEach { (what, found) -> closest.merge(what, found) { one, other -> if (one.share < other.share) other else one } }
+    }
+    return closest
+}
+
+private const val EXCHANGES_OF_A_COURSE = 200

@@ -1,0 +1,279 @@
+package javino.virtual
+
+import javino.BoardListener
+import javino.LinkSettings
+import javino.PerceptsRequest
+import javino.Protocol
+import javino.SendOptions
+import javino.Transport
+import javino.wire.BoardAction
+import javino.wire.BoardRule
+import javino.wire.ReflexOutcome
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+import kotlin.random.Random
+
+/** How close what was measured came to its bound; times in ns. */
+internal class Closest(val measured: Long, val bound: Long, val course: Course) {
+    val share: Double get() = measured.toDouble() / bound
+
+    override fun toString() = "$measured of $bound ns, $course"
+}
+
+/** Makes exchanges on [course] in virtual time, and compares the times that they take with their bounds. */
+internal class BoundsRun(private val course: Course, private val random: Random) : AutoCloseable {
+    private var escapes = 0
+    private var alarm: Pair<Long, () -> Unit>? = null
+    private val sketch = Sketch()
+    private val bounds = Bounds(course)
+    private val line: EventLine = EventLine(
+        LinkSettings.defaults().withBaud(course.baud).withProtocol(Protocol.V2).withBootMillis(0),
+        Alarmed(LoopBoard(course.times, course.byteNanos, random, sketch, listOf(BoardAction("stop", 0), BoardAction("speed", 1)))),
+        ::count, ::count,
+    )
+    private val link get() = line.link
+    private val now get() = line.clock.nanos()
+
+    /** Requests that were answered and commands that were carried out. */
+    var exchanges = 0
+        private set
+
+    /** The measurement of each kind that came closest to its bound, or exceeded it most. */
+    val closest = HashMap<Bounded, Closest>()
+
+    init {
+        repeat(3) { request() }
+        settle(link.send("stop", URGENT)) // and the vocabulary, which is asked for then
+        if (course.hasRules) {
+            link.onBoardEvents(Reports())
+            settle(link.send(RULE.text(1), URGENT))
+        }
+        rest()
+    }
+
+    /** Counts the bytes that stand before escaped ones, which bounds leave out. */
+    private fun count(bytes: ByteArray): List<Piece> {
+        escapes += bytes.count { it == ESCAPE }
+        return FAULTLESS.pass(bytes)
+    }
+
+    /** Makes exchanges of any kind. */
+    fun step() = if (course.hasRules) when (random.nextInt(4)) {
+        0 -> answer()
+        1 -> urgent()
+        2 -> plan()
+        else -> reflex()
+    } else when (random.nextInt(4)) {
+        0 -> answer()
+        1 -> command()
+        2 -> urgent()
+        else -> plan()
+    }
+
+    private fun request() = link.request(PerceptsRequest.ALL, LIMIT_MS).text().also { exchanges++ }
+
+    private fun settle(outcome: CompletableFuture<Void>) {
+        while (!outcome.isDone) link.watch(1)
+        outcome.join()
+        exchanges++
+    }
+
+    /** Lets the line fall silent, where a request that was repeated has another answer too, and the board be anywhere in its loop. */
+    private fun rest() {
+        link.watch(1 + TimeUnit.NANOSECONDS.toMillis(bounds.answer() + course.byteNanos * 100).toInt())
+        await(now + random.nextLong(2 * course.times.loop))
+    }
+
+    private fun await(nanos: Long) {
+        while (now < nanos) line.pass(nanos - now)
+    }
+
+    private fun record(what: Bounded, measured: Long, bound: Long) {
+        val found = Closest(measured, bound + escapes * course.byteNanos + ROUNDING, course)
+        if (found.share > (closest[what]?.share ?: -1.0)) closest[what] = found
+    }
+
+    private fun answer() {
+        rest()
+        escapes = 0
+        val start = now
+        request()
+        record(if (course.hasRules) Bounded.PARTS else Bounded.ANSWER, now - start, bounds.answer())
+    }
+
+    private fun command() {
+        rest()
+        escapes = 0
+        val start = now
+        val text = sketch.await("speed(${random.nextInt(10, 100)})")
+        var endedAt = 0L
+        settle(link.send(text, SendOptions.defaults()).thenRun { endedAt = now })
+        record(Bounded.COMMAND, sketch.begunAt - start, bounds.command(text.length + Bounds.AROUND_COMMAND))
+        record(Bounded.OUTCOME, endedAt - start, bounds.outcome(text.length + Bounds.AROUND_COMMAND))
+    }
+
+    private fun urgent() {
+        rest()
+        escapes = 0
+        val others = List(random.nextInt(20)) { link.send("speed(${random.nextInt(10)})", SendOptions.defaults()) }
+        val text = "speed(${random.nextInt(10, 100)})"
+        var outcome: CompletableFuture<Void>? = null
+        var start = 0L
+        alarm = now + random.nextLong(bounds.answer()) to {
+            start = now
+            sketch.await(text)
+            outcome = link.send(text, URGENT)
+        }
+        request()
+        while (outcome == null) link.watch(1)
+        settle(checkNotNull(outcome))
+        record(Bounded.URGENT, sketch.doneAt - start, bounds.urgent(text.length + Bounds.AROUND_COMMAND, sketch.before))
+        others.forEach(::settle)
+    }
+
+    /** Requests percepts at the interval, until something is new, and acts on it. */
+    private fun plan() {
+        rest()
+        escapes = 0
+        var start = 0L
+        alarm = now + random.nextLong(2 * course.intervalMs * NANOS_PER_MS) to {
+            start = now
+            sketch.news++
+        }
+        val known = sketch.news
+        while (true) {
+            val asked = now
+            val news = link.request({ PerceptsRequest.ALL }, LIMIT_MS, course.intervalMs).text().substringAfter('(').substringBefore(')')
+            exchanges++
+            if (news.toInt() != shown(known)) break
+            watchUntil(asked + course.intervalMs * NANOS_PER_MS)
+        }
+        val text = sketch.await("speed(${random.nextInt(10, 100)})")
+        settle(link.send(text, URGENT))
+        record(Bounded.PLAN, sketch.begunAt - start, bounds.planFromAnswer(text.length + Bounds.AROUND_COMMAND))
+    }
+
+    private fun watchUntil(nanos: Long) {
+        while (nanos - now >= NANOS_PER_MS) link.watch(minOf(SLICE_MS, TimeUnit.NANOSECONDS.toMillis(nanos - now)).toInt())
+        await(nanos)
+    }
+
+    /** A rule begins to be met while percepts are requested; the computer acts on the board's report. */
+    private fun reflex() {
+        rest()
+        escapes = 0
+        var start = 0L
+        val text = "speed(${random.nextInt(10, 100)})"
+        var outcome: CompletableFuture<Void>? = null
+        var reflexAt = 0L
+        sketch.await(REFLEX)
+        reported = {
+            reflexAt = sketch.begunAt
+            sketch.await(text)
+            outcome = link.send(text, URGENT)
+        }
+        alarm = now + random.nextLong(2 * bounds.answer()) to {
+            start = now
+            sketch.isNear = true
+        }
+        while (outcome == null) {
+            request()
+            link.watch(1)
+        }
+        settle(checkNotNull(outcome))
+        exchanges++
+        record(Bounded.REFLEX, reflexAt - start, bounds.reflex())
+        record(
+            Bounded.REPORT, sketch.begunAt - start,
+            bounds.planFromReport(NEAR.length + Bounds.AROUND_REPORT, text.length + Bounds.AROUND_COMMAND),
+        )
+        sketch.isNear = false
+        watchUntil(now + 2 * bounds.reflex()) // until the board has seen it
+    }
+
+    private var reported: () -> Unit = {}
+
+    private inner class Reports : BoardListener {
+        override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) = reported()
+
+        override fun sessionBegan(rules: Int) = Unit
+    }
+
+    override fun close() = line.close()
+
+    /** Does what [alarm] says when its time has come. */
+    private inner class Alarmed(private val board: EventBoard) : EventBoard {
+        override val dueMillis: Double get() = minOf(board.dueMillis, alarm?.let { it.first / 1e6 } ?: Double.POSITIVE_INFINITY)
+
+        override fun look(end: Transport, now: Double) {
+            val (at, action) = alarm ?: (Long.MAX_VALUE to {})
+            if (at <= Math.round(now * 1e6)) {
+                alarm = null
+                action()
+                line.wake()
+            }
+            board.look(end, now)
+        }
+    }
+
+    private inner class Sketch : TimedSketch {
+        var news = 0
+        var isNear = false
+        var begunAt = 0L
+            private set
+        var doneAt = 0L
+            private set
+
+        /** Commands that were under way at [await], or carried out between that and the one awaited. */
+        var before = 0
+            private set
+        private var awaited: String? = null
+        private val ends = ArrayDeque<Long>() // of the last commands
+        private val others = List(course.percepts) { i -> "dist(${('a' + i % 26).toString().repeat(1 + i / 26)},%s);" }.joinToString("")
+
+        /** Notes from now on when [command] is carried out. */
+        fun await(command: String): String {
+            awaited = command
+            before = ends.count { it > now }
+            return command
+        }
+
+        override fun percepts(nanos: Long): String {
+            val values = Array(course.percepts) { "${random.nextInt(9) + 1}".repeat(course.digits) }
+            return "news(${shown(news)});${if (isNear) NEAR else FAR}" + others.format(*values)
+        }
+
+        override fun carriedOut(command: String, fromNanos: Long, toNanos: Long) {
+            if (command != awaited) {
+                before++
+                ends += toNanos
+                if (ends.size > MAX_OUT) ends.removeFirst()
+                return
+            }
+            awaited = null
+            begunAt = fromNanos
+            doneAt = toNanos
+        }
+    }
+
+    private companion object {
+        const val ESCAPE = 0xA4.toByte()
+        const val LIMIT_MS = 5_000
+        const val NANOS_PER_MS = 1_000_000L
+        const val SLICE_MS = 10L
+        const val REFLEX = "stop"
+
+        /** Commands that are out at most. */
+        const val MAX_OUT = 16
+        const val NEAR = "near(1);"
+        const val FAR = "near(0);"
+
+        /** Events of the line are some ns late. */
+        const val ROUNDING = 10_000L
+
+        /** The number of two digits that [news] has in percepts. */
+        fun shown(news: Int) = 10 + news % 90
+        val URGENT = SendOptions(true, 0)
+        val RULE = BoardRule("near", listOf(BoardRule.Condition(1, BoardRule.Operator.EQUAL, "1")), REFLEX)
+    }
+}
