@@ -1,4 +1,11 @@
+import org.jetbrains.kotlin.gradle.dsl.KotlinJvmProjectExtension
+
 plugins { application }
+
+// lines and boards in virtual time, shared with javino-java's tests
+configure<KotlinJvmProjectExtension> {
+    sourceSets.named("main") { kotlin.srcDir("../javino-java/src/virtual/kotlin") }
+}
 
 dependencies {
     implementation(project(":argo-arch"))
