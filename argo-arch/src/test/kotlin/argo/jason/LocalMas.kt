@@ -48,6 +48,9 @@ internal class LocalMas : AutoCloseable {
     /** The log so far, one record a line. */
     val log: String get() = records.joinToString("\n") { "${it.level} ${it.loggerName}: ${it.message}" }
 
+    /** Writes a file with [text] that programs can include, and returns its path. */
+    fun file(name: String, text: String): Path = directory.resolve(name).apply { writeText(text) }
+
     /** Starts an agent with [program]; [options] are those in brackets in a `.mas2j`, [behind] is a second architecture. */
     fun agent(name: String, program: String, options: Map<String, String> = emptyMap(), behind: String? = null) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
