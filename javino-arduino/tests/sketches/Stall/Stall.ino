@@ -1,7 +1,8 @@
 // A sketch whose loop() or whose action stalls.
 //
 //   actions   count, slow(Ms), stall(Ms): every loop() from now on
-//   percepts  count(N), longest(Microseconds): the longest run() so far, without the actions
+//   percepts  count(N), longest(Microseconds): the longest run() so far, without those that act or answer,
+//            which waits for the line
 
 #include <Javino.h>
 
@@ -9,7 +10,7 @@ Javino javino;
 unsigned long stall_ms = 0;
 unsigned counted = 0;
 unsigned long longest_us = 0;
-bool acted = false;
+bool acted_or_answered = false;
 
 void count() {
   counted++;
@@ -17,7 +18,7 @@ void count() {
 
 void slow(const JavinoArguments &arguments) {
   counted++;
-  acted = true;
+  acted_or_answered = true;
   delay(arguments.number(0));
 }
 
@@ -26,6 +27,7 @@ void stall(const JavinoArguments &arguments) {
 }
 
 void look() {
+  acted_or_answered = true;
   javino.percept("count", counted);
   javino.percept("longest", longest_us);
 }
@@ -42,8 +44,8 @@ void loop() {
   unsigned long begin = micros();
   javino.run();
   unsigned long took = micros() - begin;
-  if (took > longest_us && !acted)
+  if (took > longest_us && !acted_or_answered)
     longest_us = took;
-  acted = false;
+  acted_or_answered = false;
   delay(stall_ms);
 }
