@@ -21,11 +21,12 @@ class Agents : AutoCloseable {
         mas.start()
     }
 
-    /** Starts agent [name] with [program] on [arch]; null: Jason's own architecture. */
-    fun start(name: String, program: String, arch: String? = "argo.Arch") {
+    /** Starts agent [name] with [program] and [options] of its `.mas2j` on [arch]; null: Jason's own architecture. */
+    fun start(name: String, program: String, arch: String? = "argo.Arch", options: Map<String, String> = emptyMap()) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val services = RuntimeServicesFactory.get()
-        services.startAgent(services.createAgent(name, source.toString(), null, listOfNotNull(arch), null, Settings(), null))
+        val settings = Settings().apply { options.forEach(::addOption) }
+        services.startAgent(services.createAgent(name, source.toString(), null, listOfNotNull(arch), null, settings, null))
     }
 
     /** Gives agent [name] the goal. */

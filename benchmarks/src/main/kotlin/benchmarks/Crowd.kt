@@ -3,7 +3,6 @@ package benchmarks
 import javino.Protocol
 import javino.sim.SimulatedBoards
 import java.io.File
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /** A thousand agents with a board each in one Java machine, sensing twelve percepts at 10 Hz of which one has changed. */
@@ -13,13 +12,7 @@ internal class Crowd {
 
     /** Measures in a Java machine of its own that may have [HEAP_MB] MB of heap. */
     fun measure(): Result {
-        val java = File(System.getProperty("java.home"), "bin/java").path
-        val process = ProcessBuilder(java, "-Xmx${HEAP_MB}m", "-cp", System.getProperty("java.class.path"), "benchmarks.MainKt", NAME)
-            .redirectError(ProcessBuilder.Redirect.INHERIT).start()
-        val figures = process.inputStream.bufferedReader().readLines().last().split(' ').map(String::toDouble)
-        check(process.waitFor(LIMIT_S, TimeUnit.SECONDS) && process.exitValue() == 0) {
-            "the crowd's process ended with ${process.exitValue()}"
-        }
+        val figures = figuresApart(NAME, options = listOf("-Xmx${HEAP_MB}m"))
         return Result(figures[0], figures[1])
     }
 
@@ -65,6 +58,5 @@ internal class Crowd {
         private fun percepts(n: Int) = "dist(f,${n % 100});$BESIDES"
         private const val WARM_UP_MS = 20_000L
         private const val MEASURED_MS = 10_000L
-        private const val LIMIT_S = 120L
     }
 }

@@ -1,6 +1,5 @@
 package benchmarks
 
-import java.io.File
 import java.util.Locale
 
 /** A part of a course, by its exchanges at 50 a second. */
@@ -34,16 +33,9 @@ internal fun measureLatencies(): Map<LatencyCourse, Latencies> {
 internal const val LATENCY_COURSE = "latency-course"
 
 private fun measureApart(course: LatencyCourse): LongArray {
-    val java = File(System.getProperty("java.home"), "bin/java").path
-    val process = ProcessBuilder(
-        java, "--enable-native-access=ALL-UNNAMED", "-cp", System.getProperty("java.class.path"), "benchmarks.MainKt", LATENCY_COURSE,
-        course.name,
-    ).redirectError(ProcessBuilder.Redirect.INHERIT).start()
-    val latencies = process.inputStream.bufferedReader().readLines().lastOrNull()?.split(' ')?.mapNotNull(String::toLongOrNull).orEmpty()
-    check(process.waitFor() == 0 && latencies.size > Part.entries.maxOf { it.exchanges.last }) {
-        "${course.title} ended with ${process.exitValue()} after ${latencies.size} exchanges"
-    }
-    return latencies.toLongArray()
+    val latencies = figuresApart(LATENCY_COURSE, course.name)
+    check(latencies.size > Part.entries.maxOf { it.exchanges.last }) { "${course.title} ended after ${latencies.size} exchanges" }
+    return LongArray(latencies.size) { latencies[it].toLong() }
 }
 
 /** The program in the Java machine of a course: prints its latencies in ns. */

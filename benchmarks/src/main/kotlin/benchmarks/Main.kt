@@ -1,13 +1,15 @@
 package benchmarks
 
+import benchmarks.boards.BoardHost
+import benchmarks.boards.BoardsCourse
+import benchmarks.boards.ManyBoards
+import benchmarks.boards.boards
+import benchmarks.boards.hostBoards
 import benchmarks.stops.stops
 import java.io.File
 import kotlin.system.exitProcess
 
-/**
- * `latency`, `stops`, `filters`, `realtime`, `bounds`, `faults` or `soak`, and for the second to the fourth the file for all results: prints
- * the figures.
- */
+/** The name of a benchmark, and for some the file for all their results: prints the figures. */
 fun main(args: Array<String>) {
     when (args.firstOrNull()) {
         "latency" -> latency()
@@ -16,11 +18,15 @@ fun main(args: Array<String>) {
         "stops" -> if (!stops(File(args.getOrElse(1) { "stops.txt" }))) exitProcess(1)
         "bounds" -> if (!bounds()) exitProcess(1)
         "faults" -> if (!faults()) exitProcess(1)
+        "boards" -> if (!boards(File(args.getOrElse(1) { "boards.txt" }))) exitProcess(1)
         "soak" -> if (!soak()) exitProcess(1)
         Crowd.NAME -> Crowd().run()
+        BoardsCourse.NAME -> BoardsCourse(args[1].toInt(), args[2].toInt()).run()
+        ManyBoards.NAME -> ManyBoards().run()
+        BoardHost.NAME -> hostBoards(args.drop(1))
         LATENCY_COURSE -> latencyCourse(args[1])
         else -> {
-            System.err.println("usage: ./argo bench latency|stops|filters|realtime|bounds|faults|soak")
+            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak")
             exitProcess(2)
         }
     }

@@ -14,8 +14,8 @@ private const val EXCHANGES_OF_AN_EXAMPLE = 20_000
 private const val SEED = 1L
 
 /**
- * Makes a million exchanges on random lines, boards and intervals, and prints how close each came to its bound; then the same for the
- * examples of docs/real-time.md. Virtual time, so the figures are the same on every machine. Returns whether no bound was exceeded.
+ * Makes a million exchanges on random lines, boards and intervals, and prints how close each came to its bound; then the longest ones of
+ * the examples of docs/real-time.md. Virtual time, so the figures are the same on every machine. Returns whether no bound was exceeded.
  */
 internal fun bounds(): Boolean {
     val closest = checkBounds(EXCHANGES, SEED)
@@ -23,7 +23,7 @@ internal fun bounds(): Boolean {
     closest.entries.sortedBy { it.key }.forEach { (what, found) -> println(row(what, found)) }
     for (baud in listOf(9_600, 115_200)) for (hasRules in listOf(false, true)) {
         val board = if (hasRules) "rules on the board" else "no rules on the board"
-        println("the example at $baud baud, $board: closest to its bound of $EXCHANGES_OF_AN_EXAMPLE exchanges")
+        println("the example at $baud baud, $board: the longest of $EXCHANGES_OF_AN_EXAMPLE exchanges")
         val random = Random(SEED)
         val run = BoundsRun(Course(baud, EXAMPLE, intervalMs = 50, percepts = 10, digits = 3, hasRules), random)
         run.use { while (it.exchanges < EXCHANGES_OF_AN_EXAMPLE) it.step() }

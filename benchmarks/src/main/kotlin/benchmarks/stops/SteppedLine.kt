@@ -24,6 +24,7 @@ internal class SteppedLine(
     private val arriving = ArrayDeque<Arrival>()
     private var freeAt = clock.nanos()
     private var isClosed = false
+    private var hangs = false
 
     /** The bytes that have been handed to it and read from it. */
     var traffic = Traffic(0, 0)
@@ -49,9 +50,34 @@ internal class SteppedLine(
         try {
             if (isClosed) return
             val before = arriving.size
-            uno.runTo(clock.nanos())
+            if (!hangs) uno.runTo(clock.nanos())
             if (arriving.size > before) changed.signalAll()
             clock.schedule(settings.byteNanos() * 4 / 5, ::advance) // the board may send up to 2 % faster than its nominal rate
+        } finally {
+            lock.unlock()
+        }
+    }
+
+    /** The board is not run any more, and takes no bytes; from now on [flood] comes over the line again and again, null: nothing. */
+    fun hang(flood: ByteArray?) {
+        lock.lock()
+        try {
+            hangs = true
+            if (flood != null) repeatBytes(flood, 0)
+        } finally {
+            lock.unlock()
+        }
+    }
+
+    private fun repeatBytes(bytes: ByteArray, next: Int) {
+        lock.lock()
+        try {
+            if (isClosed) return
+            val at = clock.nanos() + settings.byteNanos()
+            arriving += Arrival(bytes[next], at)
+            timeline.addByte("board", at)
+            changed.signalAll()
+            clock.schedule(settings.byteNanos()) { repeatBytes(bytes, (next + 1) % bytes.size) }
         } finally {
             lock.unlock()
         }
@@ -98,9 +124,11 @@ internal class SteppedLine(
 
     private fun send(bytes: ByteArray) {
         val now = clock.nanos()
-        uno.runTo(now)
         freeAt = maxOf(freeAt, now)
-        uno.send(bytes, freeAt, settings.byteNanos())
+        if (!hangs) {
+            uno.runTo(now)
+            uno.send(bytes, freeAt, settings.byteNanos())
+        }
         repeat(bytes.size) {
             freeAt += settings.byteNanos()
             timeline.addByte("computer", freeAt)

@@ -37,10 +37,6 @@ private val FAST = StopCourse(115_200)
 private val LIMITS = mapOf(
     StopCourse(9_600) to 150.0,
     FAST to 40.0,
-    StopCourse(9_600, filter = "critical") to 95.0,
-    StopCourse(115_200, filter = "critical") to 24.0,
-    StopCourse(9_600, filter = "criticalReflex") to 8.5,
-    StopCourse(115_200, filter = "criticalReflex") to 8.5,
     StopCourse(9_600, version = 1) to 750.0,
     StopCourse(9_600, version = 1, Firmware.FIELD, loopMs = 5) to 1_200.0,
 )

@@ -1,0 +1,152 @@
+package benchmarks.boards
+
+import benchmarks.SensorBoard
+import benchmarks.programApart
+import javino.DriverTransport
+import javino.LineSettings
+import javino.PortException
+import javino.PortGoneException
+import javino.Protocol
+import javino.Transport
+import javino.Transports
+import java.io.File
+import java.io.IOException
+import java.net.InetAddress
+import java.net.ServerSocket
+import java.net.Socket
+import java.net.SocketTimeoutException
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicLong
+import kotlin.concurrent.thread
+
+/** Boards in a process of their own: what they do is no part of what is measured of the agent's process. */
+internal class BoardHost private constructor(private val process: Process) : AutoCloseable {
+    private val commands = process.outputWriter()
+    private val answers = process.inputReader()
+
+    /** The ports of its boards, as an agent names them; for boards on devices those of their own ends. */
+    val ports: List<String> = words()
+
+    /** How many requests each board has answered, in the order of [ports]. */
+    fun answered(): List<Long> = ask("answered").map(String::toLong)
+
+    /** How many boards have an open line. */
+    fun openLines(): Int = ask("open").single().toInt()
+
+    private fun ask(question: String): List<String> {
+        commands.write("$question\n")
+        commands.flush()
+        return words()
+    }
+
+    private fun words(): List<String> = checkNotNull(answers.readLine()) { "the boards' process has ended" }.split(' ')
+
+    override fun close() {
+        commands.close() // it ends with its input
+        process.waitFor()
+    }
+
+    companion object {
+        /** The name of the program in that process. */
+        const val NAME = "board-host"
+
+        /** Boards on the [devices], each with so many [percepts], all of which change with each answer. */
+        fun onDevices(devices: List<File>, percepts: Int) = BoardHost(programApart(NAME, "$percepts", *devices.map { "$it" }.toTypedArray()))
+
+        /** As many [boards] on TCP ports of this machine. */
+        fun onNetwork(boards: Int, percepts: Int) = BoardHost(programApart(NAME, "$percepts", *Array(boards) { NETWORK }))
+    }
+}
+
+private const val NETWORK = "tcp"
+private const val BAUD = 115_200
+
+/** The program of [BoardHost]: the number of percepts, then a device or `tcp` for each board. */
+internal fun hostBoards(arguments: List<String>) {
+    val percepts = arguments.first().toInt()
+    val boards = arguments.drop(1).map { if (it == NETWORK) NetworkBoard(percepts) else DeviceBoard(it, percepts) }
+    println(boards.joinToString(" ") { it.port })
+    while (true) when (readlnOrNull()) {
+        "answered" -> println(boards.joinToString(" ") { "${it.answered}" })
+        "open" -> println(boards.sumOf { it.open })
+        else -> return
+    }
+}
+
+private abstract class HostedBoard(private val percepts: Int) : SensorBoard.Witness {
+    private val answers = AtomicLong()
+    private val lines = AtomicInteger()
+
+    abstract val port: String
+
+    val answered: Long get() = answers.get()
+    val open: Int get() = lines.get()
+
+    override fun answered(n: Int, endNanos: Long, bytes: Int) {
+        answers.incrementAndGet()
+    }
+
+    protected fun serve(line: Transport) {
+        lines.incrementAndGet()
+        try {
+            line.use { SensorBoard(Protocol.AUTO, ::message, this).run(it) }
+        } catch (_: PortGoneException) {
+            // the agent has closed it
+        } finally {
+            lines.decrementAndGet()
+        }
+    }
+
+    private fun message(n: Int) = SensorBoard.robot(n).split(';').take(percepts).joinToString(";", postfix = ";")
+}
+
+private class DeviceBoard(override val port: String, percepts: Int) : HostedBoard(percepts) {
+    init {
+        val line = Transports.open(port, LineSettings(BAUD))
+        thread(isDaemon = true, name = "board $port") {
+            try {
+                serve(line)
+            } catch (trouble: PortException) {
+                System.err.println("board $port: ${trouble.message}")
+            }
+        }
+    }
+}
+
+private class NetworkBoard(percepts: Int) : HostedBoard(percepts) {
+    private val server = ServerSocket(0, 1, InetAddress.getLoopbackAddress())
+    override val port = "tcp://127.0.0.1:${server.localPort}"
+
+    init {
+        thread(isDaemon = true, name = "board $port") { while (true) serve(SocketLine(port, server.accept())) }
+    }
+}
+
+/** The board's end of a connection. */
+private class SocketLine(name: String, private val socket: Socket) : DriverTransport(name, LineSettings(BAUD)) {
+    init {
+        socket.tcpNoDelay = true
+    }
+
+    override fun readFromDriver(b: ByteArray, off: Int, len: Int, nanos: Long): Int = try {
+        socket.soTimeout = (1 + TimeUnit.NANOSECONDS.toMillis(maxOf(0, nanos))).toInt()
+        socket.getInputStream().read(b, off, len).also { if (it < 0) throw lost("the agent closed it") }
+    } catch (_: SocketTimeoutException) {
+        0
+    } catch (broken: IOException) {
+        throw lost("${broken.message}")
+    }
+
+    override fun writeToDriver(bytes: ByteArray): Int = try {
+        socket.getOutputStream().write(bytes)
+        bytes.size
+    } catch (broken: IOException) {
+        lost("${broken.message}")
+        -1
+    }
+
+    override fun lossWhenRefused() = "the connection broke"
+
+    override fun closeDriver() = socket.close()
+}

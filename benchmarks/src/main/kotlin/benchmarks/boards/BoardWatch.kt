@@ -1,0 +1,71 @@
+package benchmarks.boards
+
+import argo.observing.AgentObserver
+import argo.observing.AgentObserverProvider
+import argo.observing.ObservedAgent
+import argo.observing.PerceivedMessage
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.atomic.AtomicLong
+import java.util.logging.Logger
+
+/**
+ * Counts what an agent has of its [boards], and notes the skew after each reasoning cycle in which it has perceived something, once it
+ * has perceived all of them. Safe on any thread.
+ */
+internal class BoardWatch(private val boards: Int) : AgentObserver {
+    private val sensedOf = ConcurrentHashMap<String, AtomicLong>()
+    private val perceivedOf = ConcurrentHashMap<String, AtomicLong>()
+    private val newest = HashMap<String, Long>() // for the agent's thread
+    private val skews = ArrayList<Long>() // guarded by itself
+    private var isNew = false
+
+    override fun messageFiltered(message: PerceivedMessage) = count(sensedOf, message)
+
+    override fun messagePerceived(message: PerceivedMessage) {
+        count(perceivedOf, message)
+        newest[message.portName] = message.receivedNanos
+        isNew = true
+    }
+
+    private fun count(counts: ConcurrentHashMap<String, AtomicLong>, message: PerceivedMessage) {
+        counts.computeIfAbsent(message.portName) { AtomicLong() }.incrementAndGet()
+    }
+
+    override fun cycleFinished() {
+        if (!isNew) return
+        isNew = false
+        if (newest.size == boards) synchronized(skews) { skews += newest.values.max() - newest.values.min() }
+    }
+
+    /** How many messages have come from each board, by its port. */
+    fun sensed(): Map<String, Long> = sensedOf.mapValues { (_, count) -> count.get() }
+
+    /** How many snapshots of each board the agent has perceived, by its port. */
+    fun perceived(): Map<String, Long> = perceivedOf.mapValues { (_, count) -> count.get() }
+
+    /** The skews since this was called last, in ns. */
+    fun takeSkews(): LongArray = synchronized(skews) { skews.toLongArray().also { skews.clear() } }
+
+    override fun close() = Unit
+
+    companion object {
+        /** The option of an agent that is watched; its value is the number of its boards. */
+        const val OPTION = "argo_watched"
+
+        private val watches = ConcurrentHashMap<String, BoardWatch>()
+
+        /** That of agent [name], which has been started. */
+        fun of(name: String): BoardWatch = watches.getValue(name)
+
+        /** Watches agent [name] from now on. */
+        fun open(name: String, boards: Int): BoardWatch = BoardWatch(boards).also { watches[name] = it }
+    }
+}
+
+/** `[argo_watched=8]` watches an agent of eight boards: see [BoardWatch]. */
+class BoardWatchProvider : AgentObserverProvider {
+    override val option = BoardWatch.OPTION
+    override val usage = "the number of its boards"
+
+    override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver = BoardWatch.open(agent.name, value.toInt())
+}

@@ -1,0 +1,50 @@
+package benchmarks.boards
+
+import com.sun.management.OperatingSystemMXBean
+import java.lang.management.ManagementFactory
+
+/** Threads of an agent's process. */
+internal enum class ThreadGroup(val title: String) {
+    /** Waits for answers, reads and filters them. */
+    SENSING("sensing"),
+
+    /** Runs the reasoning cycles. */
+    REASONING("reasoning"),
+
+    /** Other threads of Java: commands, drivers, Jason. */
+    OTHER("other threads"),
+
+    /** The Java machine's own: compiler and collector. */
+    MACHINE("the Java machine"),
+}
+
+/** Processor times in ns since the process began. */
+internal class ProcessorTimes private constructor(val process: Long, private val threads: Map<Long, Pair<ThreadGroup, Long>>) {
+    /** What was used after [earlier]; threads that have ended since then count for the Java machine. */
+    operator fun minus(earlier: ProcessorTimes) = ProcessorTimes(
+        process - earlier.process,
+        threads.mapValues { (id, thread) -> thread.first to thread.second - (earlier.threads[id]?.second ?: 0) },
+    )
+
+    /** That of a [group]. */
+    fun of(group: ThreadGroup): Long =
+        if (group == ThreadGroup.MACHINE) process - threads.values.sumOf { it.second }
+        else threads.values.filter { it.first == group }.sumOf { it.second }
+
+    companion object {
+        /** Those of this process. */
+        fun now(): ProcessorTimes {
+            val threads = ManagementFactory.getThreadMXBean()
+            val times = threads.getThreadInfo(threads.allThreadIds).filterNotNull()
+                .associate { it.threadId to (groupOf(it.threadName) to maxOf(0, threads.getThreadCpuTime(it.threadId))) }
+            return ProcessorTimes((ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime, times)
+        }
+
+        private fun groupOf(name: String) = when {
+            "-sensing-" in name -> ThreadGroup.SENSING
+            name.startsWith("MAS:") || name.startsWith("Local-agent") || name.contains("robot") && !name.startsWith("argo-") ->
+                ThreadGroup.REASONING
+            else -> ThreadGroup.OTHER
+        }
+    }
+}

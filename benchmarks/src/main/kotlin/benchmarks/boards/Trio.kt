@@ -1,0 +1,129 @@
+package benchmarks.boards
+
+import argo.testkit.TestAgent
+import argo.testkit.agentOf
+import benchmarks.Distribution
+import benchmarks.stops.StopCourse
+import benchmarks.stops.UnoOnLine
+import benchmarks.stops.WatchedRobot
+import javino.Frame
+import kotlin.random.Random
+import kotlin.time.Duration.Companion.microseconds
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+
+/** What becomes of a board while the others are measured. */
+internal enum class Trouble(val title: String) {
+    KILLED("is killed"),
+    HANGS("hangs"),
+    FLOODS("floods"),
+}
+
+/**
+ * One agent on the simulated Unos with the rates of [bauds], twelve sensors each that all change, sensing interval 20 ms, in virtual time.
+ * Each drives a robot of its own, and the agent stops it at a limit.
+ */
+internal class Trio(private val bauds: List<Int>) : AutoCloseable {
+    private val unos = bauds.associateWith { UnoOnLine(StopCourse(it)) }
+    private val healthy = bauds.toMutableList()
+
+    /** The agent. */
+    private val agent: TestAgent = agentOf(program()) {
+        name = "robot"
+        cycleTime = 100.microseconds
+        for ((baud, uno) in unos) board(port(baud)).leadsTo(uno::open)
+    }
+
+    /** From now on the board of [baud] has [trouble] and its robot is not measured. */
+    fun have(trouble: Trouble, baud: Int) {
+        healthy -= baud
+        val uno = unos.getValue(baud)
+        when (trouble) {
+            Trouble.KILLED -> {
+                agent.board(port(baud)).disconnects()
+                uno.disconnects()
+            }
+            Trouble.HANGS -> uno.hangs()
+            Trouble.FLOODS -> uno.floods(FLOOD)
+        }
+        agent.after(SETTLING)
+    }
+
+    /** Has the agent stop each robot so many times; returns how long after the limit they stopped, by baud rate, and what the worst was. */
+    fun stop(times: Int, seed: Long): Map<Int, Reactions> {
+        val random = Random(seed)
+        val made = healthy.associateWith { ArrayList<Reactions.One>() }
+        repeat(times) { round(random).forEach { (baud, one) -> made.getValue(baud) += one } }
+        return made.mapValues { (_, ones) -> Reactions(ones) }
+    }
+
+    private fun round(random: Random): Map<Int, Reactions.One> {
+        for (baud in bauds) { // also those of the others, so that the phases are the same in all runs
+            val millimetres = WatchedRobot.LIMIT_MM + random.nextInt(WAY_MM, 2 * WAY_MM)
+            val late = random.nextLong(WatchedRobot.MILLIMETRE_NANOS)
+            if (baud in healthy) robot(baud).place(millimetres, late)
+        }
+        for (baud in healthy) agent.shouldBelieve("${name(baud)}::dist(f,X) & X > ${WatchedRobot.LIMIT_MM}", within = PATIENCE)
+        agent.after(SHORTLY * random.nextDouble())
+        healthy.forEach { unos.getValue(it).timeline.clear() }
+        for (baud in healthy) agent.hears("bench", "achieve", "go(${name(baud)})")
+        val end = agent.now + PATIENCE
+        while (healthy.any { robot(it).stoppedAt == null }) {
+            check(agent.now < end) { "a robot has not stopped; the agent believes ${agent.beliefs} and intends ${agent.intentions}\n${agent.log}" }
+            agent.after(LOOK)
+        }
+        val ones = healthy.associateWith(::one)
+        agent.after(SHORTLY)
+        return ones
+    }
+
+    private fun one(baud: Int): Reactions.One {
+        val crossedAt = checkNotNull(robot(baud).crossedAt)
+        return Reactions.One(checkNotNull(robot(baud).stoppedAt) - crossedAt, unos.getValue(baud).timeline.since(crossedAt))
+    }
+
+    private fun robot(baud: Int): WatchedRobot =
+        checkNotNull(unos.getValue(baud).robotOrNull) { "the agent has not opened its ports\n${agent.log.joinToString("\n")}" }
+
+    private fun program(): String {
+        val ports = bauds.joinToString { "port(${port(it)},[as(${name(it)}),baud($it),protocol(2)])" }
+        return """
+            !start.
+            +!start <- argo.ports([$ports]); argo.limit(20); argo.percepts(open).
+            +!go(B) <- +drives(B); !front(B).
+        """.trimIndent() + bauds.map(::name).joinToString("") {
+            "\n+!front($it) <- argo.act($it::front).\n+$it::dist(f,X) : X <= ${WatchedRobot.LIMIT_MM} & drives($it) <- -drives($it); argo.act($it::stop)."
+        }
+    }
+
+    override fun close() {
+        agent.close()
+        unos.values.forEach { it.close() }
+    }
+
+    private companion object {
+        const val WAY_MM = 20
+        val LOOK = 5.milliseconds
+        val SHORTLY = 200.milliseconds
+        val SETTLING = 3.seconds
+        val PATIENCE = 20.seconds
+
+        /** A message of version 1 that nobody has asked for. */
+        val FLOOD: ByteArray = Frame.of((1..12).joinToString(";", postfix = ";") { "dist($it,1)" }).toBytes()
+
+        fun name(baud: Int) = "at$baud"
+
+        fun port(baud: Int) = "uno$baud"
+    }
+}
+
+/** How long after the limit robots stopped. */
+internal class Reactions(private val ones: List<One>) {
+    /** One of them, in ns, and what happened on its line from the limit on. */
+    class One(val nanos: Long, val timeline: String)
+
+    val distribution: Distribution get() = Distribution(LongArray(ones.size) { ones[it].nanos })
+
+    /** What happened on the line in the longest. */
+    val worst: String get() = ones.maxBy { it.nanos }.timeline
+}

@@ -1,0 +1,28 @@
+package benchmarks
+
+import java.io.File
+import java.util.concurrent.TimeUnit
+
+/**
+ * The numbers in the last line that this program prints with [arguments] in a Java machine of its own, where nothing has run before.
+ *
+ * @param options of the Java machine
+ * @throws IllegalStateException if it fails, or prints no numbers
+ */
+internal fun figuresApart(vararg arguments: String, options: List<String> = emptyList()): List<Double> {
+    val process = programApart(*arguments, options = options)
+    val figures = process.inputStream.bufferedReader().readLines().lastOrNull()?.split(' ')?.mapNotNull(String::toDoubleOrNull).orEmpty()
+    check(process.waitFor(ENDING_S, TimeUnit.SECONDS) && process.exitValue() == 0 && figures.isNotEmpty()) {
+        "${arguments.joinToString(" ")} ended with ${figures.size} figures${if (process.isAlive) ", and runs on" else ""}"
+    }
+    return figures
+}
+
+/** Starts this program with [arguments] in a Java machine of its own; its errors are shown with those of this one. */
+internal fun programApart(vararg arguments: String, options: List<String> = emptyList()): Process {
+    val java = listOf(File(System.getProperty("java.home"), "bin/java").path, "--enable-native-access=ALL-UNNAMED")
+    val program = listOf("-cp", System.getProperty("java.class.path"), "benchmarks.MainKt")
+    return ProcessBuilder(java + options + program + arguments).redirectError(ProcessBuilder.Redirect.INHERIT).start()
+}
+
+private const val ENDING_S = 120L

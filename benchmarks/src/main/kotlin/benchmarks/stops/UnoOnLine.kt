@@ -1,0 +1,55 @@
+package benchmarks.stops
+
+import javino.FrameDecoder
+import javino.LineClock
+import javino.LineSettings
+import javino.PerceptsRequest
+import java.util.concurrent.atomic.AtomicInteger
+
+/** The board of [course] with its robot, on the line that an agent opens. For one thread at a time. */
+internal class UnoOnLine(course: StopCourse) : AutoCloseable {
+    private val uno = SteppedUno(Bench.simulator, course.elf)
+    private var line: SteppedLine? = null
+
+    /** What happens on the line and on the board. */
+    val timeline = Timeline(LineSettings(course.baud).byteNanos())
+
+    /** The robot; null: the port has never been opened. */
+    var robotOrNull: WatchedRobot? = null
+        private set
+
+    /** How many commands have been sent to it in version 1. */
+    var sent = 0
+        private set
+
+    /** The bytes on the line so far. */
+    val traffic: Traffic get() = line?.traffic ?: Traffic(0, 0)
+
+    /** Opens its line, for which the board is reset unless this is the first time. */
+    fun open(port: String, settings: LineSettings, clock: LineClock): SteppedLine {
+        if (robotOrNull == null) robotOrNull = WatchedRobot(uno, clock, timeline) else uno.reset()
+        val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(settings)) { if (!PerceptsRequest.isIn(it.text())) sent++ }
+        return SteppedLine("$port-${lines.incrementAndGet()}", settings, clock, uno, timeline).also {
+            line = it
+            it.tap = { bytes -> decoder.accept(bytes, 0, bytes.size, clock.nanos()) }
+        }
+    }
+
+    /** Its cable is pulled. */
+    fun disconnects() = requireLine().close()
+
+    /** It does nothing any more. */
+    fun hangs() = requireLine().hang(null)
+
+    /** It does nothing any more but send [message] without a pause. */
+    fun floods(message: ByteArray) = requireLine().hang(message)
+
+    private fun requireLine() = checkNotNull(line) { "its port has not been opened" }
+
+    override fun close() = uno.close()
+
+    private companion object {
+        /** Each line has a name of its own: links remember the numbers that they have used by it, and the next run is to be like the first. */
+        val lines = AtomicInteger()
+    }
+}
