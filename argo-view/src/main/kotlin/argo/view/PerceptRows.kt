@@ -4,35 +4,38 @@ import argo.observing.PerceivedMessage
 import java.util.concurrent.TimeUnit
 
 /**
- * The last percept of each sensor. Percepts that differ in numbers only are one sensor's, and a sensor without a percept for
+ * The last percept of each sensor. Percepts of a board that differ in numbers only are one sensor's, and a sensor without a percept for
  * [FORGOTTEN_NANOS] ns is forgotten. Not safe for use by several threads.
  */
 internal class PerceptRows {
     private val rows = LinkedHashMap<String, Row>()
     private var port: String? = null
-    private var more = 0
+    private val more = HashMap<String, Int>() // by the port
 
     /** When the last byte of the newest message came, by the agent's clock; null: there was none. */
     var newestNanos: Long? = null
         private set
 
-    /** Takes in the next message. */
-    fun add(message: PerceivedMessage) {
-        if (message.portName != port) rows.clear()
+    /** Takes in the next message. @param isAlone whether the agent perceives its board alone: then the rows of others go */
+    fun add(message: PerceivedMessage, isAlone: Boolean) {
+        if (isAlone && message.portName != port) {
+            rows.clear()
+            more.clear()
+        }
         port = message.portName
-        newestNanos = message.receivedNanos
+        newestNanos = maxOf(newestNanos ?: message.receivedNanos, message.receivedNanos)
         val kept = message.kept.toHashSet()
         val standIns = (kept - message.texts.toSet()).mapTo(HashSet(), ::shape)
         val seen = HashMap<String, Int>()
         for (text in message.texts.take(MAX_ROWS)) {
             val shape = shape(text)
-            val key = "${shown(shape)} ${seen.merge(shape, 1, Int::plus)}"
+            val key = "${message.portName} ${shown(shape)} ${seen.merge(shape, 1, Int::plus)}"
             val before = rows[key]
             val words = shown(text)
             val since = if (before?.text == words) before.sinceNanos else message.receivedNanos
-            rows[key] = Row(words, fate(text, message.unreadable, kept, shape in standIns), message.receivedNanos, since)
+            rows[key] = Row(message, words, fate(text, message.unreadable, kept, shape in standIns), since)
         }
-        more = maxOf(0, message.texts.size - MAX_ROWS)
+        more[message.portName] = maxOf(0, message.texts.size - MAX_ROWS)
         while (rows.size > MAX_ROWS) rows.remove(rows.minBy { it.value.seenNanos }.key)
     }
 
@@ -43,13 +46,25 @@ internal class PerceptRows {
         else -> "dropped"
     }
 
-    /** All rows at [now], in the order of the sensors' first percepts, and how many are left out. */
-    fun state(now: Long): Pair<List<PerceptState>, Int> {
+    /**
+     * All rows at [now], in the order of the sensors' first percepts, and how many are left out.
+     *
+     * @param isSilent whether nothing comes from the board on a port
+     */
+    fun state(now: Long, isSilent: (String) -> Boolean): Pair<List<PerceptState>, Int> {
         rows.values.removeIf { now - it.seenNanos > FORGOTTEN_NANOS }
-        return rows.map { (key, row) -> PerceptState(key, row.text, row.fate, ms(now - row.seenNanos), ms(now - row.sinceNanos)) } to more
+        val silent = rows.values.map { it.port }.distinct().filter(isSilent)
+        val shown = rows.map { (key, row) ->
+            PerceptState(key, row.board, row.text, row.fate, row.port in silent, ms(now - row.seenNanos), ms(now - row.sinceNanos))
+        }
+        return shown to more.values.sum()
     }
 
-    private class Row(val text: String, val fate: String, val seenNanos: Long, val sinceNanos: Long)
+    private class Row(message: PerceivedMessage, val text: String, val fate: String, val sinceNanos: Long) {
+        val port = message.portName
+        val board = message.namespace
+        val seenNanos = message.receivedNanos
+    }
 
     companion object {
         /** For how long a sensor without a new percept is shown, in ns. */

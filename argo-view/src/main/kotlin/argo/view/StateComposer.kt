@@ -33,18 +33,21 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
         shownPicture = currentPicture()
         shownRules = agent.criticalRules()
         val recorded = record.take(now)
-        recorded.unseen.forEach(rows::add)
+        val ports = agent.ports()
+        val perceived = ports.count { it.isPerceived }
+        recorded.unseen.forEach { rows.add(it, isAlone = perceived < 2) }
         return ViewState(
             agent = agent.name,
             policy = agent.policy,
             intervalMs = agent.intervalMs,
+            skewMs = agent.skewMs.takeIf { perceived > 1 },
             perceiving = agent.isPerceiving,
             waitingToStart = recorded.counts.cycles == 0L,
             ended = isLast,
             filter = recorded.filter?.let { FilterState(it.name, shown("$it")) },
             critical = shownRules.take(MAX_RULES).map { criticalState(it, recorded.reflexes[it.rule], now) },
-            ports = agent.ports().map { portState(it, recorded.ports[it.name], now) },
-            sensors = sensors(recorded.lastPerception, now),
+            ports = ports.map { portState(it, recorded.ports[it.name], now) },
+            sensors = sensors(ports, recorded.lastPerception, now),
             beliefs = BeliefsState(shownBeliefs?.let { ms(now - it.nanos) }, shownBeliefs?.total ?: 0, shownBeliefs?.beliefs.orEmpty()),
             commands = recorded.commands,
             rates = meter.rates(now, recorded.counts),
@@ -73,11 +76,14 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
 
     private fun portState(port: ObservedPort, last: PortChange?, now: Long): PortState {
         val change = last?.takeIf { it.status == port.status }
-        return PortState(shown(port.name), port.status, port.isInUse, port.isStale, change?.reason, change?.let { ms(now - it.nanos) })
+        return PortState(
+            shown(port.name), port.status, port.isInUse, port.isStale, port.isPerceived, port.namespace, port.intervalMs, port.filter,
+            change?.reason, change?.let { ms(now - it.nanos) },
+        )
     }
 
-    private fun sensors(last: Perception?, now: Long): SensorState {
-        val (percepts, more) = rows.state(now)
+    private fun sensors(ports: List<ObservedPort>, last: Perception?, now: Long): SensorState {
+        val (percepts, more) = rows.state(now) { name -> isSilent(ports.find { it.name == name } ?: ports.find { it.isInUse }) }
         return SensorState(
             frameAgeMs = rows.newestNanos?.let { ms(now - it) },
             handedOverAgeMs = last?.let { ms(now - it.nanos) },
@@ -86,6 +92,8 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
             more = more,
         )
     }
+
+    private fun isSilent(port: ObservedPort?) = port != null && (port.isStale || port.status != "on")
 
     private companion object {
         const val MAX_RULES = 50

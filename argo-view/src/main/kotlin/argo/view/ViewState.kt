@@ -5,6 +5,8 @@ import kotlinx.serialization.Serializable
 /**
  * All that a page shows, at one moment. Times are ages in ms at that moment; long lists are cut off, and what is left out is counted.
  *
+ * @property intervalMs the sensing interval of boards without one of their own
+ * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
 @Serializable
@@ -12,6 +14,7 @@ internal data class ViewState(
     val agent: String,
     val policy: String,
     val intervalMs: Int,
+    val skewMs: Long?,
     val perceiving: Boolean,
     val waitingToStart: Boolean,
     val ended: Boolean,
@@ -53,6 +56,10 @@ internal data class CriticalState(
  * A port.
  *
  * @property stale whether nothing comes from it although the agent perceives
+ * @property perceived whether the agent perceives its board
+ * @property namespace where what its board says is believed; null: in the default namespace
+ * @property intervalMs the sensing interval of its board; null: it is not perceived
+ * @property filter the name of the filter of its board; null: there is none
  * @property reason why it is not on, if that is known
  * @property ageMs for how long it has been in this state
  */
@@ -62,6 +69,10 @@ internal data class PortState(
     val status: String,
     val inUse: Boolean,
     val stale: Boolean,
+    val perceived: Boolean,
+    val namespace: String?,
+    val intervalMs: Int?,
+    val filter: String?,
     val reason: String?,
     val ageMs: Long?,
 )
@@ -87,12 +98,22 @@ internal data class SensorState(
  * A percept as it came off the line.
  *
  * @property key the same for the readings of one sensor, which differ in numbers only
+ * @property board the namespace of the board that it came from; null: it has none
  * @property fate `kept`, `dropped`, `held` back, or `unreadable` when the filter keeps it and it is no percept
+ * @property silent whether nothing comes from its board
  * @property ageMs how long ago it came last
  * @property sameMs for how long it has been the same
  */
 @Serializable
-internal data class PerceptState(val key: String, val text: String, val fate: String, val ageMs: Long, val sameMs: Long)
+internal data class PerceptState(
+    val key: String,
+    val board: String?,
+    val text: String,
+    val fate: String,
+    val silent: Boolean,
+    val ageMs: Long,
+    val sameMs: Long,
+)
 
 /**
  * What the agent believes.

@@ -115,6 +115,7 @@ function showFigures(shown, since) {
     ['commands', rate(rates?.commands)],
     ['cycles', rate(rates?.cycles)],
     ['belief picture', age(plus(beliefs.ageMs))],
+    ...(shown.skewMs === null ? [] : [['skew of the boards', age(shown.skewMs)]]),
     ['interval', shown.intervalMs === 0 ? 'none' : age(shown.intervalMs)],
     ['policy', shown.policy],
   ];
@@ -148,26 +149,36 @@ function showCritical(shown, since) {
   ));
 }
 
+/** What the agent does with a port, and where its board differs from the others. */
+function use(port, shown) {
+  return joined(
+    port.inUse ? 'in use' : port.perceived ? 'perceived' : 'not in use',
+    port.namespace && `as ${port.namespace}`,
+    port.perceived && port.intervalMs !== shown.intervalMs && (port.intervalMs === 0 ? 'no interval' : `every ${age(port.intervalMs)}`),
+    port.perceived && port.filter !== (shown.filter ? shown.filter.name : null) && `filter ${port.filter ?? 'none'}`,
+  );
+}
+
 function showPorts(shown, since) {
   rows($('ports'), shown.ports, port => port.name, () => row(), (line, port) => fill(
     line, port.name, port.status, PORTS[port.status] || '', port.ageMs === null ? '' : age(port.ageMs + since),
-    joined(port.inUse ? 'in use' : 'not in use', port.status !== 'on' && port.reason),
+    joined(use(port, shown), port.status !== 'on' && port.reason),
   ), 'The agent has asked for no port.');
 }
 
 /** Why the sensors show the past although the agent perceives; empty if they do not. */
 function silence(shown) {
   if (!shown.perceiving) return '';
-  const used = shown.ports.filter(port => port.inUse);
+  const used = shown.ports.filter(port => port.perceived);
   const port = (used.length ? used : shown.ports).find(port => port.status !== 'on' || port.stale);
   if (!port) return '';
   const words = { off: 'is off', timeout: 'does not answer' }[port.status] || 'is silent';
-  return `The port ${port.name} ${words}${port.reason ? `: ${port.reason}` : ''}. The sensors show what came before.`;
+  return `The port ${port.name} ${words}${port.reason ? `: ${port.reason}` : ''}. ${used.length > 1 ? 'Its sensors' : 'The sensors'} show what came before.`;
 }
 
 function perceptRow({ key }) {
   const label = button('text', () => {
-    if (!explained.delete(key)) explain(key, label.textContent);
+    if (!explained.delete(key)) explain(key, label.dataset.percept);
     show();
   });
   label.title = 'Why?';
@@ -176,7 +187,7 @@ function perceptRow({ key }) {
 
 function showSensors(shown, since) {
   const { percepts, more } = shown.sensors;
-  const isPast = Boolean(silence(shown));
+  const isPast = shown.perceiving && percepts.length > 0 && percepts.every(percept => percept.silent);
   const kept = percepts.filter(percept => percept.fate === 'kept').length;
   text($('sensors-count'), percepts.length ? `${kept} of ${percepts.length} ${isPast ? 'reached' : 'reach'} the agent` : '');
   text($('sensors-words'), !shown.perceiving ? 'Percepts are blocked: the agent goes on believing what it perceived last.'
@@ -184,8 +195,10 @@ function showSensors(shown, since) {
   rows($('sensors'), percepts, percept => percept.key, perceptRow, (line, percept) => {
     const [words, kind] = FATES[percept.fate] || [percept.fate, ''];
     const why = explained.get(percept.key)?.why;
-    line.className = percept.fate === 'kept' && !isPast ? '' : 'off';
-    fill(line, percept.text, words, isPast ? '' : kind, age(percept.ageMs + since), why);
+    const isOld = shown.perceiving && percept.silent;
+    line.className = percept.fate === 'kept' && !isOld ? '' : 'off';
+    line.children[0].dataset.percept = percept.text;
+    fill(line, percept.board ? `${percept.board}::${percept.text}` : percept.text, words, isOld ? '' : kind, age(percept.ageMs + since), why);
     line.children[0].setAttribute('aria-expanded', String(Boolean(why)));
     line.children[2].title = `the same for ${age(percept.sameMs + since)}`;
   }, shown.perceiving ? 'No message has come from the board yet.' : 'Nothing is perceived.');

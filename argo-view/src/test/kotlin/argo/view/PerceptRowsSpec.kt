@@ -11,52 +11,67 @@ import io.kotest.matchers.shouldBe
 private const val MS = 1_000_000L
 
 class PerceptRowsSpec : FunSpec({
-    fun frame(texts: List<String>, kept: List<String> = texts, atMs: Long = 0, unreadable: Set<String> = emptySet()): PerceivedMessage =
-        Message(texts, kept, unreadable, atMs * MS)
-    fun PerceptRows.texts(nowMs: Long) = state(nowMs * MS).first.map { it.text }
+    fun frame(
+        texts: List<String>, kept: List<String> = texts, atMs: Long = 0, unreadable: Set<String> = emptySet(), port: String = "sim:robot",
+    ): PerceivedMessage = Message(texts, kept, unreadable, atMs * MS, port)
+    fun PerceptRows.texts(nowMs: Long) = state(nowMs * MS) { false }.first.map { it.text }
 
     test("each percept is what the filter made of it") {
         val rows = PerceptRows()
         val kept = listOf("dist(f,1)", "temp(19)", "X")
-        rows.add(frame(listOf("dist(f,1)", "light(b,2)", "temp(20)", "X"), kept, unreadable = setOf("X")))
-        rows.state(0).first.map { it.text to it.fate } shouldBe
+        rows.add(frame(listOf("dist(f,1)", "light(b,2)", "temp(20)", "X"), kept, unreadable = setOf("X")), isAlone = true)
+        rows.state(0) { false }.first.map { it.text to it.fate } shouldBe
             listOf("dist(f,1)" to "kept", "light(b,2)" to "dropped", "temp(20)" to "held", "X" to "unreadable")
     }
 
     test("a sensor keeps its place, and tells how long it has said the same") {
         val rows = PerceptRows()
-        rows.add(frame(listOf("dist(f,1)", "light(5)"), atMs = 0))
-        rows.add(frame(listOf("light(5)", "dist(f,2)"), atMs = 100))
-        rows.state(150 * MS).first.map { Triple(it.text, it.ageMs, it.sameMs) } shouldBe
+        rows.add(frame(listOf("dist(f,1)", "light(5)"), atMs = 0), isAlone = true)
+        rows.add(frame(listOf("light(5)", "dist(f,2)"), atMs = 100), isAlone = true)
+        rows.state(150 * MS) { false }.first.map { Triple(it.text, it.ageMs, it.sameMs) } shouldBe
             listOf(Triple("dist(f,2)", 50L, 50L), Triple("light(5)", 50L, 150L))
     }
 
     test("a sensor that falls silent is shown with its age for a while, then not") {
         val rows = PerceptRows()
-        rows.add(frame(listOf("a(1)", "b(1)"), atMs = 0))
-        rows.add(frame(listOf("b(2)"), atMs = 9000))
+        rows.add(frame(listOf("a(1)", "b(1)"), atMs = 0), isAlone = true)
+        rows.add(frame(listOf("b(2)"), atMs = 9000), isAlone = true)
         rows.texts(9000) shouldBe listOf("a(1)", "b(2)")
         rows.texts(11_000) shouldBe listOf("b(2)")
     }
 
+    test("boards that are perceived together have rows each, and those of a silent one are known") {
+        val rows = PerceptRows()
+        rows.add(frame(listOf("dist(1)"), port = "left"), isAlone = false)
+        rows.add(frame(listOf("dist(2)"), port = "right"), isAlone = false)
+        rows.state(0) { it == "left" }.first.map { it.text to it.silent } shouldBe listOf("dist(1)" to true, "dist(2)" to false)
+    }
+
+    test("a board that is perceived alone takes the place of the one before") {
+        val rows = PerceptRows()
+        rows.add(frame(listOf("dist(1)"), port = "left"), isAlone = true)
+        rows.add(frame(listOf("dist(2)"), port = "right"), isAlone = true)
+        rows.texts(0) shouldBe listOf("dist(2)")
+    }
+
     test("percepts of the same form in one message are shown each by itself") {
         val rows = PerceptRows()
-        rows.add(frame(listOf("seen(1,2)", "seen(3,4)")))
-        rows.state(0).first.map { it.key }.shouldHaveSize(2).shouldBeUnique()
+        rows.add(frame(listOf("seen(1,2)", "seen(3,4)")), isAlone = true)
+        rows.state(0) { false }.first.map { it.key }.shouldHaveSize(2).shouldBeUnique()
     }
 
     test("a number in a name is a name") {
         val rows = PerceptRows()
-        rows.add(frame(listOf("light1(5)", "light2(6)"), atMs = 0))
-        rows.add(frame(listOf("light2(7)"), atMs = 10))
+        rows.add(frame(listOf("light1(5)", "light2(6)"), atMs = 0), isAlone = true)
+        rows.add(frame(listOf("light2(7)"), atMs = 10), isAlone = true)
         rows.texts(10) shouldBe listOf("light1(5)", "light2(7)")
     }
 
     test("however much a board says, few rows are kept") {
         val rows = PerceptRows()
-        rows.add(frame((1..5000).map { "p$it" } + "x".repeat(100_000)))
-        rows.add(frame((1..5000).map { "q$it" }))
-        val (shown, more) = rows.state(0)
+        rows.add(frame((1..5000).map { "p$it" } + "x".repeat(100_000)), isAlone = true)
+        rows.add(frame((1..5000).map { "q$it" }), isAlone = true)
+        val (shown, more) = rows.state(0) { false }
         shown.size shouldBeLessThanOrEqual 200
         more shouldBe 4800
         shown.forEach { it.text.length shouldBeLessThan 400 }
@@ -68,6 +83,5 @@ private class Message(
     override val kept: List<String>,
     override val unreadable: Set<String>,
     override val receivedNanos: Long,
-) : PerceivedMessage {
-    override val portName = "sim:robot"
-}
+    override val portName: String,
+) : PerceivedMessage
