@@ -28,6 +28,9 @@ internal class NewCommand : ToolCommand() {
     @Parameters(index = "0", paramLabel = "NAME", description = ["the project's name: letters, digits, - and _"])
     private lateinit var name: String
 
+    @Option(names = ["--boards"], paramLabel = "N", description = ["how many boards the agent perceives: 1 or 2 (\${DEFAULT-VALUE})"])
+    private var boards: Int = 1
+
     @Option(names = ["--in"], paramLabel = "FOLDER", description = ["the parent folder (the working directory)"])
     private var parent: Path = Path.of("")
 
@@ -39,6 +42,7 @@ internal class NewCommand : ToolCommand() {
 
     override fun call(): Int {
         ProjectName.problem(name)?.let { misuse(it) }
+        if (boards !in 1..MAX_BOARDS) misuse("--boards is 1 or $MAX_BOARDS, not $boards; a project can be given more later, see argo.ports")
         val argo = existing(argoJar ?: ownJar())
         val testKit = testKitJar?.let(::existing)
             ?: listOf(TEST_KIT, "argo-testkit-$VERSION.jar").map(argo::resolveSibling).find { it.isRegularFile() }
@@ -56,7 +60,7 @@ internal class NewCommand : ToolCommand() {
     private fun make(target: Path, argo: Path, testKit: Path?) {
         val draft = making(parent.toAbsolutePath().resolve(".$name-${ProcessHandle.current().pid()}")) { Files.createDirectory(it) }
         try {
-            projectFiles(ProjectName(name), withTestKit = testKit != null).forEach { (path, text) ->
+            projectFiles(ProjectName(name), withTestKit = testKit != null, boards).forEach { (path, text) ->
                 draft.resolve(path).apply { parent.createDirectories() }.writeText(text)
             }
             val lib = draft.resolve("lib").createDirectories()
@@ -77,6 +81,7 @@ internal class NewCommand : ToolCommand() {
 
     private companion object {
         const val TEST_KIT = "argo-testkit.jar"
+        const val MAX_BOARDS = 2
 
         /** The version in the names of the build. */
         const val VERSION = "0.1.0"

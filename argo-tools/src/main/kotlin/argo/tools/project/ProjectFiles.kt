@@ -4,29 +4,58 @@ package argo.tools.project
  * The text files of a new project, by their paths in it.
  *
  * @param withTestKit whether the test kit is in its `lib/`
+ * @param boards how many boards its agent perceives, 1 or 2
  */
-internal fun projectFiles(project: ProjectName, withTestKit: Boolean): Map<String, String> {
+internal fun projectFiles(project: ProjectName, withTestKit: Boolean, boards: Int = 1): Map<String, String> {
     val words = mapOf(
         "NAME" to project.name, "ID" to project.id, "JASON" to JASON_VERSION, "KOTLIN" to KOTLIN_VERSION, "KOTEST" to KOTEST_VERSION,
         "TESTKIT_DEPENDENCY" to if (withTestKit) template("testkit-dependency.xml") else "",
-    )
-    val sources = mapOf(
-        "README.md" to "README.md",
-        ".gitignore" to "gitignore",
-        "build.gradle" to "build.gradle",
-        "settings.gradle" to "settings.gradle",
-        "pom.xml" to "pom.xml",
-        "logging.properties" to "logging.properties",
-        "${project.id}.mas2j" to "mas2j",
-        "src/agt/robot.asl" to "robot.asl",
-        "src/main/kotlin/RobotFilters.kt" to "RobotFilters.kt",
-        "src/test/kotlin/RobotFiltersSpec.kt" to "RobotFiltersSpec.kt",
-        "sketch/${project.id}/${project.id}.ino" to "sketch.ino",
-        "recordings/drive.rec" to "drive.rec",
-    ) + if (withTestKit) mapOf("src/test/kotlin/RobotSpec.kt" to "RobotSpec.kt") else emptyMap()
-    val texts = sources.mapValues { (_, source) -> PLACEHOLDER.replace(template(source)) { words.getValue(it.groupValues[1]) } }
+    ) + if (boards == 1) wordsOfOne(project) else wordsOfTwo(project)
+    val sources = COMMON + mapOf("${project.id}.mas2j" to "mas2j") + (if (boards == 1) sourcesOfOne(project) else sourcesOfTwo(project))
+    val texts = sources.filterKeys { withTestKit || it != AGENT_TEST }
+        .mapValues { (_, source) -> PLACEHOLDER.replace(template(source)) { words.getValue(it.groupValues[1]) } }
     return texts + ("src/main/resources/META-INF/services/argo.filters.FilterProvider" to "RobotFilters\n")
 }
+
+private const val AGENT = "src/agt/robot.asl"
+private const val AGENT_TEST = "src/test/kotlin/RobotSpec.kt"
+
+/** Where the files of every project come from. */
+private val COMMON = mapOf(
+    "README.md" to "README.md",
+    ".gitignore" to "gitignore",
+    "build.gradle" to "build.gradle",
+    "settings.gradle" to "settings.gradle",
+    "pom.xml" to "pom.xml",
+    "logging.properties" to "logging.properties",
+    "src/main/kotlin/RobotFilters.kt" to "RobotFilters.kt",
+    "src/test/kotlin/RobotFiltersSpec.kt" to "RobotFiltersSpec.kt",
+    "recordings/drive.rec" to "drive.rec",
+)
+
+private fun sourcesOfOne(project: ProjectName) =
+    mapOf(AGENT to "robot.asl", AGENT_TEST to "RobotSpec.kt", "sketch/${project.id}/${project.id}.ino" to "sketch.ino")
+
+private fun sourcesOfTwo(project: ProjectName) = mapOf(
+    AGENT to "two/robot.asl",
+    AGENT_TEST to "two/RobotSpec.kt",
+    "sketch/${project.id}_eyes/${project.id}_eyes.ino" to "two/eyes.ino",
+    "sketch/${project.id}_lamp/${project.id}_lamp.ino" to "two/lamp.ino",
+    "recordings/lamp.rec" to "two/lamp.rec",
+)
+
+private fun wordsOfOne(project: ProjectName) = mapOf(
+    "SUBJECT" to "A Jason agent that turns the LED of its board on while something is near in front of it.",
+    "UPLOAD" to "open `sketch/${project.id}/${project.id}.ino` and upload it",
+    "WRITE" to "Write the port into `$AGENT`: `board(ttyACM0).`",
+)
+
+private fun wordsOfTwo(project: ProjectName) = mapOf(
+    "SUBJECT" to "A Jason agent of two boards, that turns the LED of one on while something is near in front of the other.",
+    "UPLOAD" to "and upload `sketch/${project.id}_eyes/${project.id}_eyes.ino` to one board and " +
+        "`sketch/${project.id}_lamp/${project.id}_lamp.ino` to the other",
+    "WRITE" to "Write the ports into `$AGENT`: `boards([port(ttyACM0,[as(eyes)]), port(ttyACM1,[as(lamp)])]).`",
+)
 
 /** The versions for a new project, equal to those in gradle/libs.versions.toml. */
 internal const val JASON_VERSION = "3.2.1"

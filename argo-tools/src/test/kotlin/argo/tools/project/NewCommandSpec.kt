@@ -41,6 +41,19 @@ class NewCommandSpec : FunSpec({
         argo("check-agent", "$folder/spotless") shouldBe Output(0, "5 files read: 0 things must change, 0 notes\n", "")
     }
 
+    test("a new project of two boards has a sketch and a recording for each, and passes check-agent") {
+        new("two-eyed", "--boards", "2", "--testkit-jar", "$kit").status shouldBe 0
+        val project = folder.resolve("two-eyed")
+        listOf("eyes", "lamp").forEach { project.resolve("sketch/two_eyed_$it/two_eyed_$it.ino").exists() shouldBe true }
+        listOf("drive", "lamp").forEach { Recording.read(project.resolve("recordings/$it.rec")).isOfRequests shouldBe true }
+        project.resolve("README.md").readText() shouldNotContain "@"
+        argo("check-agent", "$project").out shouldContain "0 things must change, 0 notes"
+    }
+
+    test("a project of no boards, or three, is refused") {
+        listOf("0", "3").forEach { new("many", "--boards", it).err shouldContain "--boards is 1 or 2, not $it" }
+    }
+
     test("nothing that is there is overwritten, and no half project is left") {
         val there = folder.resolve("there").createDirectory().resolve("file").apply { writeText("mine") }
         val said = new("there")
