@@ -1,7 +1,8 @@
 /* Drives towards a wall and stops in front of it, after the case study of C. E. Pantoja et al., EMAS 2016.
 
    Its initial beliefs are in the .mas2j:
-     board(Port, Options)   where the robot is
+     board(Port, Options)   where the robot is, or
+     boards(Ports)          where its boards are, as for argo.ports: the one with the wheels first
      value(Cm)              the front distance at which it stops
      interval(Ms)           the sensing interval
      view(Filter)           none, or a filter of filters/ */
@@ -12,12 +13,15 @@
 
 /* Plans: driving */
 
-+!config : board(Port, Options) & interval(Ms) & view(Filter) <-
-    .port(Port, Options);
++!config : interval(Ms) & view(Filter) <-
+    !open;
     .limit(Ms);
     .filter(Filter);
     .percepts(open);
     !start.
+
++!open : board(Port, Options) <- .port(Port, Options).
++!open : boards(Ports) <- .ports(Ports).
 
 +!start <-
     .wait(dist(f, _)); // nor into one that has not been seen yet

@@ -5,6 +5,7 @@ import argo.tools.command.refusingInWords
 import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
+import samples.carrier.ThreeBoardsCommand
 import samples.collision.CollisionCommand
 import samples.delegation.DelegationCommand
 import samples.experiment.ExperimentCommand
@@ -39,8 +40,8 @@ private fun commandLine(command: Any, name: String) = CommandLine(command).setCo
     name = "samples",
     description = ["Jason agents that drive boards through ARGO."],
     subcommands = [
-        CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, TypedFiltersCommand::class,
-        FleetCommand::class,
+        CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, ThreeBoardsCommand::class,
+        TypedFiltersCommand::class, FleetCommand::class,
     ],
 )
 private class Samples : Runnable {

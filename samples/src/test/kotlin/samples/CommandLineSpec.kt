@@ -14,6 +14,8 @@ class CommandLineSpec : FunSpec({
             "collision --sensing later" to "--sensing is fresh, every or in_cycle, not later",
             "collision --interval -1" to "--interval is from 0 to 10000 ms, not -1",
             "collision --baud 0" to "--baud is from 300 to 4000000 bits a second, not 0",
+            "collision --boards 3" to "--boards is from 1 to 2",
+            "collision --port sim:robot --boards 2" to "--boards is for the simulated robot",
             "collision --port sim:robot --seed 3" to "--seed is for the simulated robot",
             "collision --view=http" to "'--view': http is not a whole number",
             "collision --view=70000" to "--view is from 0 to 65535 as a port, 0 being any that is free, not 70000",
@@ -37,7 +39,7 @@ class CommandLineSpec : FunSpec({
     }
 
     context("help is shown for") {
-        listOf("", "collision", "blink", "delegation", "two-boards").forEach { command ->
+        listOf("", "collision", "blink", "delegation", "two-boards", "three-boards").forEach { command ->
             test("samples $command".trim()) {
                 val (status, printed) = Program.run(*listOf(command, "--help").filter { it.isNotEmpty() }.toTypedArray())
                 status shouldBe 0

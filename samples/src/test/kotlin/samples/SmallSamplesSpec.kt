@@ -41,6 +41,11 @@ class SmallSamplesSpec : FunSpec({
     )
 
     ends(
+        "three-boards", "[wheels] forward", "[wheels] halt", "[carrier] the can is ", "[arm] grip", "[carrier] the arm has the can",
+        "[wheels] backward", "[wheels] halt", "[arm] release", "[carrier] the can is at the start",
+    )
+
+    ends(
         "typed-filters",
         "[watcher] through no filter: 4 distances, 4 lights",
         "[watcher] through frontOnly: 1 distances, 0 lights",

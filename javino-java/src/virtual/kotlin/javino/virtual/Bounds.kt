@@ -71,8 +71,8 @@ internal class Bounds(private val course: Course) {
 
     fun outcome(bytes: Int) = command(bytes) + times.action + bytes(ACKNOWLEDGEMENT)
 
-    /** Behind [ahead] commands that are out, and a request that may have been repeated. */
-    fun urgent(bytes: Int, ahead: Int) = bytes(LONGEST_ROW + LoopBoard.CREDIT + bytes) + (ahead + 1) * (loop + times.action) + 2 * sensors
+    /** Behind [ahead] commands that are out. */
+    fun urgent(bytes: Int, ahead: Int) = bytes(LONGEST_ROW + LoopBoard.CREDIT + bytes) + (ahead + 1) * (loop + times.action) + sensors
 
     fun planFromAnswer(bytes: Int) = maxOf(course.intervalMs * NANOS_PER_MS, answer()) + bytes(GRACE) +
         times.sensors + look + bytes(answer) + parts * loop + command(bytes)

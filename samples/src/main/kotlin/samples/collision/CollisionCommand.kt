@@ -62,6 +62,12 @@ internal class CollisionCommand : Callable<Int> {
     @Option(names = ["--port"], paramLabel = "device", description = ["the port of a real robot, such as ttyACM0 or COM5"])
     private var port: String? = null
 
+    @Option(
+        names = ["--boards"], paramLabel = "n", defaultValue = "1",
+        description = ["the boards of the simulated robot; 2: its sensors have one of their own (default: \${DEFAULT-VALUE})"],
+    )
+    private var boards = 0
+
     @Option(names = ["--seed"], paramLabel = "n", description = ["where the noise of the simulated sensors starts from (default: 1)"])
     private var seed: Long? = null
 
@@ -116,8 +122,10 @@ internal class CollisionCommand : Callable<Int> {
         spec.requireWithin("--interval", interval, 0..MAX_MS, "ms")
         spec.requireWithin("--baud", baud, MIN_BAUD..MAX_BAUD, "bits a second")
         if (port?.isBlank() == true) spec.refuse("--port names no port")
+        spec.requireWithin("--boards", boards, 1..2, "")
+        if (port != null && boards > 1) spec.refuse("--boards is for the simulated robot, and --port asks for a real one")
         if (port != null && seed != null) spec.refuse("--seed is for the simulated robot, and --port asks for a real one")
-        return Levels(filter, limit, interval, baud, sensing, port, seed ?: 1)
+        return Levels(filter, limit, interval, baud, sensing, port, boards, seed ?: 1)
     }
 
     private fun audience(): Audience? {

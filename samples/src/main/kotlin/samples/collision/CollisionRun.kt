@@ -5,6 +5,7 @@ import jason.asSyntax.ASSyntax.createList
 import jason.asSyntax.ASSyntax.createLiteral
 import jason.asSyntax.ASSyntax.createNumber
 import jason.asSyntax.ASSyntax.createString
+import jason.asSyntax.Literal
 import javino.LineClock
 import javino.sim.SimulatedBoards
 import samples.project.MasRun
@@ -22,6 +23,7 @@ import kotlin.random.Random
  * @property baud the line's rate
  * @property sensing when snapshots are handed to the agent: `fresh`, `every` or `in_cycle`
  * @property port the robot's port, null for the simulated robot
+ * @property boards how many boards the simulated robot has: 1, or 2, the second with its sensors
  * @property seed where the noise of the simulated robot's sensors starts from
  */
 internal data class Levels(
@@ -31,6 +33,7 @@ internal data class Levels(
     val baud: Int,
     val sensing: String,
     val port: String?,
+    val boards: Int,
     val seed: Long,
 )
 
@@ -47,22 +50,27 @@ internal class CollisionRun(
 ) {
     private val witness = Witness()
     private val mas = MasRun(project())
+    private var boards: List<RobotBoard> = emptyList() // that are plugged in
 
     private fun project() = SampleProject("collision").apply {
         believe(
             AGENT,
-            createLiteral(
-                "board", createString(levels.port ?: SIMULATED),
-                createList(
-                    createLiteral("baud", createNumber(levels.baud.toDouble())), createLiteral("timeout", createNumber(ANSWER_LIMIT_MS)),
-                ),
-            ),
+            body(),
             createLiteral("value", createNumber(levels.limit.toDouble())),
             createLiteral("interval", createNumber(levels.interval.toDouble())),
             createLiteral("view", createAtom(levels.filter)),
         )
         set(AGENT, "argo_sensing", levels.sensing)
         audience?.let { set(AGENT, "argo_view", "${it.port}") }
+    }
+
+    private fun body(): Literal {
+        val options = createList(
+            createLiteral("baud", createNumber(levels.baud.toDouble())), createLiteral("timeout", createNumber(ANSWER_LIMIT_MS)),
+        )
+        if (levels.boards == 1) return createLiteral("board", createString(levels.port ?: simulated(RobotBoard.NAME)), options)
+        val ports = listOf(RobotBoard.NAME, RobotBoard.SENSORS).map { createLiteral("port", createString(simulated(it)), options) }
+        return createLiteral("boards", createList(ports))
     }
 
     /** Runs it and returns how it ended; always ends by itself. Called once. */
@@ -74,7 +82,7 @@ internal class CollisionRun(
         } finally {
             abandon()
             mas.end()
-            if (levels.port == null) SimulatedBoards.unplug(RobotBoard.NAME)
+            boards.forEach { SimulatedBoards.unplug(it.name()) }
         }
     }
 
@@ -93,7 +101,8 @@ internal class CollisionRun(
     private fun scene(): Scene {
         if (levels.port != null) return BoardScene(witness, levels.port, levels.limit, clock)
         val robot = Robot(clock, Random(levels.seed))
-        SimulatedBoards.plugIn(RobotBoard.NAME, RobotBoard(robot))
+        boards = RobotBoard.of(robot, levels.boards)
+        boards.forEach { SimulatedBoards.plugIn(it.name(), it) }
         return SimulatedScene(robot, witness::beliefs, levels.limit, clock)
     }
 
@@ -113,7 +122,8 @@ internal class CollisionRun(
     private companion object {
         const val AGENT = "robot"
         val OPEN = setOf("on", "timeout")
-        const val SIMULATED = "sim:${RobotBoard.NAME}"
+
+        fun simulated(board: String) = "${SimulatedBoards.SCHEME}:$board"
 
         /** How long the board may take to answer, in ms: three times what it takes at 9600 baud while a command waits. */
         const val ANSWER_LIMIT_MS = 1000.0

@@ -53,6 +53,7 @@ class Robot(
         notice(now)
     }
 
+    @Synchronized // its sensors may be on a board of their own
     private fun notice(now: Long) {
         val state = course.stateAt(now)
         if (state == lastNoticed) return

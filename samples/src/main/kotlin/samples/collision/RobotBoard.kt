@@ -4,6 +4,7 @@ import javino.LineClock
 import javino.Transport
 import javino.sim.SimulatedBoard
 import samples.board.FieldBoard
+import samples.board.Sketch
 import samples.cm
 import kotlin.random.Random
 
@@ -11,18 +12,41 @@ import kotlin.random.Random
  * `sim:robot`, the robot and the wall of the collision experiment. The robot outlives its port: opened again, it stands where
  * it stood.
  */
-class RobotBoard(private val robot: Robot) : SimulatedBoard {
+class RobotBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
     /** The board that a Jason project finds as a service; it logs what the robot does. */
-    constructor() : this(Robot(LineClock.system(), Random.Default, ::log))
+    constructor() : this(NAME, Robot(LineClock.system(), Random.Default, ::log))
 
-    override fun name() = NAME
+    override fun name() = name
 
-    override fun run(line: Transport) = FieldBoard(robot).run(line)
+    override fun run(line: Transport) = FieldBoard(sketch).run(line)
 
-    companion object {
+    internal companion object {
         /** The board's name after `sim:`. */
         const val NAME = "robot"
+
+        /** The name of the board with the sensors, if they have one of their own. */
+        const val SENSORS = "robot-sensors"
+
+        /** The boards of [robot]: one, or two of which the first has wheels and lamps and the second the sensors. */
+        fun of(robot: Robot, boards: Int): List<RobotBoard> =
+            if (boards == 1) listOf(RobotBoard(NAME, robot)) else listOf(RobotBoard(NAME, Motion(robot)), RobotBoard(SENSORS, Senses(robot)))
     }
+}
+
+/** The wheels and lamps of [robot]. */
+private class Motion(private val robot: Robot) : Sketch {
+    override val actions get() = robot.actions
+
+    override fun percepts() = ""
+
+    override fun act(command: String) = robot.act(command)
+}
+
+/** The sensors of [robot]. */
+private class Senses(private val robot: Robot) : Sketch {
+    override fun percepts() = robot.percepts()
+
+    override fun act(command: String) = Unit
 }
 
 private fun log(course: Course, state: Course.State) = System.getLogger("samples.robot").log(

@@ -3,6 +3,8 @@ package samples.project
 import argo.Arch
 import argo.view.AgentView
 import jason.architecture.AgArch
+import jason.asSyntax.directives.DirectiveProcessor
+import jason.asSyntax.directives.Include
 import jason.infra.local.RunLocalMAS
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
@@ -18,6 +20,7 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     init {
         parseArgs(arrayOf("--no-net"))
         setProject(sample.mas)
+        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // as Jason does, for all agents
     }
 
     /**

@@ -5,6 +5,7 @@ import jason.mas2j.AgentParameters
 import jason.mas2j.MAS2JProject
 import jason.mas2j.parser.mas2j
 import java.net.URL
+import kotlin.io.path.toPath
 
 /**
  * One of the Jason projects of this module: `collision` is `collision/collision.mas2j` on the class path, with its agents
@@ -18,6 +19,7 @@ internal class SampleProject(name: String) {
     /** The project, ready to run from any working directory. */
     val mas: MAS2JProject = source.openStream().use { mas2j(it).mas() }.apply {
         setupDefault()
+        if (source.protocol == "file") addSourcePath("${source.toURI().toPath().parent}") // where agents include files from
         agents.forEach { it.setSource(URL(source, it.source.schemeSpecificPart).toString()) }
     }
 

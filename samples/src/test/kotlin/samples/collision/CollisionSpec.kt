@@ -35,6 +35,12 @@ class CollisionSpec : FunSpec({
         }
     }
 
+    test("the agent stops a robot whose sensors are on a board of their own") {
+        val (status, printed) = Program.run("collision", "--filter", "none", "--boards", "2", "--limit", "180")
+        withClue(printed) { stopped.find(printed).shouldNotBeNull() }
+        status shouldBe 0
+    }
+
     test("an agent that waits for the line inside its reasoning cycle runs into the wall without a filter") {
         val (status, printed) = Program.run("collision", "--filter", "none", "--limit", "120", "--sensing", "in_cycle")
         printed.lines().last() shouldContain "ran into the wall: the agent had not stopped the robot"

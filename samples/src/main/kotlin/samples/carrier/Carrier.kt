@@ -1,0 +1,93 @@
+package samples.carrier
+
+import javino.LineClock
+import kotlin.time.Duration.Companion.nanoseconds
+import kotlin.time.DurationUnit
+
+/**
+ * A robot on a straight way with a can at its end, which it can drive to, grip and bring back. Its three boards share it. Any thread.
+ *
+ * @param clock the time that it lives in
+ */
+internal class Carrier(private val clock: LineClock) {
+    private var moving = Direction.NO
+    private var since = clock.nanos()
+    private var wayBefore = 0.0
+    private var hand = Hand.OPEN
+    private var can: Double? = CAN_CM // where it lies, in cm from the start; null: in the hand
+
+    /** How it moves. */
+    @get:Synchronized
+    val direction: Direction get() = moving
+
+    /** How far it is from its start, in cm, at least 0. */
+    @get:Synchronized
+    val way: Double
+        get() = (wayBefore + moving.sign * SPEED_CM_S * (clock.nanos() - since).nanoseconds.toDouble(DurationUnit.SECONDS))
+            .coerceIn(0.0, can ?: CAN_CM)
+
+    /** What its hand does. */
+    @get:Synchronized
+    val grasp: Hand get() = hand
+
+    /** How far the can is before it, in cm; [FAR_CM] if there is nothing before it. */
+    @get:Synchronized
+    val free: Double get() = can?.let { it - way } ?: FAR_CM
+
+    /** Moves on in [direction]. */
+    @Synchronized
+    fun move(direction: Direction) {
+        wayBefore = way
+        since = clock.nanos()
+        moving = direction
+    }
+
+    /** Closes its hand, around the can if that is near enough. */
+    @Synchronized
+    fun grip() {
+        if (hand == Hand.FULL) return
+        hand = if (free <= REACH_CM) Hand.FULL else Hand.CLOSED
+        if (hand == Hand.FULL) {
+            move(moving)
+            can = null
+        }
+    }
+
+    /** Opens its hand. A can in it is put down before the robot. */
+    @Synchronized
+    fun release() {
+        if (hand == Hand.FULL) {
+            move(moving)
+            can = way + REACH_CM
+        }
+        hand = Hand.OPEN
+    }
+
+    /** How it moves; the [word] is that of its percept. */
+    enum class Direction(val word: String, val sign: Int) {
+        FORWARD("forward", 1),
+        BACKWARD("backward", -1),
+        NO("no", 0),
+    }
+
+    /** What its hand does; the [word] is that of its percept. */
+    enum class Hand(val word: String) {
+        OPEN("open"),
+        CLOSED("closed"),
+        FULL("full"),
+    }
+
+    companion object {
+        /** How far the can is from the robot's start, in cm. */
+        const val CAN_CM = 60.0
+
+        /** How far its hand reaches, in cm. */
+        const val REACH_CM = 12.0
+
+        /** What its sensor gives where nothing is before it, in cm. */
+        const val FAR_CM = 200.0
+
+        /** How fast it drives, in cm/s. */
+        const val SPEED_CM_S = 20.0
+    }
+}
