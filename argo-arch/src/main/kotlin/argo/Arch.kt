@@ -114,7 +114,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.checkMail()
     }
 
-    override fun canSleep(): Boolean = super.canSleep() && !io.hasNews() && !environment.isWaiting() && waker.maySleep()
+    override fun canSleep(): Boolean = super.canSleep() && !io.hasNews() && !environment.isWaiting()
 
     override fun reasoningCycleFinished() {
         observing.cycleFinished()
