@@ -100,7 +100,7 @@ class ActingOptionsSpec : FunSpec({
     test("a command that is still on a line of version 1 when its time is over is unconfirmed") {
         agentOf("""
             !start.
-            +!start <- argo.port(ttyACM0, [baud(300), boot(0)]); !long.
+            +!start <- argo.port(ttyACM0, [baud(300), protocol(1), boot(0)]); !long.
             +!long <- argo.act(${"x".repeat(120)}, [timeout(300)]).
             -!long[error(E)] <- +said(E).
         """).use { bob ->

@@ -126,7 +126,7 @@ class ActingSpec : FunSpec({
     test("waiting commands fail when the cable is pulled, and the agent goes on") {
         agentOf("""
             !start.
-            +!start <- argo.port(ttyACM0, [baud(300), boot(0)]); argo.act(first); argo.act(second_that_takes_its_time); .print(sent).
+            +!start <- argo.port(ttyACM0, [baud(300), protocol(1), boot(0)]); argo.act(first); argo.act(second_that_takes_its_time); .print(sent).
             -!start[error(E)] <- .print("failed with ", E).
         """).use { bob ->
             bob.shouldSend("first").after(100.milliseconds).board.disconnects()
