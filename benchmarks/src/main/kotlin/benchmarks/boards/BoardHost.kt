@@ -52,7 +52,8 @@ internal class BoardHost private constructor(private val process: Process) : Aut
         const val NAME = "board-host"
 
         /** Boards on the [devices], each with so many [percepts], all of which change with each answer. */
-        fun onDevices(devices: List<File>, percepts: Int) = BoardHost(programApart(NAME, "$percepts", *devices.map { "$it" }.toTypedArray()))
+        fun onDevices(devices: List<File>, percepts: Int) =
+            BoardHost(programApart(NAME, "$percepts", *devices.map { "$it" }.toTypedArray()))
 
         /** As many [boards] on TCP ports of this machine. */
         fun onNetwork(boards: Int, percepts: Int) = BoardHost(programApart(NAME, "$percepts", *Array(boards) { NETWORK }))

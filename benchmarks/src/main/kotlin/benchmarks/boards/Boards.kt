@@ -33,8 +33,10 @@ private fun senseSeveral() {
         val result = course.measure()
         if (course.boards == 1) one = result.processor
         println(
-            "%-28s sensed at %.1f %% of the rate or more, perceived at %.1f %%; skew: median %.2f ms, 99th percentile %.2f ms, longest %.1f ms"
-                .format(Locale.ROOT, "$course:", result.leastSensed * 100, result.leastPerceived * 100, *result.skewMs.toTypedArray()),
+            (
+                "%-28s sensed at %.1f %% of the rate or more, perceived at %.1f %%; " +
+                    "skew: median %.2f ms, 99th percentile %.2f ms, longest %.1f ms"
+                ).format(Locale.ROOT, "$course:", result.leastSensed * 100, result.leastPerceived * 100, *result.skewMs.toTypedArray()),
         )
         println(
             "%-28s %.1f %% of a processor, %.1f times that of the first: %s".format(
@@ -47,8 +49,8 @@ private fun senseSeveral() {
 
 private fun senseMany() = with(ManyBoards().measure()) {
     println(
-        ("${ManyBoards.BOARDS} boards over TCP at 5 Hz: sensed at %.1f %% of the rate or more; %d of %d answers lost; heap %.0f MB, %.0f KB a " +
-            "board; process %.0f MB; %d threads, %.1f a board; all perceived after %.0f ms; closed after %.0f ms").format(
+        ("${ManyBoards.BOARDS} boards over TCP at 5 Hz: sensed at %.1f %% of the rate or more; %d of %d answers lost; " +
+            "heap %.0f MB, %.0f KB a board; process %.0f MB; %d threads, %.1f a board; all perceived after %.0f ms; closed after %.0f ms").format(
             Locale.ROOT, leastSensed * 100, lost, messages, heapMb, heapMb * 1024 / ManyBoards.BOARDS, residentMb, threads,
             threads.toDouble() / ManyBoards.BOARDS, openingMs, closingMs,
         ),
@@ -56,7 +58,7 @@ private fun senseMany() = with(ManyBoards().measure()) {
 }
 
 private fun stopThree(timelines: File) {
-    println("simulated Unos, twelve percepts that all change, interval 20 ms, virtual time: from the limit to the stop, $STOPS stops each; ms")
+    println("simulated Unos, twelve percepts that all change, interval 20 ms, virtual time: from the limit to the stop, $STOPS each; ms")
     println("%-36s %s".format("", BAUDS.joinToString("   ") { "%26s".format("$it baud") }))
     timelines.writeText("")
     val alone = BAUDS.associateWith { baud -> Trio(listOf(baud)).use { it.stop(STOPS, SEED).getValue(baud) } }
@@ -73,7 +75,8 @@ private fun stopThree(timelines: File) {
 }
 
 private fun show(what: String, reactions: Map<Int, Reactions>, alone: Map<Int, Reactions>, timelines: File) {
-    println("%-36s %s".format(what, BAUDS.joinToString("   ") { "%26s".format(reactions[it]?.let { one -> cell(one, alone.getValue(it)) } ?: "") }))
+    val cells = BAUDS.map { baud -> reactions[baud]?.let { cell(it, alone.getValue(baud)) }.orEmpty() }
+    println("%-36s %s".format(what, cells.joinToString("   ") { "%26s".format(it) }))
     reactions.forEach { (baud, one) -> timelines.appendText("$what: the worst at $baud baud, ms from the limit on\n${one.worst}\n") }
 }
 

@@ -51,7 +51,9 @@ internal data class BoardsCourse(val boards: Int, val percepts: Int) {
             options = mapOf(BoardWatch.OPTION to "$boards"),
         )
         val watch = BoardWatch.of(AGENT)
-        check(awaitAtMost(OPENING_S) { watch.perceived().size == boards }) { "only ${watch.perceived().size} of $boards boards are perceived" }
+        check(awaitAtMost(OPENING_S) { watch.perceived().size == boards }) {
+            "only ${watch.perceived().size} of $boards boards are perceived"
+        }
         Thread.sleep(WARM_UP_MS)
         watch.takeSkews()
         val sensed = watch.sensed()
@@ -68,7 +70,8 @@ internal data class BoardsCourse(val boards: Int, val percepts: Int) {
         println(figures.joinToString(" "))
     }
 
-    private fun least(before: Map<String, Long>, after: Map<String, Long>) = after.minOf { (port, count) -> count - before.getOrDefault(port, 0) }
+    private fun least(before: Map<String, Long>, after: Map<String, Long>) =
+        after.minOf { (port, count) -> count - before.getOrDefault(port, 0) }
 
     override fun toString() = "$boards ${if (boards == 1) "board" else "boards"} of $percepts percepts"
 

@@ -34,7 +34,9 @@ internal class ManyBoards {
     }
 
     /** The program in that machine: prints the figures. */
-    fun run() = BoardHost.onNetwork(BOARDS, PERCEPTS).use { host -> Agents().use { agents -> println(run(agents, host).joinToString(" ")) } }
+    fun run() = BoardHost.onNetwork(BOARDS, PERCEPTS).use { host ->
+        Agents().use { agents -> println(run(agents, host).joinToString(" ")) }
+    }
 
     private fun run(agents: Agents, host: BoardHost): List<Number> {
         val ports = host.ports.mapIndexed { i, port -> "port(\"$port\",[as(board$i)])" }
@@ -45,7 +47,9 @@ internal class ManyBoards {
         val threads = Thread.activeCount()
         val opening = System.nanoTime()
         agents.achieve(AGENT, "open")
-        check(awaitAtMost(LIMIT_S) { watch.perceived().size == BOARDS }) { "only ${watch.perceived().size} of $BOARDS boards are perceived" }
+        check(awaitAtMost(LIMIT_S) { watch.perceived().size == BOARDS }) {
+            "only ${watch.perceived().size} of $BOARDS boards are perceived"
+        }
         val opened = System.nanoTime()
         Thread.sleep(WARM_UP_MS)
         val before = watch.sensed()

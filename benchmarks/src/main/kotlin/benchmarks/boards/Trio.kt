@@ -69,7 +69,9 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         for (baud in healthy) agent.hears("bench", "achieve", "go(${name(baud)})")
         val end = agent.now + PATIENCE
         while (healthy.any { robot(it).stoppedAt == null }) {
-            check(agent.now < end) { "a robot has not stopped; the agent believes ${agent.beliefs} and intends ${agent.intentions}\n${agent.log}" }
+            check(agent.now < end) {
+                "a robot has not stopped; the agent believes ${agent.beliefs} and intends ${agent.intentions}\n${agent.log}"
+            }
             agent.after(LOOK)
         }
         val ones = healthy.associateWith(::one)
@@ -92,7 +94,8 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
             +!start <- argo.ports([$ports]); argo.limit(20); argo.percepts(open).
             +!go(B) <- +drives(B); !front(B).
         """.trimIndent() + bauds.map(::name).joinToString("") {
-            "\n+!front($it) <- argo.act($it::front).\n+$it::dist(f,X) : X <= ${WatchedRobot.LIMIT_MM} & drives($it) <- -drives($it); argo.act($it::stop)."
+            "\n+!front($it) <- argo.act($it::front)." +
+                "\n+$it::dist(f,X) : X <= ${WatchedRobot.LIMIT_MM} & drives($it) <- -drives($it); argo.act($it::stop)."
         }
     }
 

@@ -29,7 +29,8 @@ class RobotBoard internal constructor(private val name: String, private val sket
 
         /** The boards of [robot]: one, or two of which the first has wheels and lamps and the second the sensors. */
         fun of(robot: Robot, boards: Int): List<RobotBoard> =
-            if (boards == 1) listOf(RobotBoard(NAME, robot)) else listOf(RobotBoard(NAME, Motion(robot)), RobotBoard(SENSORS, Senses(robot)))
+            if (boards == 1) listOf(RobotBoard(NAME, robot))
+            else listOf(RobotBoard(NAME, Motion(robot)), RobotBoard(SENSORS, Senses(robot)))
     }
 }
 
