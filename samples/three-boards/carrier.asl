@@ -16,7 +16,7 @@
     .wait(wheels::moving(no), 5000);
     argo.skew(Ms);
     .print("the can is ", Cm, " cm ahead; the readings are at most ", Ms, " ms apart");
-    argo.act(grip); // an action of the arm alone
+    argo.act(arm::grip);
     .wait(arm::hand(full), 5000);
     .print("the arm has the can");
     !wheels::drive(backward).
@@ -25,7 +25,7 @@
 +wheels::way(0) : wheels::moving(backward) <-
     !wheels::halt;
     .wait(wheels::moving(no), 5000);
-    argo.act(release);
+    argo.act(arm::release);
     .wait(arm::hand(open), 5000);
     .print("the can is at the start");
     .stopMAS.
