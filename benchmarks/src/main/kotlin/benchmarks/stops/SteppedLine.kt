@@ -25,6 +25,7 @@ internal class SteppedLine(
     private var freeAt = clock.nanos()
     private var isClosed = false
     private var hangs = false
+    private var isArrivalNew = false // the board is also run by others, who place its robot
 
     /** The bytes that have been handed to it and read from it. */
     var traffic = Traffic(0, 0)
@@ -36,6 +37,7 @@ internal class SteppedLine(
     init {
         uno.sent = { byte, atNanos ->
             arriving += Arrival(byte, maxOf(atNanos, clock.nanos()))
+            isArrivalNew = true
             timeline.addByte("board", atNanos)
         }
         advance()
@@ -49,9 +51,9 @@ internal class SteppedLine(
         lock.lock()
         try {
             if (isClosed) return
-            val before = arriving.size
             if (!hangs) uno.runTo(clock.nanos())
-            if (arriving.size > before) changed.signalAll()
+            if (isArrivalNew) changed.signalAll()
+            isArrivalNew = false
             clock.schedule(settings.byteNanos() * 4 / 5, ::advance) // the board may send up to 2 % faster than its nominal rate
         } finally {
             lock.unlock()
