@@ -9,11 +9,11 @@ import java.util.concurrent.TimeUnit;
  * always about the same. So the differences of delays show the loop.
  *
  * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have
- * met the whole of the loop. Of n delays at random the range is less than a part x of the loop with the probability
- * n x^(n-1) - (n-1) x^n, which is less than one in 100,000 for each multiple. It is at most {@value #MAX_MILLIS} ms, since sensors may
- * make the difference, and that until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY} delays and more one in
- * {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this computer does not slow commands
- * down.
+ * met the whole of the loop. Of n delays at random the range is less than a part x of the loop with a probability of less than
+ * n x^(n-1), and with one left out n (n-1) x^(n-2). The multiple is 1/x where that is one in 100,000. The estimate is at most
+ * {@value #MAX_MILLIS} ms, since sensors may make the difference, and that until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY}
+ * delays and more one in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this computer does
+ * not slow commands down.
  *
  * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
  * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.
@@ -23,8 +23,12 @@ final class LoopTime {
     static final int SAMPLES = 256;
     /** The longest estimate, and what the loop is taken for while it is not known: sensors take that long in many sketches. */
     static final int MAX_MILLIS = 50;
-    /** Fewer delays say nothing. */
+    /** Fewer delays say nothing: they may be alike because they are measured in whole milliseconds, as on USB. */
     static final int MIN_SAMPLES = 6;
+    /** The chance at most, at each number of delays, that the estimate is shorter than the loop. */
+    private static final double CHANCE = 1e-5;
+
+    private static final int MIN_MULTIPLE = 2;
 
     private static final long MAX_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS);
     private static final int OUTLIER_AMONG = 64;
@@ -45,7 +49,7 @@ final class LoopTime {
     private final long[] sorted = new long[SAMPLES]; // the same, in their order
     private int count;
     private int next;
-    private long range;
+    private long estimate;
     private long longest;
     private int requests;
 
@@ -62,7 +66,8 @@ final class LoopTime {
         next = (next + 1) % SAMPLES;
         int outliers = count / OUTLIER_AMONG;
         int longestLeftOut = count < MANY ? 0 : Math.max(1, outliers);
-        range = sorted[count - 1 - longestLeftOut] - sorted[outliers];
+        long range = sorted[count - 1 - longestLeftOut] - sorted[outliers];
+        estimate = (long) Math.min(MAX_NANOS, multiple() * range);
         longest = sorted[count - 1];
     }
 
@@ -84,7 +89,6 @@ final class LoopTime {
     void forget() {
         count = 0;
         next = 0;
-        range = 0;
         requests = 0;
     }
 
@@ -104,13 +108,12 @@ final class LoopTime {
 
     /** The estimate. */
     long nanos() {
-        return count < MIN_SAMPLES ? MAX_NANOS : Math.min(MAX_NANOS, multiple() * range);
+        return count < MIN_SAMPLES ? MAX_NANOS : estimate;
     }
 
-    private int multiple() {
-        if (count < 8) {
-            return 16;
-        }
-        return count < 12 ? 8 : count < 24 ? 4 : 2;
+    private double multiple() {
+        double sets = count < MANY ? count : (double) count * (count - 1);
+        int others = count < MANY ? count - 1 : count - 2;
+        return Math.max(MIN_MULTIPLE, Math.pow(sets / CHANCE, 1.0 / others));
     }
 }
