@@ -16,7 +16,7 @@
     .wait(wheels::moving(no), 5000);
     argo.skew(Ms);
     .print("the can is ", Cm, " cm ahead; the readings are at most ", Ms, " ms apart");
-    argo.act(arm::grip);
+    argo.act(grip);
     .wait(arm::hand(full), 5000);
     .print("the arm has the can");
     !wheels::drive(backward).

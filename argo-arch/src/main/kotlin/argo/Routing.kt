@@ -11,6 +11,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
+import kotlin.io.path.Path
 
 /**
  * Which board of [io]'s agent a command is for. Belongs to the agent's thread.
@@ -99,7 +100,14 @@ private fun literalOf(command: Term): Literal? = try {
 internal fun moduleOf(ts: TransitionSystem): String? {
     val plan = stepsOf(ts)?.firstOrNull()?.plan ?: return null
     val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null
-    return namespace.functor.takeIf { plan.sourceFile != ts.ag.aslSrc }
+    return namespace.functor.takeIf { !isSameFile(plan.sourceFile, ts.ag.aslSrc) }
+}
+
+/** Whether both name one file, of which Jason gives the whole path, a URL or the name alone. */
+private fun isSameFile(one: String?, other: String?): Boolean {
+    if (one == null || other == null) return one == other
+    val (path, otherPath) = listOf(one, other).map { Path(it.removePrefix("file:")).normalize() }
+    return path.endsWith(otherPath) || otherPath.endsWith(path)
 }
 
 /** The percept whose event began the intention that the agent of [ts] is carrying out; null: none did. */
