@@ -8,8 +8,8 @@ import kotlin.concurrent.withLock
 
 /**
  * Numbers the commands that a board holds, so that the hand-over of its snapshots can wait for those that were issued before its last
- * hand-over. Commands that it holds although they go to other boards count for [ELSEWHERE_MS] at most, so that no board waits for long on
- * account of another. Safe for use by several threads.
+ * hand-over. Commands that it holds although they go to another board count until none has gone there for [ELSEWHERE_MS]: a line that is
+ * slow is awaited, or commands would pile up on it, and one that stands still holds up nobody. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param countsElsewhere whether commands to this other port count; not while its board does not answer
@@ -22,6 +22,7 @@ internal class CommandLedger(
 ) {
     private val lock = ReentrantLock()
     private val pending = HashMap<Any, TreeMap<Long, Long>>() // by port the numbers, each with the time of issue in ms
+    private val movedMs = HashMap<Any, Long>() // by port, when a command was done last while others were pending
     private var issued = 0L
 
     /** Enters a new command to [port] and returns its number. */
@@ -30,7 +31,7 @@ internal class CommandLedger(
     /** Command [number] to [port] has gone out, failed or timed out. */
     fun done(port: Any, number: Long) = lock.withLock {
         pending.computeIfPresent(port) { _, commands -> commands.apply { remove(number) }.takeIf { it.isNotEmpty() } }
-        Unit
+        if (port in pending) movedMs[port] = nowMs() else movedMs -= port
     }
 
     /** The number of the command issued last, 0 if there is none. */
@@ -48,17 +49,17 @@ internal class CommandLedger(
         return (until - nowMs()).takeIf { it > 0 }
     }
 
-    /** By each other port with commands up to [number] when the last of them was issued. */
+    /** By each other port with commands up to [number] when the last of them was issued, or a command was done there after that. */
     private fun lastElsewhere(number: Long): Map<Any, Long> {
         val own = port()
         return lock.withLock {
             pending.entries.filter { (to, _) -> to != own }
-                .mapNotNull { (to, commands) -> commands.floorEntry(number)?.let { to to it.value } }.toMap()
+                .mapNotNull { (to, commands) -> commands.floorEntry(number)?.let { to to maxOf(it.value, movedMs[to] ?: 0) } }.toMap()
         }
     }
 
     companion object {
-        /** How long a command to another board counts, in ms. */
+        /** How long commands to another board count while none goes there, in ms. */
         const val ELSEWHERE_MS = 100L
     }
 }

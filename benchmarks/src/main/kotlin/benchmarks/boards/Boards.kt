@@ -50,7 +50,8 @@ private fun senseSeveral() {
 private fun senseMany() = with(ManyBoards().measure()) {
     println(
         ("${ManyBoards.BOARDS} boards over TCP at 5 Hz: sensed at %.1f %% of the rate or more; %d of %d answers lost; " +
-            "heap %.0f MB, %.0f KB a board; process %.0f MB; %d threads, %.1f a board; all perceived after %.0f ms; closed after %.0f ms").format(
+            "heap %.0f MB, %.0f KB a board; process %.0f MB; %d threads, %.1f a board; all perceived after %.0f ms; " +
+            "closed after %.0f ms").format(
             Locale.ROOT, leastSensed * 100, lost, messages, heapMb, heapMb * 1024 / ManyBoards.BOARDS, residentMb, threads,
             threads.toDouble() / ManyBoards.BOARDS, openingMs, closingMs,
         ),
