@@ -27,6 +27,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
     /** How often a thread that waits looks whether a command has waited for too long. */
     private static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(1);
+    /** How long the line is read at once while a frame is being written, behind which another may be due. */
+    private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final int MAX_WRITE_MILLIS = 5000;
 
@@ -138,7 +140,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                 WireFrame frame = monitor.getInterruptibly(() -> nextUnless(isDone, deadline, reads));
                 report();
                 if (frame != null) {
-                    write(frame, deadline - clock.nanos());
+                    write(frame, deadline - clock.nanos(), true);
                 } else if (monitor.get(isDone::getAsBoolean)) {
                     return true;
                 } else if (deadline - clock.nanos() <= 0) {
@@ -163,7 +165,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                 return frame;
             }
             if (mustRead(reads)) {
-                long left = deadline - now;
+                long left = writer.isWriting() ? Math.min(deadline - now, LOOK_WHILE_WRITING_NANOS) : deadline - now;
                 inbox.readFor(
                         followers > 0 ? left : Math.min(left, nanosUntilNext(now + LOOK_NANOS))); // who follows writes
             } else {
@@ -204,7 +206,22 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return frame;
     }
 
-    private void write(WireFrame frame, long left) throws PortException {
+    /**
+     * Writes a frame, and those that have become due meanwhile: who reads has found the line taken, and may read until an answer comes.
+     *
+     * @param mayWait whether the driver may be waited for
+     */
+    private void write(WireFrame first, long left, boolean mayWait) throws PortException {
+        for (WireFrame frame = first; frame != null; frame = nextBehind(mayWait)) {
+            writeOne(frame, left);
+        }
+    }
+
+    private WireFrame nextBehind(boolean mayWait) throws PortException {
+        return mayWait || transport.isWritableNow() ? monitor.get(this::nextAtOnce) : null;
+    }
+
+    private void writeOne(WireFrame frame, long left) throws PortException {
         long millis = Math.max(1, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
         try {
             writer.writeFrame(frame.toBytes(), (int) millis, session::wrote);
@@ -220,7 +237,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     /** Writes a frame that {@link #nextAtOnce} has returned. The caller holds no lock. */
     void write(WireFrame frame) throws PortException {
-        write(frame, Long.MAX_VALUE);
+        write(frame, Long.MAX_VALUE, false);
         report();
     }
 

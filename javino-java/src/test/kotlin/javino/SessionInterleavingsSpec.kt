@@ -142,6 +142,15 @@ class SessionInterleavingsSpec : FunSpec({
         }
     }
 
+    test("a request that finds the line taken is written when it is free, though who took it has its outcome by then") {
+        repeat(2_000) {
+            val session = Session()
+            var answer: String? = null
+            concurrently({ session.send("on") }, { answer = session.request() })
+            check(answer == "p;") { "the answer is $answer" }
+        }
+    }
+
     test("a command is either withdrawn or carried out") {
         inEachInterleaving(divisor = 3) {
             val session = Session()
