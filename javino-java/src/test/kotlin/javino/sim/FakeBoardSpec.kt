@@ -162,7 +162,7 @@ class FakeBoardSpec : FunSpec({
 
     test("a delayed answer comes after its time, a silent board's never") {
         withBoard { board, link ->
-            board.whenAsked("getPercepts").after(80).answer("late;")
+            board.whenAsked("getPercepts").after(600).answer("late;")
             shouldThrow<PortTimeoutException> { link.also { it.request("getPercepts", LONG_MILLIS) }.request("getPercepts", 10) }
             board.whenAsked("getPercepts").staySilent()
             shouldThrow<PortTimeoutException> { link.request("getPercepts", 10).text() }
