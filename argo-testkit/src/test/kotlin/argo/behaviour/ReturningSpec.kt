@@ -13,7 +13,7 @@ class ReturningSpec : FunSpec({
     test("commands that wait when the cable is pulled fail, and those given while it is out") {
         agentOf("""
             !start.
-            +!start <- argo.port(ttyACM0, [baud(300), boot(0)]); for (.range(I,1,20)) { !!send(I) }.
+            +!start <- argo.port(ttyACM0, [baud(300), protocol(1), boot(0)]); for (.range(I,1,20)) { !!send(I) }.
             +!send(I) <- argo.act(takes_a_second_or_so(I)).
             -!send(I)[error(E)] <- +failed(I,E).
             +port(P,off) <- !!send(21).
