@@ -47,7 +47,14 @@ internal class PerceptIntentions(
     }
 
     private fun begun() = running().filter { intention ->
-        intention.bottom?.trigger?.literal?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
+        beginningOf(intention)?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
+    }
+
+    /** The event that began [intention]; null: it has finished, which its thread may find out at this moment. */
+    private fun beginningOf(intention: Intention): Literal? = try {
+        intention.bottom?.trigger?.literal
+    } catch (_: NoSuchElementException) {
+        null
     }
 
     companion object {

@@ -127,6 +127,13 @@ class HandOverSpec : FunSpec({
             handOver.take()?.receivedNanos shouldBe 1
         }
 
+        test("does not wait for an intention that has finished and has not been removed yet") {
+            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents, PerceptIntentions({ 0 }) { listOf(Intention()) })
+            handOver.put(snapshot(1))
+            handOver.isReady() shouldBe true
+            handOver.take()?.receivedNanos shouldBe 1
+        }
+
         test("does not wait for an intention that runs on") {
             var nowMs = 0L
             val running = listOf(intention("+dist(f,1)[source(percept)]"))
