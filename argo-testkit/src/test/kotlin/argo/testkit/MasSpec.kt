@@ -10,6 +10,7 @@ import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Structure
 import jason.environment.Environment
+import jason.runtime.RuntimeServicesFactory
 import kotlin.time.Duration.Companion.hours
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
@@ -174,6 +175,11 @@ class MasSpec : FunSpec({
             agent.after(3.hours - 62.seconds).printed.size shouldBe 2
             agent.shouldPrint("ring", within = 1.seconds)
         }
+    }
+
+    test("no real multi-agent system runs because agents are under test, so that one may begin") {
+        agentOf("!start.\n+!start <- .print(here).").use { it.shouldPrint("here") }
+        RuntimeServicesFactory.get().isRunning shouldBe false
     }
 
     test("two agents of one name are refused, and so is one that nobody made") {
