@@ -2,7 +2,6 @@ package argo.perception
 
 import jason.asSemantics.Event
 import jason.asSyntax.Literal
-import jason.bb.BeliefBase
 import java.util.Queue
 
 /**
@@ -14,15 +13,13 @@ import java.util.Queue
  * @param boardOf the board that says a percept; null: none does
  */
 internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> Any?) {
-    val isNew = queue.asSequence().drop(waiting).any(::isOfPercept)
+    val isNew = queue.asSequence().drop(waiting).any(::isPerceptEvent)
     if (!isNew) return
     val all = generateSequence(queue::poll).toList()
-    val (percepts, others) = all.drop(waiting).partition(::isOfPercept)
+    val (percepts, others) = all.drop(waiting).partition(::isPerceptEvent)
     val lanes = listOf(all.take(waiting)) + percepts.groupBy { boardOf(it.trigger.literal) }.values
     queue.addAll(inTurns(lanes) + others)
 }
-
-private fun isOfPercept(event: Event) = event.isExternal && event.trigger.isUpdate && event.trigger.literal.hasSource(BeliefBase.APercept)
 
 /** The first of each of [lanes], then the second of each, and so on. */
 private fun <T> inTurns(lanes: List<List<T>>): List<T> =

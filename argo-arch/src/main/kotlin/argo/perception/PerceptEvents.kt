@@ -60,5 +60,6 @@ internal class PerceptEvents(
     }
 }
 
-private fun isPerceptEvent(event: Event): Boolean =
+/** Whether [event] tells that a percept came or went. */
+internal fun isPerceptEvent(event: Event): Boolean =
     event.isExternal && event.trigger.isUpdate && event.trigger.literal.hasSource(BeliefBase.APercept)
