@@ -2,7 +2,6 @@ package benchmarks
 
 import javino.Protocol
 import javino.sim.SimulatedBoards
-import java.io.File
 import java.util.concurrent.atomic.AtomicLong
 
 /** A thousand agents with a board each in one Java machine, sensing twelve percepts at 10 Hz of which one has changed. */
@@ -36,14 +35,8 @@ internal class Crowd {
             val start = System.nanoTime()
             Thread.sleep(MEASURED_MS)
             val rate = (answers.get() - before) * 1e9 / (System.nanoTime() - start)
-            println("$rate ${residentMb()}")
+            println("$rate ${residentMb("VmHWM")}")
         }
-    }
-
-    private fun residentMb(): Double {
-        val status = File("/proc/self/status")
-        if (!status.exists()) return Double.NaN // only Linux has it
-        return status.readLines().first { it.startsWith("VmHWM") }.filter(Char::isDigit).toDouble() / 1024
     }
 
     companion object {

@@ -3,9 +3,9 @@ package benchmarks.boards
 import benchmarks.Agents
 import benchmarks.awaitAtMost
 import benchmarks.figuresApart
+import benchmarks.residentMb
 import benchmarks.usedHeap
 import jason.runtime.RuntimeServicesFactory
-import java.io.File
 import kotlin.math.abs
 
 /** An agent of 127 boards on the network, each sensed five times a second; the boards run in another process. */
@@ -64,7 +64,9 @@ internal class ManyBoards {
         val answered = host.ports.zip(host.answered()).toMap()
         val sensed = watch.sensed()
         val lost = answered.entries.sumOf { (port, count) -> abs(count - (sensed[port] ?: 0)) }
-        return listOf(least, lost, answered.values.sum(), heapMore, residentMb(), threadsMore, (opened - opening) / 1e6, closingMs(host))
+        return listOf(
+            least, lost, answered.values.sum(), heapMore, residentMb("VmRSS"), threadsMore, (opened - opening) / 1e6, closingMs(host),
+        )
     }
 
     private fun closingMs(host: BoardHost): Double {
@@ -78,12 +80,6 @@ internal class ManyBoards {
         +!open  <- argo.limit($INTERVAL_MS); argo.percepts(open); argo.ports([${ports.joinToString()}]).
         +!pause <- argo.percepts(block).
     """
-
-    private fun residentMb(): Double {
-        val status = File("/proc/self/status")
-        if (!status.exists()) return Double.NaN // only Linux has it
-        return status.readLines().first { it.startsWith("VmRSS") }.filter(Char::isDigit).toDouble() / 1024
-    }
 
     companion object {
         /** The name of the program. */
