@@ -67,7 +67,9 @@ internal class FreshHandOver(
         newest = if (critical.put(snapshot)) newer else newer ?: snapshot
     }
 
-    override fun isReady(): Boolean {
+    override fun isReady(): Boolean = isReady(::isTakenIn)
+
+    private inline fun isReady(isTakenIn: () -> Boolean): Boolean {
         val urgent = critical.first()
         return if (urgent == null) newest != null && isTakenIn() else mayBeEarly(urgent) || isTakenIn()
     }
@@ -85,9 +87,11 @@ internal class FreshHandOver(
 
     override fun take(): Snapshot? {
         events.takenIn()
-        if (newest != null && areEventsAndCommandsDone()) intentions.await()
-        if (!isReady()) return null
-        val isTakenIn = isTakenIn()
+        if (newest == null && critical.first() == null) return null
+        val areOthersDone = areEventsAndCommandsDone()
+        if (areOthersDone) intentions.await()
+        val isTakenIn = areOthersDone && !intentions.wait()
+        if (!isReady { isTakenIn }) return null
         val snapshot = lock.withLock { critical.take(isTakenIn) ?: takeInTurn(isTakenIn) } ?: return null
         commandsToAwait = commands.lastIssued()
         events.handedOver()
