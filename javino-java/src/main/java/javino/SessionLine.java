@@ -160,7 +160,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             if (isDone.getAsBoolean() || deadline - now <= 0 || !reports.isEmpty()) {
                 return null;
             }
-            WireFrame frame = writer.nanosUntilFrame() > 0 ? null : next(now);
+            WireFrame frame = nextAtOnce();
             if (frame != null) {
                 return frame;
             }
