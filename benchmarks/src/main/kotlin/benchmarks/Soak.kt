@@ -8,7 +8,8 @@ import java.util.BitSet
  * Many agents on as many boards in memory that sense at 50 Hz and act on each answer: whether heap or threads grow, and whether each action
  * is carried out once.
  *
- * @param seconds how long it lasts, at least 3; after the first minute, or the first third, nothing may grow any more
+ * @param seconds how long it lasts, at least 3; after the first minute, or the first third, and as soon as all agents act, nothing may
+ *   grow any more
  */
 class Soak(private val agents: Int, private val seconds: Int) {
     /** The figures of a run; heap in bytes after a collection. */
@@ -22,8 +23,9 @@ class Soak(private val agents: Int, private val seconds: Int) {
             "$twice actions were carried out twice".takeIf { twice > 0 },
             "$lost actions were lost".takeIf { lost > 0 },
             "more actions were carried out than issued".takeIf { carriedOut > confirmed + failed },
-            "there are more threads than at first".takeIf { threadsLate > threadsEarly + SPARE_THREADS },
-            "the heap has grown".takeIf { heapLate >= heapEarly + heapEarly / 4 + SPARE_HEAP },
+            "$threadsLate threads in place of $threadsEarly".takeIf { threadsLate > threadsEarly + SPARE_THREADS },
+            "the heap has grown from ${heapEarly / MB} to ${heapLate / MB} MB"
+                .takeIf { heapLate >= heapEarly + heapEarly / 4 + SPARE_HEAP },
         )
 
         override fun toString() = "heap ${heapEarly / MB} MB, then ${heapLate / MB} MB; threads $threadsEarly, then $threadsLate; " +
@@ -42,6 +44,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
             Agents().use { mas ->
                 for (i in 1..agents) mas.start("soak$i", program(i))
                 Thread.sleep(minOf(60, seconds / 3) * 1000L)
+                awaitAtMost(LIMIT_S) { boards.all { it.confirmed >= WARM_UP_ACTIONS } }
                 val heap = usedHeap()
                 val threads = Thread.activeCount()
                 Thread.sleep((seconds - minOf(60, seconds / 3)) * 1000L)
@@ -123,6 +126,9 @@ class Soak(private val agents: Int, private val seconds: Int) {
     private companion object {
         const val BAUD = 2_000_000
         const val LIMIT_S = 60
+
+        /** After as many every agent has all of what it needs in its turn. */
+        const val WARM_UP_ACTIONS = 50L
         const val MB = 1024 * 1024L
         const val SPARE_HEAP = 8 * MB
 
