@@ -56,6 +56,18 @@ internal class Program private constructor(private val process: Process) : AutoC
             return Program(ProcessBuilder(command).directory(directory.toAbsolutePath().toFile()).redirectErrorStream(true).start())
         }
 
+        /** Starts the sample program with [arguments] in a terminal of the kind [term]. */
+        fun inTerminal(term: String, vararg arguments: String): Program {
+            val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+            val command = "$java samples.MainKt ${arguments.joinToString(" ")}"
+            val builder = ProcessBuilder("socat", "-", "EXEC:\"$command\",pty,setsid,ctty,stderr").redirectErrorStream(true)
+            builder.environment().run {
+                putAll(mapOf("CLASSPATH" to System.getProperty("java.class.path"), "TERM" to term))
+                remove("CI")
+            }
+            return Program(builder.start())
+        }
+
         /** Starts the sample program with [arguments]. */
         fun samples(vararg arguments: String) = start("samples.MainKt", *arguments)
 

@@ -112,7 +112,7 @@ internal class CollisionRun(
             scene.verdict()?.let { return it }
             val elapsed = clock.nanos() - begin
             if (elapsed > TimeUnit.SECONDS.toNanos(MAX_S)) return scene.overdue(MAX_S)
-            progress.show(scene.look(), elapsed)
+            progress.show(scene.look(), elapsed, scene.picture().line())
             if (mas.awaitEnd(LOOK_MS) != null) return Verdict.Failed(
                 "an agent has ended the system; last seen: ${scene.look().joinToString()}",
             )

@@ -2,6 +2,7 @@ package samples.collision
 
 import argo.view.Picture
 import samples.cm
+import kotlin.math.roundToInt
 
 /**
  * The robot on its track, to scale.
@@ -14,6 +15,20 @@ import samples.cm
 internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val doing: String) {
     /** The same for the live view, under [caption]: the distance and what the robot does, unless another is given. */
     fun drawn(caption: String?) = Picture(svg(), caption ?: "${distance?.let { "${cm(it)} cm" } ?: "no distance yet"} – $doing")
+
+    /** The same in [CELLS] characters for a terminal: the robot `o=o>`, the limit `:` and the wall `|`. */
+    fun line(): String {
+        val floor = CharArray(CELLS) { '_' }
+        floor[cell(limit.toDouble())] = ':'
+        distance?.let { ONE_LINE_ROBOT.toCharArray(floor, cell(it) + 1 - ONE_LINE_ROBOT.length) }
+        return floor.concatToString() + '|'
+    }
+
+    /** Which of the characters left of the wall is [distance] cm from it. */
+    private fun cell(distance: Double): Int {
+        val first = ONE_LINE_ROBOT.length - 1 // where the front of a robot is that stands at the left edge
+        return first + ((CELLS - 1 - first) * (1 - share(distance))).roundToInt()
+    }
 
     /** Without a `viewBox` it is as wide as the page; percentages are of that width, and lengths and letters keep their size. */
     private fun svg(stop: Double = place(limit.toDouble())) = """
@@ -43,7 +58,10 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
     """.trimIndent()
 
     /** Where the picture has what is [distance] cm from the wall, in percent of its width. */
-    private fun place(distance: Double) = ROBOT + (WALL - ROBOT) * (1 - (distance / range).coerceIn(0.0, 1.0))
+    private fun place(distance: Double) = ROBOT + (WALL - ROBOT) * (1 - share(distance))
+
+    /** [distance] cm as a share of what the picture has room for, from 0 to 1. */
+    private fun share(distance: Double) = (distance / range).coerceIn(0.0, 1.0)
 
     private companion object {
         /** Where the wall begins, in percent of the width. */
@@ -51,5 +69,7 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
 
         /** How much of the width the robot may take, in percent. */
         const val ROBOT = 20.0
+        const val ONE_LINE_ROBOT = "o=o>"
+        const val CELLS = 36
     }
 }

@@ -20,18 +20,24 @@ internal class Progress(private val out: PrintStream, private val inPlace: Boole
     private var width = 0
     private var nextPlain = 0L
 
-    /** Shows [facts] side by side, unless it has ended; [nanos] is the time since the run began, never less than before. */
-    fun show(facts: List<String>, nanos: Long) = lock.withLock {
-        if (!isOver) show(facts.joinToString(separator), nanos)
+    /**
+     * Shows [facts] side by side, unless it has ended.
+     *
+     * @param nanos the time since the run began, never less than before
+     * @param drawing what a terminal shows before the facts, if a line of [MAX_COLUMNS] has room for both
+     */
+    fun show(facts: List<String>, nanos: Long, drawing: String? = null) = lock.withLock {
+        if (!isOver) show(facts.joinToString(separator), nanos, drawing)
     }
 
-    private fun show(line: String, nanos: Long) {
+    private fun show(facts: String, nanos: Long, drawing: String?) {
         if (inPlace) {
+            val line = drawing?.let { "$it  $facts" }?.takeIf { it.length <= MAX_COLUMNS } ?: facts
             out.print("\r" + line.padEnd(width))
             out.flush()
             width = line.length
         } else if (nanos >= nextPlain) {
-            out.println(line)
+            out.println(facts)
             nextPlain = nanos + PLAIN_INTERVAL_NANOS
         }
     }
@@ -47,8 +53,14 @@ internal class Progress(private val out: PrintStream, private val inPlace: Boole
     companion object {
         private const val PLAIN_INTERVAL_NANOS = 5_000_000_000L
 
+        /** What fits into a line of a terminal of the usual width; a longer one would wrap, and could not be rewritten. */
+        const val MAX_COLUMNS = 79
+
         /** Progress on this program's standard output. */
-        fun onStandardOutput() = Progress(System.out, isTerminal(), charset())
+        fun onStandardOutput() = Progress(System.out, isTerminal() && canRewrite(System.getenv()), charset())
+
+        /** Whether the terminal of a program with [environment] can rewrite a line; a log of CI, which keeps all that is printed, cannot. */
+        fun canRewrite(environment: Map<String, String>) = environment["TERM"] != "dumb" && environment["CI"].isNullOrEmpty()
 
         private fun charset(): Charset =
             OUTPUT_ENCODINGS.firstNotNullOfOrNull(System::getProperty)?.let(Charset::forName) ?: Charset.defaultCharset()

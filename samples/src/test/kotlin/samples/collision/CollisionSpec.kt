@@ -41,6 +41,19 @@ class CollisionSpec : FunSpec({
         status shouldBe 0
     }
 
+    test("a terminal shows the robot on its way to the wall, and a dumb one plain lines").config(enabledOrReasonIf = pairs) {
+        fun printed(term: String) = Program.inTerminal(term, "collision", "--limit", "190").use { it.awaitEnd().second }
+        with(printed("xterm")) {
+            Regex("""___?o=o>_*\|  distance 1\d\d\.\d cm""").containsMatchIn(this) shouldBe true
+            lines().last() shouldContain stopped
+        }
+        with(printed("dumb")) {
+            this shouldNotContain "o=o>"
+            lines().first() shouldContain "distance 200.0 cm"
+            lines().last() shouldContain stopped
+        }
+    }
+
     test("an agent that waits for the line inside its reasoning cycle runs into the wall without a filter") {
         val (status, printed) = Program.run("collision", "--filter", "none", "--limit", "120", "--sensing", "in_cycle")
         printed.lines().last() shouldContain "ran into the wall: the agent had not stopped the robot"

@@ -44,4 +44,14 @@ class TrackPictureSpec : FunSpec({
         TrackPicture(73.24, 40, 200.0, "stopped").drawn("stopped 73.2 cm from the wall").words shouldBe "stopped 73.2 cm from the wall"
         picture(73.24).svg shouldContain "to stop at 40 cm"
     }
+
+    test("a terminal shows the robot between the start and the wall, and the limit") {
+        fun line(distance: Double?) = TrackPicture(distance, 40, 200.0, "driving").line()
+        line(200.0) shouldBe "o=o>" + "_".repeat(25) + ":______|"
+        line(0.0) shouldBe "_".repeat(29) + ":__o=o>|"
+        line(1000.0) shouldBe line(200.0)
+        line(null) shouldBe "_".repeat(29) + ":______|"
+        line(40.0).indexOf('>') shouldBe line(null).indexOf(':')
+        listOf(200.0, 150.0, 90.0, 40.0, 1.0).map { line(it).indexOf('>') }.shouldBeSorted()
+    }
 })

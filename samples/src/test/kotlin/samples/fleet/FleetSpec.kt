@@ -5,6 +5,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldNotContain
 import samples.Program
 import java.io.IOException
 import java.net.InetAddress
@@ -52,7 +53,9 @@ class FleetSpec : FunSpec({
         Program.samples("fleet", "--seconds", "5").use { program ->
             listOf("has visited", "scout2 has been killed", "scout2 is lost", "scout1 watches", "scout1 has visited")
                 .forEach(program::awaitLine)
-            program.awaitEnd().first shouldBe 0
+            val (status, printed) = program.awaitEnd()
+            status shouldBe 0
+            printed shouldNotContain "Exception"
         }
     }
 })

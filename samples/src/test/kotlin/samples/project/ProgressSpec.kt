@@ -33,4 +33,18 @@ class ProgressSpec : FunSpec({
     test("a terminal that has no middle dot gets a dash") {
         shown(inPlace = true, Charsets.US_ASCII) { it.show(listOf("a", "b"), 0) } shouldBe "\ra - b"
     }
+
+    test("a terminal shows a drawing before the facts, unless the line would be too long; elsewhere there is none") {
+        shown(inPlace = true) { it.show(listOf("near"), 0, "o=o>|") } shouldBe "\ro=o>|  near"
+        val long = "x".repeat(Progress.MAX_COLUMNS - 2)
+        shown(inPlace = true) { it.show(listOf(long), 0, "|") } shouldBe "\r$long"
+        shown(inPlace = false) { it.show(listOf("near"), 0, "o=o>|") } shouldBe "near\n"
+    }
+
+    test("a line is rewritten neither on a dumb terminal nor in the log of CI") {
+        Progress.canRewrite(mapOf("TERM" to "xterm")) shouldBe true
+        Progress.canRewrite(emptyMap()) shouldBe true // as on Windows
+        Progress.canRewrite(mapOf("TERM" to "dumb")) shouldBe false
+        Progress.canRewrite(mapOf("TERM" to "xterm", "CI" to "true")) shouldBe false
+    }
 })
