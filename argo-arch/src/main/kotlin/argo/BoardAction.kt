@@ -73,7 +73,7 @@ private fun counted(arguments: IntRange) = when {
 internal fun architectures(ts: TransitionSystem): Sequence<AgArch> = generateSequence(ts.agArch) { it.nextAgArch }
 
 /** The [Arch] of the agent of [ts]; null: it has none. */
-internal fun archOf(ts: TransitionSystem): Arch? = architectures(ts).filterIsInstance<Arch>().firstOrNull()
+internal fun archOf(ts: TransitionSystem): Arch? = ts.agArch as? Arch ?: architectures(ts).filterIsInstance<Arch>().firstOrNull()
 
 /** The agent of [ts] has no [Arch]. */
 internal fun notArgo(ts: TransitionSystem) =

@@ -1,7 +1,6 @@
 package javino;
 
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -21,10 +20,10 @@ public final class Frame {
     /** Bytes on the line before the payload: four of preamble, two of length. */
     public static final int HEADER_LENGTH = 6;
 
-    private static final int PREAMBLE_LENGTH = 4;
+    private static final String PREAMBLE = "fffe";
     private static final char[] DIGITS = "0123456789ABCDEF".toCharArray();
 
-    private static final Pattern HEADER = Pattern.compile("fffe\\p{XDigit}{2}");
+    private static final Pattern HEADER = Pattern.compile(PREAMBLE + "\\p{XDigit}{2}");
 
     private final String text; // a byte a character
 
@@ -59,6 +58,13 @@ public final class Frame {
                     "the command " + quoted(text) + " begins with the byte 01, as a rule for the board does, "
                             + "but is none; let it begin with another character");
         }
+        if (text.contains(PREAMBLE)) { // which is found sooner than a pattern, in the way of each command
+            requireNoHeader(text);
+        }
+        return of(text);
+    }
+
+    private static void requireNoHeader(String text) {
         Matcher header = HEADER.matcher(text);
         if (header.find()) {
             throw new IllegalArgumentException(
@@ -67,7 +73,6 @@ public final class Frame {
                             + " on, which a board may take for the beginning of another command; leave it out, "
                             + "or put a character in between");
         }
-        return of(text);
     }
 
     /**
@@ -126,12 +131,15 @@ public final class Frame {
     /** The bytes for the line, in an array of the caller's own; digits are written in upper case. */
     public byte[] toBytes() {
         byte[] bytes = new byte[length()];
-        Arrays.fill(bytes, 0, PREAMBLE_LENGTH - 1, (byte) 'f');
-        bytes[PREAMBLE_LENGTH - 1] = 'e';
-        bytes[PREAMBLE_LENGTH] = (byte) DIGITS[text.length() >> 4];
-        bytes[PREAMBLE_LENGTH + 1] = (byte) DIGITS[text.length() & 0xF];
-        System.arraycopy(payload(), 0, bytes, HEADER_LENGTH, text.length());
+        copy(PREAMBLE, bytes, 0);
+        bytes[HEADER_LENGTH - 2] = (byte) DIGITS[text.length() >> 4];
+        bytes[HEADER_LENGTH - 1] = (byte) DIGITS[text.length() & 0xF];
+        copy(text, bytes, HEADER_LENGTH);
         return bytes;
+    }
+
+    private static void copy(String text, byte[] bytes, int at) {
+        System.arraycopy(text.getBytes(StandardCharsets.ISO_8859_1), 0, bytes, at, text.length());
     }
 
     /** Whether {@code other} is a frame of the same bytes. */
