@@ -17,7 +17,8 @@ import kotlin.system.exitProcess
 
 /**
  * Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. `demo` is the sample
- * `collision` under the name that it has at the front door, and `experiment` has its place there alone.
+ * `collision` under the name that it has at the front door, and `experiment` has its place there alone. The property `argo.command` is what
+ * the user has typed before the name of the command.
  */
 fun main(args: Array<String>) {
     val (commands, arguments) = program(args)
@@ -28,13 +29,14 @@ fun main(args: Array<String>) {
 internal fun program(args: Array<String>): Pair<CommandLine, Array<String>> {
     val rest = args.drop(1).toTypedArray()
     return when (args.firstOrNull()) {
-        "demo" -> commandLine(CollisionCommand(), "./argo demo") to rest
-        "experiment" -> commandLine(ExperimentCommand(), "./argo experiment") to rest
-        else -> commandLine(Samples(), "./argo sample") to args
+        "demo" -> commandLine(CollisionCommand(), "demo") to rest
+        "experiment" -> commandLine(ExperimentCommand(), "experiment") to rest
+        else -> commandLine(Samples(), "sample") to args
     }
 }
 
-private fun commandLine(command: Any, name: String) = CommandLine(command).setCommandName(name).refusingInWords("sample")
+private fun commandLine(command: Any, name: String) =
+    CommandLine(command).setCommandName("${System.getProperty("argo.command") ?: "./argo"} $name").refusingInWords("sample")
 
 @Command(
     name = "samples",

@@ -12,6 +12,9 @@ import argo.tools.doctor.DoctorCommand
 import argo.tools.filter.FilterCommand
 import argo.tools.migration.CheckAgentCommand
 import argo.tools.project.NewCommand
+import argo.tools.samples.DemoCommand
+import argo.tools.samples.ExperimentCommand
+import argo.tools.samples.SampleCommand
 import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.IVersionProvider
@@ -26,7 +29,8 @@ import picocli.CommandLine.Spec
     versionProvider = JarVersion::class,
     subcommands = [
         PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class, FilterCommand::class,
-        DoctorCommand::class, CheckAgentCommand::class, NewCommand::class, CompletionCommand::class,
+        DoctorCommand::class, CheckAgentCommand::class, NewCommand::class, DemoCommand::class, SampleCommand::class,
+        ExperimentCommand::class, CompletionCommand::class,
     ],
     footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],
 )

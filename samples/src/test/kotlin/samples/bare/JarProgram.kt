@@ -35,6 +35,9 @@ internal class JarProgram private constructor(private val process: Process) : Au
         return ended()
     }
 
+    /** The programs that it has started and that still run. */
+    fun children(): List<ProcessHandle> = process.toHandle().descendants().toList()
+
     /** Waits for its end. */
     fun ended(): Ended {
         if (!process.waitFor(LIMIT_S, TimeUnit.SECONDS)) throw AssertionError("it still runs; it printed:\n$all")

@@ -4,6 +4,7 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.making
+import argo.tools.command.ownJar
 import argo.tools.command.requireNew
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
@@ -13,7 +14,6 @@ import java.nio.file.Path
 import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
 import kotlin.io.path.isRegularFile
-import kotlin.io.path.toPath
 import kotlin.io.path.writeText
 
 /** `new`: makes a new project. */
@@ -43,7 +43,7 @@ internal class NewCommand : ToolCommand() {
     override fun call(): Int {
         ProjectName.problem(name)?.let { misuse(it) }
         if (boards !in 1..MAX_BOARDS) misuse("--boards is 1 or $MAX_BOARDS, not $boards; a project can be given more later, see argo.ports")
-        val argo = existing(argoJar ?: ownJar())
+        val argo = existing(argoJar ?: ownJar() ?: misuse("this program does not run from argo.jar; give it with --argo-jar FILE"))
         val testKit = testKitJar?.let(::existing)
             ?: listOf(TEST_KIT, "argo-testkit-$VERSION.jar").map(argo::resolveSibling).find { it.isRegularFile() }
         val target = parent.resolve(name)
@@ -73,11 +73,6 @@ internal class NewCommand : ToolCommand() {
     }
 
     private fun existing(file: Path): Path = file.takeIf { it.isRegularFile() } ?: throw ToolException("there is no file $file")
-
-    private fun ownJar(): Path {
-        val own = NewCommand::class.java.protectionDomain.codeSource.location.toURI().toPath()
-        return own.takeIf { it.isRegularFile() } ?: misuse("this program does not run from argo.jar; give it with --argo-jar FILE")
-    }
 
     private companion object {
         const val TEST_KIT = "argo-testkit.jar"

@@ -1,0 +1,52 @@
+package argo.tools.samples
+
+import argo.tools.command.ownJar
+import picocli.CommandLine.Command
+import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Spec
+import picocli.CommandLine.Unmatched
+import java.nio.file.Path
+import java.util.concurrent.Callable
+
+/** A command of the samples' program, which gets all arguments as they are. */
+@Command
+internal abstract class SampleProgramCommand(private vararg val words: String) : Callable<Int> {
+    @Spec
+    private lateinit var spec: CommandSpec
+
+    @Unmatched
+    private var arguments: MutableList<String> = ArrayList()
+
+    override fun call(): Int {
+        val program = listOf("-Dargo.command=${spec.root().name()}", "-cp", samplesClassPath(ownJar() ?: Path.of("")), "samples.MainKt")
+        return runJava(program + words + arguments)
+    }
+}
+
+/** `demo`: the sample `collision`. */
+@Command(
+    name = "demo",
+    description = ["A robot drives at a wall and its agent stops it; no hardware needed. --help lists its options."],
+)
+internal class DemoCommand : SampleProgramCommand("demo")
+
+/** `experiment`: the published experiment. */
+@Command(name = "experiment", description = ["Makes all runs of the published experiment and a report. --help lists its options."])
+internal class ExperimentCommand : SampleProgramCommand("experiment")
+
+/** `sample NAME`: any sample. */
+@Command(name = "sample", description = ["Runs the sample of the name that follows. --help lists the samples."])
+internal class SampleCommand : SampleProgramCommand()
+
+/** Runs the Java of this program with [arguments], on its terminal, and returns the exit status. Who ends this program ends that one. */
+private fun runJava(arguments: List<String>): Int {
+    val java = ProcessHandle.current().info().command().orElseGet { Path.of(System.getProperty("java.home"), "bin", "java").toString() }
+    // jSerialComm loads a native library, which newer Java machines warn about
+    val process = ProcessBuilder(listOf(java, "--enable-native-access=ALL-UNNAMED") + arguments).inheritIO().start()
+    val ending = Thread {
+        process.destroy()
+        process.waitFor()
+    }
+    Runtime.getRuntime().addShutdownHook(ending)
+    return process.waitFor()
+}

@@ -1,0 +1,29 @@
+package argo.tools.samples
+
+import argo.tools.command.ToolException
+import java.io.File
+import java.nio.file.Path
+import kotlin.io.path.exists
+import kotlin.io.path.isDirectory
+import kotlin.io.path.readText
+
+/**
+ * The class path of the samples, which are not in `argo.jar`, since they need Jason: a folder `samples` beside [jar], as in a release, or
+ * what Maven has built in the source tree that [jar] was built in.
+ *
+ * @throws ToolException if there are none
+ */
+internal fun samplesClassPath(jar: Path): String {
+    val file = jar.toAbsolutePath().normalize()
+    val release = file.resolveSibling("samples")
+    if (release.isDirectory()) return "$release${File.separator}*"
+    val built = file.resolve("../../../samples/target").normalize()
+    val libraries = built.resolve("run.classpath")
+    if (!libraries.exists()) {
+        throw ToolException(
+            "the samples are not there. A release has them in the folder samples beside argo.jar (looked for: $release); " +
+                "in the sources of ARGO, \"mvn package -Dmaven.test.skip=true\" builds them",
+        )
+    }
+    return built.resolve("classes").toString() + File.pathSeparator + libraries.readText().trim()
+}
