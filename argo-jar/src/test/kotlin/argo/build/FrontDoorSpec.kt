@@ -1,11 +1,15 @@
 package argo.build
 
+import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
+import java.security.MessageDigest
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
 
 /** What `./argo` prints itself. */
 class FrontDoorSpec : FunSpec({
@@ -35,6 +39,23 @@ class FrontDoorSpec : FunSpec({
             val set = "touch '$folder/format.classpath'; printf '#!/bin/sh' >'$folder/java'; chmod +x '$folder/java'; PATH=$folder:\$PATH"
             bash("-c", "$set; . ../argo; logs='$folder'; format $option").second shouldStartWith "$work; takes about "
         }
+    }
+
+    test("a release's library lies where Maven looks for it, with the checksum of the file that was packed") {
+        val folder = tempdir().toPath()
+        folder.resolve("packed.jar").writeText("bytes")
+        val (status, said) = bash("-c", ". ../argo; here='$folder'; in_repository argo-arch 0.1.0 '$folder/packed.jar' -sources.jar")
+        withClue(said) { status shouldBe 0 }
+        val place = folder.resolve("dist/maven/argo/argo-arch/0.1.0")
+        place.resolve("argo-arch-0.1.0-sources.jar").readText() shouldBe "bytes"
+        val sum = MessageDigest.getInstance("SHA-1").digest("bytes".toByteArray()).joinToString("") { "%02x".format(it) }
+        place.resolve("argo-arch-0.1.0-sources.jar.sha1").readText().trim() shouldBe sum
+    }
+
+    test("checksums are made by the program of macOS where that of GNU is not there") {
+        val folder = tempdir().toPath()
+        bash("-c", "printf '#!/bin/bash\necho shasum \"\$@\"' >'$folder/shasum'; chmod +x '$folder/shasum'; . ../argo; " +
+            "PATH=$folder; checksums sha256sum 'a file'").second.trim() shouldBe "shasum -a 256 a file"
     }
 
     listOf("bench", "bench a b", "bench latency soak", "bench fly").forEach { line ->
