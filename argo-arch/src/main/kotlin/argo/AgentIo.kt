@@ -168,13 +168,13 @@ internal class AgentIo(
     fun perceiveThrough(filter: PerceptionFilter?) {
         this.filter = filter
         boards.forEach(Board::perceiveAsOthers)
-        renewRules()
+        renewLines()
     }
 
     /** Perceives [board] alone through [filter] from the next perception on; null: everything. */
     fun perceiveThrough(filter: PerceptionFilter?, board: Board) {
         board.perceiveThrough(filter)
-        renewRules()
+        renewLines()
     }
 
     /** Why the filters of the boards in its namespace keep or drop [percept]. Any thread. */
@@ -206,7 +206,8 @@ internal class AgentIo(
 
     override fun isWatchedBy(port: OpenPort, rule: CriticalRule) = lines[port]?.rules?.isWatching(rule) == true
 
-    private fun renewRules() = lines.values.forEach { it.rules.renew() }
+    /** What the agent wants of its boards has changed. */
+    private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
     /** The youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null if there is none. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier): Pair<Literal, Long>? {
@@ -223,8 +224,7 @@ internal class AgentIo(
         if (isPerceiving == open) return
         isPerceiving = open
         perceived.get().boards.forEach(Board::beginAnew)
-        renewRules()
-        wakeSensing()
+        renewLines()
         dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before it perceives
     }
 
@@ -232,13 +232,13 @@ internal class AgentIo(
     fun senseEvery(intervalMs: Int) {
         this.intervalMs = intervalMs
         boards.forEach { it.ownIntervalMs = null }
-        wakeSensing()
+        renewLines()
     }
 
     /** Sets the sensing interval of [board] alone. */
     fun senseEvery(intervalMs: Int, board: Board) {
         board.ownIntervalMs = intervalMs
-        wakeSensing()
+        renewLines()
     }
 
     /**
@@ -266,19 +266,17 @@ internal class AgentIo(
     fun send(port: OpenPort, text: String, options: CommandOptions, cause: Literal?, outcome: (Failure?) -> Unit) {
         val causing = cause?.let(::boardsOf).orEmpty()
         val holder = causing.find { it.port === port } ?: causing.firstOrNull() ?: perceivedOn(port)
-        val ledger = holder?.ledger ?: return transmit(port, text, options, outcome)
+        val ledger = holder?.ledger ?: return transmit(port, text, options, outcome = outcome)
         val number = ledger.issue(port)
-        transmit(port, text, options) {
-            ledger.done(port, number)
-            outcome(it)
-        }
+        transmit(port, text, options, { ledger.done(port, number) }, outcome)
     }
 
-    override fun transmit(port: OpenPort, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
-        val report = observers().commandIssued(port.link.port(), text, outcome)
+    override fun transmit(port: OpenPort, text: String, options: CommandOptions, left: () -> Unit, outcome: (Failure?) -> Unit) {
+        val report = observers().commandIssued(port.link.port, text, outcome)
         val commands = lines[port]?.commands
-            ?: return report(Failure("port_gone", "port ${port.link.port()} was closed, or its device has gone"))
-        coupling.submit(commands, text, options, report)
+        if (commands != null) return coupling.submit(commands, text, options, left, report)
+        left()
+        report(Failure("port_gone", "port ${port.link.port} was closed, or its device has gone"))
     }
 
     /** Takes in what is new for the agent since the last call, and returns whether [beliefs] may have changed. */
@@ -322,8 +320,6 @@ internal class AgentIo(
     /** Gives up all ports and threads. Never waits for a line. Any thread; may be called twice. */
     fun stop() = ports.stop()
 
-    private fun wakeSensing() = lines.values.forEach { it.sensing.wake() }
-
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {
         val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
         observers().portChanged("$port", status.word, reason)
@@ -357,8 +353,7 @@ internal class AgentIo(
             (before.filter { it !in now } + renewed).forEach(Board::forget)
             if (ports.inUse.isEmpty()) boards.clear()
             isOtherBoards = true
-            renewRules()
-            wakeSensing()
+            renewLines()
             waker.wake { !isOtherBoards }
         }
     }

@@ -21,8 +21,8 @@ internal interface Coupling {
      */
     fun perceiving(sensings: List<Sensing>, intervalMs: Int)
 
-    /** Has [text] sent; [outcome] as of [CommandSender.submit]. Any thread. */
-    fun submit(commands: CommandSender, text: String, options: CommandOptions, outcome: (Failure?) -> Unit)
+    /** Has [text] sent; [left] and [outcome] as of [CommandSender.submit]. Any thread. */
+    fun submit(commands: CommandSender, text: String, options: CommandOptions, left: () -> Unit, outcome: (Failure?) -> Unit)
 }
 
 /** No reasoning cycle waits for a line: boards are sensed, and commands written, by other threads. */
@@ -31,8 +31,8 @@ internal object Decoupled : Coupling {
 
     override fun perceiving(sensings: List<Sensing>, intervalMs: Int) = Unit
 
-    override fun submit(commands: CommandSender, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
-        commands.submit(text, options, outcome)
+    override fun submit(commands: CommandSender, text: String, options: CommandOptions, left: () -> Unit, outcome: (Failure?) -> Unit) =
+        commands.submit(text, options, left, outcome)
 }
 
 /**
@@ -53,6 +53,9 @@ internal class InCycle(private val platform: Platform, private val waker: Waker)
         waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
     }
 
-    override fun submit(commands: CommandSender, text: String, options: CommandOptions, outcome: (Failure?) -> Unit) =
-        outcome(commands.sendNow(text, options))
+    override fun submit(commands: CommandSender, text: String, options: CommandOptions, left: () -> Unit, outcome: (Failure?) -> Unit) {
+        val failure = commands.sendNow(text, options)
+        left()
+        outcome(failure)
+    }
 }

@@ -57,7 +57,7 @@ open class can : DefaultInternalAction() {
     private fun call(args: Array<Term>) = "argo.can(${args.joinToString(",")})"
 
     private fun noVocabulary(boards: List<Board>, namespace: Atom?): Failure {
-        val ports = boards.joinToString(" and ") { it.port.link.port() }
+        val ports = boards.joinToString(" and ") { it.port.link.port }
         return Failure(
             "no_vocabulary",
             when {

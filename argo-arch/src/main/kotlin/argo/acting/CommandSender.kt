@@ -2,8 +2,8 @@ package argo.acting
 
 import argo.calls.Failure
 import argo.calls.failureOf
+import argo.links.BoardLink
 import argo.platform.Platform
-import javino.Link
 import javino.PortException
 import javino.PortGoneException
 import javino.SendOptions
@@ -19,27 +19,30 @@ import java.util.logging.Logger
  * @param lost is called when sending finds that the port has gone; may be called again
  */
 internal class CommandSender(
-    private val link: Link,
+    private val link: BoardLink,
     private val owner: String,
     private val platform: Platform,
     private val lost: (PortException) -> Unit,
 ) {
-    private val writer = lazy { platform.start("argo-$owner-acting-${link.port()}", ::writeCommands) }
+    private val writer = lazy { platform.start("argo-$owner-acting-${link.port}", ::writeCommands) }
 
     /**
-     * Queues [text], see [Link.send].
+     * Queues [text], see [BoardLink.send].
      *
      * With a time limit its outcome is known when that is over: `act_timeout` if it has not begun to go out, and then it never will;
      * `act_unconfirmed` if it has, but is not known to have been carried out. One whose place a later command has taken fails with
      * `act_replaced`.
      *
+     * @param left is called once, by any thread, when the command is no longer under way to the board; before [outcome]
      * @param outcome is called once, by any thread, with null when the command's last byte has left the line or, in version 2, the board
      *     has acted, else with the reason why not
      */
-    fun submit(text: String, options: CommandOptions, outcome: (Failure?) -> Unit) {
+    fun submit(text: String, options: CommandOptions, left: () -> Unit = { }, outcome: (Failure?) -> Unit) {
         val sent = link.send(text, options.forLink())
         if (link.isOpen) writer.value
-        sent.handle { _, trouble -> outcome(trouble?.let(::failed)) }.exceptionally { broken ->
+        sent.left.handle { _, _ -> left() }.thenCombine(sent.outcome.handle { _, trouble -> trouble }) { _, trouble ->
+            outcome(trouble?.let(::failed))
+        }.exceptionally { broken ->
             LOG.log(Level.WARNING, "what waited for the outcome of \"$text\" has failed", broken)
         }
     }

@@ -7,6 +7,7 @@ import argo.calls.Failure
 import argo.connecting.OpenPort
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
+import argo.links.BoardMessage
 import argo.observing.RuleWatcher
 import argo.observing.WatchedRule
 import argo.perception.BeliefReader
@@ -99,7 +100,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
 
     /** The actions that it has registered, the newest of each name; null: they are not known. Any thread. */
     val actions: List<RegisteredAction>?
-        get() = port.link.vocabulary().orElse(null)?.takeIf { it.isNotEmpty() }?.associateBy { it.name }?.values?.toList()
+        get() = port.link.actions?.takeIf { it.isNotEmpty() }?.associateBy { it.name }?.values?.toList()
 
     /** Whether it has registered an action of the name and number of arguments of [command]. Any thread. */
     fun knows(command: Literal): Boolean =
@@ -169,9 +170,9 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
         lastSeen.youngest(beliefs, percept, un, nowNanos)
 
     /** A message came: see [BoardPercepts.received]. Called by the sensing thread of [port]. */
-    fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) {
-        answer.came(receivedNanos)
-        if (!percepts.received(port, message, askedNanos, receivedNanos)) return
+    fun received(port: OpenPort, message: BoardMessage, askedNanos: Long) {
+        answer.came(message.receivedNanos)
+        if (!percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos)) return
         stale.renew()
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
@@ -227,7 +228,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     fun isStale(port: Term): Boolean = stale.isStale(port)
 
     private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) =
-        agent.transmit(port, command, CommandOptions(urgent = true), outcome)
+        agent.transmit(port, command, CommandOptions(urgent = true), outcome = outcome)
 
     private fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
         agent.observers().reflexEnded(rule, watcher, failure)

@@ -5,6 +5,8 @@ import argo.acting.CommandOptions
 import argo.acting.CommandSender
 import argo.connecting.OpenPort
 import argo.connecting.PortStatus
+import argo.links.BoardMessage
+import argo.links.Wish
 import argo.sensing.Instants
 import argo.sensing.Sensing
 import argo.sensing.SensingListener
@@ -12,7 +14,6 @@ import javino.BoardListener
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
-import javino.Protocol
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
@@ -25,7 +26,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
     /** The critical rules that the board watches. */
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
-        { command, outcome -> commands.submit(command, CommandOptions(urgent = true), outcome) },
+        { command, outcome -> commands.submit(command, CommandOptions(urgent = true), outcome = outcome) },
     )
 
     override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs
@@ -39,13 +40,13 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
     override fun request(port: OpenPort): String {
         val board = agent.boardOn(port) ?: return PerceptsRequest.ALL
         board.answer.asked(agent.platform.clock.nanos())
-        return if (port.link.protocol() == Protocol.V2) board.request else PerceptsRequest.ALL
+        return if (port.link.canSelect) board.request else PerceptsRequest.ALL
     }
 
     override fun mayReport(port: OpenPort) = !rules.isEmpty
 
-    override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) {
-        agent.boardOn(port)?.received(port, message, askedNanos, receivedNanos)
+    override fun received(port: OpenPort, message: BoardMessage, askedNanos: Long) {
+        agent.boardOn(port)?.received(port, message, askedNanos)
     }
 
     override fun unanswered(port: OpenPort, trouble: PortTimeoutException) {
@@ -62,6 +63,14 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
     override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
         val critical = rules.ruleOf(rule) ?: return
         agent.boardOn(port)?.reported(port, critical, outcome, percept, receivedNanos)
+    }
+
+    /** What the agent wants of the board may have changed. Any thread. */
+    fun renew() {
+        rules.renew()
+        sensing.wake()
+        val board = agent.boardOn(port)
+        port.link.wants(Wish(board != null, intervalMs, board?.filter))
     }
 
     override fun close() {

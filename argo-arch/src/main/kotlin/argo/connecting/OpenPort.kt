@@ -1,7 +1,7 @@
 package argo.connecting
 
+import argo.links.BoardLink
 import jason.asSyntax.Term
-import javino.Link
 import java.util.concurrent.ConcurrentHashMap
 
 /**
@@ -15,7 +15,7 @@ import java.util.concurrent.ConcurrentHashMap
  */
 internal class OpenPort(
     names: Map<Term, String>,
-    val link: Link,
+    val link: BoardLink,
     options: PortOptions,
     val openedNanos: Long,
     val losses: Int,

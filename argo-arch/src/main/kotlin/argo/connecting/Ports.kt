@@ -6,7 +6,6 @@ import argo.platform.Platform
 import argo.platform.SequentialExecutor
 import argo.platform.forEachAtOnce
 import jason.asSyntax.Term
-import javino.Link
 import javino.PortException
 import javino.Transports
 import java.util.concurrent.ConcurrentHashMap
@@ -148,7 +147,7 @@ internal class Ports(
 
     private fun holdAgain(port: OpenPort, key: String) {
         val trouble = troubleOf {
-            val again = openNew(key, port.link.port(), port.options, port.names)
+            val again = openNew(key, port.link.port, port.options, port.names)
             choosing.withLock {
                 replaceInUse(again) { it.port === port }
             }

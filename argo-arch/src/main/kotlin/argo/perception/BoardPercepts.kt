@@ -69,22 +69,29 @@ internal class BoardPercepts(
         dueMs = null
         critical = filter?.critical.orEmpty()
         reflexes.keepOnly(critical)
-        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.isSeen) }
+        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.seenNanos) }
     }
 
     /**
      * Makes and leaves the snapshot of a [message] from [port], whose last byte came at [receivedNanos] by the platform's clock. What the
      * board has [reported] since it was asked for the message, at [askedNanos], stays.
+     * @param seenNanos when those of its percepts were true that are older than the message
      * @return whether the message was wanted
      */
-    fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long): Boolean {
+    fun received(
+        port: OpenPort,
+        message: String,
+        askedNanos: Long,
+        receivedNanos: Long,
+        seenNanos: Map<String, Long> = emptyMap(),
+    ): Boolean {
         val texts = perceptsOf(message)
         return lock.withLock {
             isWanted(port).also {
                 if (it) {
                     reports.dropBefore(askedNanos)
                     this.message = texts
-                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, besides(reports.texts))
+                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, times(reports.texts, seenNanos, receivedNanos))
                 }
             }
         }
@@ -112,11 +119,16 @@ internal class BoardPercepts(
     private fun place(port: OpenPort, rule: CriticalRule, text: String, receivedNanos: Long) {
         reports.add(rule, text, receivedNanos)
         val news = reader.read(text).toSet()
-        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false) { it in news }
+        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false) { if (it in news) receivedNanos else null }
     }
 
-    private fun besides(texts: List<String>): ((Literal) -> Boolean)? =
-        if (texts.isEmpty()) null else texts.flatMap(reader::read).toSet().let { older -> { it !in older } }
+    /** When the percepts of a message were seen that stands for [reported] ones too, whose times are known; null: all of them at once. */
+    private fun times(reported: List<String>, seenNanos: Map<String, Long>, receivedNanos: Long): ((Literal) -> Long?)? {
+        if (reported.isEmpty() && seenNanos.isEmpty()) return null
+        val older = reported.flatMap(reader::read).toSet()
+        val times = seenNanos.flatMap { (text, nanos) -> reader.read(text).map { it to nanos } }.toMap()
+        return { if (it in older) null else times[it] ?: receivedNanos }
+    }
 
     /**
      * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait for the sensing
@@ -126,7 +138,7 @@ internal class BoardPercepts(
         if (dueInMs() != 0L || !lock.tryLock()) return
         try {
             val last = newest ?: return
-            session.due(nowMs())?.let { leave(last.port, it, last.receivedNanos, last.isSeen) }
+            session.due(nowMs())?.let { leave(last.port, it, last.receivedNanos, last.seenNanos) }
         } finally {
             lock.unlock()
         }
@@ -153,22 +165,23 @@ internal class BoardPercepts(
         texts: List<String>,
         receivedNanos: Long,
         isMessage: Boolean,
-        isSeen: ((Literal) -> Boolean)?,
+        seenNanos: ((Literal) -> Long?)?,
     ) {
         reader.expect(texts.size)
         explainTo(log, texts)
         val perception = session.perceive(texts, nowMs())
         if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
-        leave(port, perception, receivedNanos, isSeen)
+        leave(port, perception, receivedNanos, seenNanos)
     }
 
-    private fun leave(port: OpenPort?, perception: MessagePerception, receivedNanos: Long, isSeen: ((Literal) -> Boolean)?) {
+    private fun leave(port: OpenPort?, perception: MessagePerception, receivedNanos: Long, seenNanos: ((Literal) -> Long?)?) {
         val texts = perception.texts
-        lastSeen.seen(if (isSeen == null) perception.seen else perception.seen.filter(isSeen), perception.percepts, receivedNanos)
+        if (seenNanos == null) lastSeen.seen(perception.seen, perception.percepts, receivedNanos)
+        else perception.seen.groupBy(seenNanos).forEach { (at, seen) -> if (at != null) lastSeen.seen(seen, perception.percepts, at) }
         dueMs = texts.nextDueMs
         val snapshot = Snapshot(
             port, texts.received, texts.kept, perception.percepts, receivedNanos, perception.critical, perception.unreadable,
-            isSeen,
+            seenNanos,
         )
         newest = snapshot
         observer(snapshot)

@@ -15,7 +15,8 @@ import jason.asSyntax.Literal
  * @property receivedNanos when the message's last byte came, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable those of [kept] that cannot be believed
- * @property isSeen which of [percepts] came at [receivedNanos]; null: all. The others are of an older message
+ * @property seenNanos when one of [percepts] was seen, by the platform's clock, or null if that is known of an older message; null: all
+ *     were at [receivedNanos]
  */
 internal class Snapshot(
     val port: OpenPort?,
@@ -25,8 +26,8 @@ internal class Snapshot(
     override val receivedNanos: Long,
     val critical: List<CriticalPercept<Literal>> = emptyList(),
     override val unreadable: Set<String> = emptySet(),
-    val isSeen: ((Literal) -> Boolean)? = null,
+    val seenNanos: ((Literal) -> Long?)? = null,
 ) : PerceivedMessage {
-    override val portName: String get() = port?.link?.port().orEmpty()
+    override val portName: String get() = port?.link?.port.orEmpty()
     override val namespace: String? get() = port?.options?.namespace
 }

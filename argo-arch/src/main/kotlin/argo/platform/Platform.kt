@@ -2,6 +2,9 @@ package argo.platform
 
 import argo.Arch
 import argo.calls.whole
+import argo.links.BoardLink
+import argo.links.BoardLinkProvider
+import argo.links.JavinoLink
 import jason.asSemantics.Agent
 import javino.LineClock
 import javino.Link
@@ -26,17 +29,17 @@ interface Platform {
     fun later(delayMs: Long, action: () -> Unit)
 
     /**
-     * Opens a port, which may take its time: see [Link.open], also for what is thrown.
+     * Opens a port, which may take its time: see [Link.open] and [BoardLinkProvider.open], also for what is thrown.
      *
      * @param owner the agent's name
      */
-    fun open(port: String, settings: LinkSettings, owner: String): Link
+    fun open(port: String, settings: LinkSettings, owner: String): BoardLink
 
     /**
      * Whether [port] is there to be opened, as far as can be told without opening it. Asked about once a second while a port is waited for
      * whose device has gone.
      */
-    fun isPresent(port: String): Boolean = Transports.isPresent(port)
+    fun isPresent(port: String): Boolean = BoardLinkProvider.of(port)?.isPresent(port) ?: Transports.isPresent(port)
 
     companion object {
         /** The machine. */
@@ -56,7 +59,8 @@ interface Platform {
                 }
             }
 
-            override fun open(port: String, settings: LinkSettings, owner: String): Link = Link.open(port, settings, owner)
+            override fun open(port: String, settings: LinkSettings, owner: String): BoardLink =
+                BoardLinkProvider.of(port)?.open(port, settings.paced(), clock) ?: JavinoLink(Link.open(port, settings, owner))
         }
     }
 }

@@ -1,13 +1,12 @@
 package argo.sensing
 
 import argo.connecting.OpenPort
+import argo.links.BoardMessage
 import argo.platform.Platform
-import javino.Link
 import javino.PortException
 import javino.PortFaultException
 import javino.PortGoneException
 import javino.PortTimeoutException
-import javino.Reply
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
@@ -28,8 +27,8 @@ internal interface SensingListener {
     /** Whether the board on [port] may report critical percepts between two messages. Any thread. */
     fun mayReport(port: OpenPort): Boolean
 
-    /** A message came that was asked for at [askedNanos], by the platform's clock; its last byte came at [receivedNanos]. */
-    fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long)
+    /** [message] came, which was asked for at [askedNanos], by the platform's clock. */
+    fun received(port: OpenPort, message: BoardMessage, askedNanos: Long)
 
     /** The board did not answer in time. */
     fun unanswered(port: OpenPort, trouble: PortTimeoutException)
@@ -61,8 +60,8 @@ internal class Sensing(
     private var askedNanos = clock.nanos()
     private val unanswered = UnansweredRequests()
     private var isTimedOut = false
-    private val isPaced = port.link.settings().paced()
-    private val thread = lazy { platform.start("argo-$owner-${if (isPaced) "sensing" else "watching"}-${port.link.port()}", ::run) }
+    private val isPaced = port.link.isPaced
+    private val thread = lazy { platform.start("argo-$owner-${if (isPaced) "sensing" else "watching"}-${port.link.port}", ::run) }
 
     /** Starts the thread, which ends with [close] or the port. */
     fun start() = lock.withLock { if (!closed) thread.value }
@@ -108,18 +107,21 @@ internal class Sensing(
     /** The time until the next request, for ever if none is wanted. A board that speaks unasked is listened to all the time. */
     private fun nanosUntilDue(): Long = when {
         !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // not paced: the agent's own thread takes the messages
-        port.options.listens -> 0
+        listens() -> 0
         else -> lastStart?.let { listener.nextStart(it) - clock.nanos() } ?: 0
     }
 
-    private fun mayReport() = isPaced && !port.options.listens && listener.mayReport(port)
+    private fun listens() = port.options.listens || port.link.speaksUnasked
+
+    private fun mayReport() = isPaced && !listens() && listener.mayReport(port)
 
     /** Looks at the line. Messages that nobody wants now are dropped, but where the agent's own thread takes them. */
     private fun watch(): Boolean = using {
         when {
             !isPaced -> port.link.check()
             mayReport() -> port.link.watch(sliceMs())
-            else -> port.link.heard(LOOK_MS)?.let { port.hasSpoken = true }
+            port.link.speaksUnasked -> port.link.check()
+            else -> port.link.listen(LOOK_MS)?.let { port.hasSpoken = true }
         }
     }
 
@@ -128,20 +130,17 @@ internal class Sensing(
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
     fun exchange(): Boolean = using {
-        val reply = if (port.options.listens) port.link.heard(port.options.timeoutMs) else ask()
-        if (reply != null) {
+        val timeoutMs = port.options.timeoutMs
+        val message = if (listens()) port.link.listen(timeoutMs) else port.link.request(::requestNow, timeoutMs, listener.intervalMs)
+        lock.withLock { unanswered.clear() }
+        if (isTimedOut) listener.answeredAgain(port)
+        isTimedOut = false
+        if (message != null) {
             port.hasSpoken = true
-            lock.withLock { unanswered.clear() }
-            if (isTimedOut) listener.answeredAgain(port)
-            isTimedOut = false
-            listener.received(port, reply.text(), askedNanos, reply.receivedNanos())
-            if (port.options.listens) askedNanos = reply.receivedNanos() // the next message may have been begun since
+            listener.received(port, message, askedNanos)
+            if (listens()) askedNanos = message.receivedNanos // the next message may have been begun since
         }
     }
-
-    private fun ask(): Reply =
-        if (isPaced) port.link.request(::requestNow, port.options.timeoutMs, listener.intervalMs)
-        else port.link.request(requestNow(), port.options.timeoutMs)
 
     private fun requestNow(): String {
         askedNanos = clock.nanos()
@@ -171,11 +170,11 @@ internal class Sensing(
             unanswered.add(now)
             unanswered.isLong(now)
         }
-        if (!(isLong && port.link.mayVanish() && port.hasSpoken)) {
+        if (!(isLong && port.link.mayVanish && port.hasSpoken)) {
             listener.unanswered(port, timeout)
             return true
         }
-        val name = port.link.port()
+        val name = port.link.port
         val reason = "port $name has not answered for ${UnansweredRequests.LONG_S} s; the connection is made anew"
         listener.lost(port, PortGoneException(name, reason))
         return false
@@ -183,7 +182,7 @@ internal class Sensing(
 
     /** A thread that dies silently would leave a stale world. */
     private fun unforeseen(cause: Throwable): Boolean {
-        listener.lost(port, PortFaultException(port.link.port(), "sensing ended: $cause", cause))
+        listener.lost(port, PortFaultException(port.link.port, "sensing ended: $cause", cause))
         return false
     }
 
@@ -194,11 +193,4 @@ internal class Sensing(
         const val MAX_SLICE_MS = 10L
         val SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(1)
     }
-}
-
-/** What the board says unasked within [timeoutMs] ms, or null. */
-private fun Link.heard(timeoutMs: Int): Reply? = try {
-    listen(timeoutMs)
-} catch (_: PortTimeoutException) {
-    null // it speaks when it has something to say
 }

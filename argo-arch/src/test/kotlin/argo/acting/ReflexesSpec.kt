@@ -5,6 +5,7 @@ import argo.connecting.OpenPort
 import argo.connecting.PortOptions
 import argo.filters.CriticalRule
 import argo.filters.Rule
+import argo.links.JavinoLink
 import argo.platform.RateLimitedWarning
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -36,7 +37,7 @@ class ReflexesSpec : FunSpec({
     val board = FakeBoard.plugIn("reflexes").lenient()
     val port = OpenPort(
         mapOf(ASSyntax.createAtom("reflexes") to "sim:reflexes"),
-        Link.open("sim:reflexes", LinkSettings.defaults(), "test"),
+        JavinoLink(Link.open("sim:reflexes", LinkSettings.defaults(), "test")),
         PortOptions(), 0, 0,
     ) { AutoCloseable { } }
     afterSpec {

@@ -1,5 +1,6 @@
 package argo.connecting
 
+import argo.links.JavinoLink
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
@@ -16,7 +17,7 @@ class LostPortSpec : FunSpec({
 
     /** A port that was open for [livedMs], [losses] times in a row before, lost at time 0. */
     fun lost(livedMs: Long, losses: Int = 0, spoke: Boolean = false): LostPort = FakeBoard.plugIn("lost").use { board ->
-        Link.open(board.port(), LinkSettings.defaults(), "bob").use { link ->
+        JavinoLink(Link.open(board.port(), LinkSettings.defaults(), "bob")).use { link ->
             val port = OpenPort(
                 mapOf(term to board.port()), link, PortOptions(), -TimeUnit.MILLISECONDS.toNanos(livedMs), losses,
             ) { AutoCloseable { } }

@@ -3,6 +3,7 @@ package argo.connecting
 import argo.FussyProvider
 import argo.calls.Failure
 import argo.jason.LIMIT
+import argo.links.BoardMessage
 import argo.platform.TestTime
 import argo.sensing.Sensing
 import argo.sensing.SensingListener
@@ -46,7 +47,7 @@ private class PortsBench : AutoCloseable {
         override fun isSensed(port: OpenPort) = false
         override fun request(port: OpenPort) = PerceptsRequest.ALL
         override fun mayReport(port: OpenPort) = false
-        override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) = Unit
+        override fun received(port: OpenPort, message: BoardMessage, askedNanos: Long) = Unit
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = Unit
         override fun answeredAgain(port: OpenPort) = Unit
         override fun lost(port: OpenPort, trouble: PortException) = ports.lost(port, trouble)

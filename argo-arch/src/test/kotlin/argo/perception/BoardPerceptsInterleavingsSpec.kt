@@ -5,6 +5,7 @@ import argo.acting.Reflexes
 import argo.connecting.OpenPort
 import argo.connecting.PortOptions
 import argo.filters.dropFilter
+import argo.links.JavinoLink
 import argo.platform.RateLimitedWarning
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
@@ -51,7 +52,7 @@ class BoardPerceptsInterleavingsSpec : FunSpec({
     val careful = dropFilter("careful") { critical("near") { reflex("stop") } }
     val log = Logger.getLogger("test")
     val board = FakeBoard.plugIn("interleaved")
-    val link = Link.open(board.port(), LinkSettings.defaults(), "test")
+    val link = JavinoLink(Link.open(board.port(), LinkSettings.defaults(), "test"))
     val port = OpenPort(mapOf(ASSyntax.createAtom("p") to board.port()), link, PortOptions(), 0, 0) { AutoCloseable { } }
     afterSpec {
         link.close()

@@ -12,6 +12,7 @@ import argo.filters.PerceptionFilter
 import argo.filters.Rule
 import argo.filters.TermTest
 import argo.filters.dropFilter
+import argo.links.JavinoLink
 import argo.platform.RateLimitedWarning
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -43,7 +44,8 @@ private class PerceptsBench(port: OpenPort) {
         BeliefReader { unreadable += it }, Logger.getLogger("test"), PerceptLimit(1000, warning), lastSeen, { nowMs },
     )
 
-    fun hears(message: String, askedMs: Long = nowMs) = board.received(port, message, askedMs, nowMs)
+    fun hears(message: String, askedMs: Long = nowMs, olderMs: Map<String, Long> = emptyMap()) =
+        board.received(port, message, askedMs, nowMs, olderMs)
 
     /** The board reports a percept that meets [rule]. */
     fun isTold(percept: String, rule: CriticalRule, outcome: ReflexOutcome = ReflexOutcome.CARRIED_OUT) =
@@ -67,8 +69,18 @@ class BoardPerceptsSpec : FunSpec({
     val careful = dropFilter("careful") { critical("near") { reflex("stop") } }
 
     fun perceiving(work: PerceptsBench.() -> Unit) = FakeBoard.plugIn("percepts").use { board ->
-        Link.open(board.port(), LinkSettings.defaults(), "test").use { link ->
+        JavinoLink(Link.open(board.port(), LinkSettings.defaults(), "test")).use { link ->
             PerceptsBench(OpenPort(mapOf(ASSyntax.createAtom("p") to board.port()), link, PortOptions(), 0, 0) { AutoCloseable { } }).work()
+        }
+    }
+
+    test("a percept that is older than its message keeps its own time, also when the message is perceived through another filter") {
+        perceiving {
+            nowMs = 100
+            hears("dist(f,2);light(3);", olderMs = mapOf("dist(f,2)" to 40))
+            listOf("dist(f,2)", "light(3)").map(::seenMs) shouldBe listOf(40, 100)
+            board.switchTo(dropFilter("noTemp") { drop("temp") })
+            listOf("dist(f,2)", "light(3)").map(::seenMs) shouldBe listOf(40, 100)
         }
     }
 

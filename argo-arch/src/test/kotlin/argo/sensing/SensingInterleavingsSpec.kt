@@ -2,6 +2,9 @@ package argo.sensing
 
 import argo.connecting.OpenPort
 import argo.connecting.PortOptions
+import argo.links.BoardLink
+import argo.links.BoardMessage
+import argo.links.JavinoLink
 import argo.platform.Platform
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
@@ -47,7 +50,8 @@ private class SensingTime : Platform, LineClock {
 
     override fun later(delayMs: Long, action: () -> Unit) = error("nothing is timed")
 
-    override fun open(port: String, settings: LinkSettings, owner: String): Link = Link.over(SilentLine(this), settings, this)
+    override fun open(port: String, settings: LinkSettings, owner: String): BoardLink =
+        JavinoLink(Link.over(SilentLine(this), settings, this))
 }
 
 /** A line whose board says nothing. */
@@ -81,7 +85,7 @@ private class Wishes : SensingListener {
 
     override fun mayReport(port: OpenPort) = false
 
-    override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) = error("the board is silent")
+    override fun received(port: OpenPort, message: BoardMessage, askedNanos: Long) = error("the board is silent")
 
     override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = error("unanswered")
 

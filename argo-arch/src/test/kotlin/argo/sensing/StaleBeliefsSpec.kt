@@ -2,6 +2,7 @@ package argo.sensing
 
 import argo.connecting.OpenPort
 import argo.connecting.PortOptions
+import argo.links.JavinoLink
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
@@ -14,7 +15,7 @@ class StaleBeliefsSpec : FunSpec({
 
     test("a board is stale when no message has come for as long as the limit") {
         FakeBoard.plugIn("quiet").use { board ->
-            Link.open(board.port(), LinkSettings.defaults(), "bob").use { link ->
+            JavinoLink(Link.open(board.port(), LinkSettings.defaults(), "bob")).use { link ->
                 var nowMs = 1_000L
                 val port =
                     OpenPort(mapOf(ASSyntax.createAtom("quiet") to board.port()), link, options("[stale(300)]"), 0, 0) { AutoCloseable { } }

@@ -3,6 +3,8 @@ package argo.sensing
 import argo.connecting.OpenPort
 import argo.connecting.PortOptions
 import argo.jason.NetworkBoard
+import argo.links.BoardMessage
+import argo.links.JavinoLink
 import argo.platform.TestTime
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -27,14 +29,14 @@ class UnansweredRequestsSpec : FunSpec({
         override fun isSensed(port: OpenPort) = true
         override fun request(port: OpenPort) = PerceptsRequest.ALL
         override fun mayReport(port: OpenPort) = false
-        override fun received(port: OpenPort, message: String, askedNanos: Long, receivedNanos: Long) = events.plusAssign("received")
+        override fun received(port: OpenPort, message: BoardMessage, askedNanos: Long) = events.plusAssign("received")
         override fun unanswered(port: OpenPort, trouble: PortTimeoutException) = events.plusAssign("unanswered")
         override fun answeredAgain(port: OpenPort) = Unit
         override fun lost(port: OpenPort, trouble: PortException) = events.plusAssign("lost: ${trouble.message}")
     }
     val options = PortOptions(timeoutMs = 20).run { copy(link = link.withBootMillis(0).withProtocol(Protocol.V1).withBaud(1_000_000)) }
 
-    fun onPort(name: String, work: (Sensing) -> Unit) = Link.open(name, options.link, "bob").use { link ->
+    fun onPort(name: String, work: (Sensing) -> Unit) = JavinoLink(Link.open(name, options.link, "bob")).use { link ->
         events.clear()
         OpenPort(emptyMap(), link, options, 0, 0) { port ->
             Sensing(port, "bob", listener, time).also { sensing = it }

@@ -32,20 +32,25 @@ class LayersSpec : FunSpec({
     /** The packages of the architecture, each with those that it may know. */
     val order = mapOf(
         "argo.observing" to emptyList(),
-        "argo.platform" to emptyList(),
+        "argo.links" to emptyList(),
+        "argo.platform" to listOf("argo.links"),
         "argo.calls" to listOf("argo.observing"),
-        "argo.connecting" to listOf("argo.calls", "argo.platform"),
-        "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.observing"),
-        "argo.sensing" to listOf("argo.acting", "argo.connecting", "argo.calls", "argo.platform"),
-        "argo.perception" to listOf("argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.observing"),
+        "argo.connecting" to listOf("argo.calls", "argo.platform", "argo.links"),
+        "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.links", "argo.observing"),
+        "argo.sensing" to listOf("argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.links"),
+        "argo.perception" to
+            listOf("argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.links", "argo.observing"),
         "argo.boards" to
-            listOf("argo.perception", "argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.observing"),
+            listOf(
+                "argo.perception", "argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.links",
+                "argo.observing",
+            ),
     )
 
     test("the rules see the packages that they speak of") {
         product.map { it.packageName }.toSet() shouldContainAll listOf(
-            "argo", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view", "argo.filters", "argo.filters.format",
-            "argo.filters.matching", "argo.filters.jason", "argo.tools", "javino", "javino.serial", "javino.tcp", "javino.sim",
+            "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
+            "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.tools", "javino", "javino.serial", "javino.tcp", "javino.sim",
         )
     }
 

@@ -1,5 +1,7 @@
 package argo.testkit
 
+import argo.links.BoardLink
+import argo.links.JavinoLink
 import argo.platform.Platform
 import javino.Link
 import javino.LinkSettings
@@ -19,9 +21,9 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
         time.later(TimeUnit.MILLISECONDS.toNanos(delayMs), action)
     }
 
-    override fun open(port: String, settings: LinkSettings, owner: String): Link {
+    override fun open(port: String, settings: LinkSettings, owner: String): BoardLink {
         if (port.isBlank()) throw NoSuchPortException(port, "a port has a name")
-        return Link.over(at(port).open(port, settings.line()), settings, time)
+        return JavinoLink(Link.over(at(port).open(port, settings.line()), settings, time))
     }
 
     override fun isPresent(port: String) = at(port).isPresent

@@ -1,0 +1,117 @@
+package argo.links
+
+import argo.filters.PerceptionFilter
+import javino.BoardListener
+import javino.PortException
+import javino.PortGoneException
+import javino.PortTimeoutException
+import javino.SendOptions
+import javino.wire.BoardAction
+import java.util.concurrent.CompletableFuture
+
+/**
+ * An open port that one agent exchanges messages with a board through, whatever lies between: a line that carries bytes ([JavinoLink]), or
+ * what a [BoardLinkProvider] opens.
+ *
+ * Safe for use by several threads. Once the far end has gone, or the link is closed, every call but [close] and [wants] fails with
+ * [PortGoneException], those that wait promptly. Only [listen], [request], [check], [watch], [writeCommands] and [sendAndAwait] may wait.
+ */
+interface BoardLink : AutoCloseable {
+    /** The port's name, as it was given. */
+    val port: String
+
+    /** Whether it can be used: it was not closed, and no call has found the far end gone. */
+    val isOpen: Boolean
+
+    /** Whether threads of the port sense and write; false: the agent's own does, with `argo_sensing=in_cycle`. */
+    val isPaced: Boolean
+
+    /** Whether the board sends messages by itself at the interval that it knows of [wants], so that it is listened to and never asked. */
+    val speaksUnasked: Boolean get() = false
+
+    /** Whether the board can be asked for some percepts, as `getPercepts(dist)`. */
+    val canSelect: Boolean get() = false
+
+    /** Whether the far end may go without this end being told; then a link that is silent for long is worth opening anew. */
+    val mayVanish: Boolean get() = false
+
+    /** The actions that the board has registered; null: they are not known. Does not wait. */
+    val actions: List<BoardAction>? get() = null
+
+    /** Takes what the agent wants of the board from now on. Called at each change, by any thread; does not wait. */
+    fun wants(wish: Wish) = Unit
+
+    /**
+     * Waits for the next message.
+     *
+     * @param timeoutMs milliseconds to wait at most, at least 1
+     * @return null: the board has nothing to say
+     * @throws PortTimeoutException if the board should have spoken, or does not show that it is there
+     */
+    @Throws(PortException::class)
+    fun listen(timeoutMs: Int): BoardMessage?
+
+    /**
+     * Asks for a message and waits for it. Not called if the board [speaks unasked][speaksUnasked].
+     *
+     * @param text the request, asked for when its turn has come
+     * @param timeoutMs milliseconds that the board has to answer, at least 1
+     * @param intervalMs milliseconds between requests
+     * @throws PortTimeoutException if no answer came
+     */
+    @Throws(PortException::class)
+    fun request(text: () -> String, timeoutMs: Int, intervalMs: Int): BoardMessage =
+        throw UnsupportedOperationException("$port speaks unasked")
+
+    /** Looks whether the far end is still there, without waiting for it. */
+    @Throws(PortException::class)
+    fun check()
+
+    /** Lets reports through, see [onBoardEvents], for [timeoutMs] ms at most. */
+    @Throws(PortException::class)
+    fun watch(timeoutMs: Int) = check()
+
+    /** Sends [text] as a command, and does not wait. */
+    fun send(text: String, options: SendOptions): SentCommand
+
+    /** Sends [text] as a command and waits for its outcome. */
+    @Throws(PortException::class)
+    fun sendAndAwait(text: String, options: SendOptions)
+
+    /** Takes queued commands to the board on the calling thread until the link is closed; returns at once if it needs no such thread. */
+    @Throws(PortException::class)
+    fun writeCommands() = Unit
+
+    /** Sets who is called when the board reports something of its own accord; it never does unless it can hold rules. */
+    fun onBoardEvents(listener: BoardListener) = Unit
+
+    /** Closes the link. Idempotent. */
+    override fun close()
+}
+
+/**
+ * What an agent wants of a board. Does not change.
+ *
+ * @property isSensed whether the agent perceives the board
+ * @property intervalMs the sensing interval in ms, 0: as fast as can be
+ * @property filter what the percepts pass through; null: all are kept
+ */
+class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFilter?)
+
+/**
+ * What a board says at once. Does not change.
+ *
+ * @property text its percepts, each with its `;`
+ * @property receivedNanos when the last of it came, by the platform's clock
+ * @property seenNanos for percepts that are older than the message when they were true, by the same clock
+ */
+class BoardMessage(val text: String, val receivedNanos: Long, val seenNanos: Map<String, Long> = emptyMap())
+
+/**
+ * A command on its way. Each future is completed once, by any thread and outside of any lock, with a [PortException] if it fails.
+ *
+ * @property outcome what becomes of the command
+ * @property left the end of its way to the board. What is sensed is withheld from the agent until then, so it is another future where an
+ *     outcome takes as long as a robot's journey. It comes no later than [outcome]
+ */
+class SentCommand(val outcome: CompletableFuture<*>, val left: CompletableFuture<*> = outcome)

@@ -1,0 +1,37 @@
+package argo.links
+
+import javino.LineClock
+import javino.PortException
+import javino.Services
+
+/**
+ * Opens boards that are reached otherwise than by bytes on a line. Found by [java.util.ServiceLoader]: a class with a public constructor
+ * without arguments, named in `META-INF/services/argo.links.BoardLinkProvider`. Boards on lines come by [javino.TransportProvider].
+ *
+ * Called by any thread. Unlike a line, what it opens may be opened by several agents at once.
+ */
+interface BoardLinkProvider {
+    /** What its ports begin with, without the colon: `ros`; no scheme of a transport. */
+    val scheme: String
+
+    /**
+     * Opens the board that [port] names, which may take its time, but ends when the thread is interrupted.
+     *
+     * @param isPaced see [BoardLink.isPaced]
+     * @param clock the time of the messages, and of waits
+     * @throws PortException of the kind that says why it cannot be opened
+     */
+    @Throws(PortException::class)
+    fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink
+
+    /** Whether [open] is worth trying; asked again and again for a board that has gone, so it is cheap. */
+    fun isPresent(port: String): Boolean = true
+
+    companion object {
+        /** The provider for [port]; null: it is on a line, or of no known kind. */
+        fun of(port: String): BoardLinkProvider? {
+            val scheme = port.substringBefore(':', "").takeIf { it.isNotEmpty() } ?: return null
+            return Services.providers(BoardLinkProvider::class.java).mapNotNull { Services.make(it) }.find { it.scheme == scheme }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+package argo.links
+
+import javino.BoardListener
+import javino.Link
+import javino.PortTimeoutException
+import javino.Protocol
+import javino.Reply
+import javino.SendOptions
+import javino.wire.BoardAction
+
+/** A [link] that carries bytes: a serial line, a connection to a board, a simulated board. */
+class JavinoLink(private val link: Link) : BoardLink {
+    override val port: String get() = link.port()
+    override val isOpen get() = link.isOpen
+    override val isPaced get() = link.settings().paced()
+    override val canSelect get() = link.protocol() == Protocol.V2
+    override val mayVanish get() = link.mayVanish()
+    override val actions: List<BoardAction>? get() = link.vocabulary().orElse(null)
+
+    override fun listen(timeoutMs: Int): BoardMessage? = try {
+        link.listen(timeoutMs).toMessage()
+    } catch (_: PortTimeoutException) {
+        null // it speaks when it has something to say
+    }
+
+    override fun request(text: () -> String, timeoutMs: Int, intervalMs: Int): BoardMessage =
+        (if (isPaced) link.request(text, timeoutMs, intervalMs) else link.request(text(), timeoutMs)).toMessage()
+
+    override fun check() = link.check()
+
+    override fun watch(timeoutMs: Int) = link.watch(timeoutMs)
+
+    override fun send(text: String, options: SendOptions) = SentCommand(link.send(text, options))
+
+    override fun sendAndAwait(text: String, options: SendOptions) = link.sendAndAwait(text, options)
+
+    override fun writeCommands() = link.writeCommands()
+
+    override fun onBoardEvents(listener: BoardListener) = link.onBoardEvents(listener)
+
+    override fun close() = link.close()
+}
+
+private fun Reply.toMessage() = BoardMessage(text(), receivedNanos())
