@@ -201,13 +201,21 @@ def frames_of_percepts(frame):
     return kind_of(frame) in (frames.PERCEPTS, frames.PART, frames.LAST_PART)
 
 
+def simulator_of(board, program, *options):
+    """The command that runs a program on an uno, a cortex-m or a riscv."""
+    if board == "uno":
+        return [ROOT / "build/simulator", *options, ROOT / f"build/avr/uno/{program}.elf"]
+    return [sys.executable, ROOT / "tests/e2e/machine.py", board, ROOT / f"build/{board}/{program}.elf"]
+
+
 class Board:
     """A simulated board; use it in a with statement."""
 
-    def __init__(self, sketch, *options):
+    kind = "uno"
+
+    def __init__(self, program, *options):
         self.process = subprocess.Popen(
-            [ROOT / "build/simulator", *options, ROOT / f"build/avr/uno/{sketch}.elf"],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)
+            simulator_of(self.kind, program, *options), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)
         self.buffer = b""
         self.pins = []  # (pin, state, ms) of watched pins, oldest first
         self.port = self._next_line().split()[1]

@@ -1,5 +1,9 @@
 #!/usr/bin/env python3
-"""The sketches on the simulated ATmega328P, end to end over a pseudo-terminal. Prints what it measures."""
+"""The sketches on the simulated ATmega328P, or on a microcontroller under QEMU, end to end over a pseudo-terminal. Prints what it measures.
+
+    simulated.py [--board uno|cortex-m|riscv] [PART OF A CASE'S NAME...]
+"""
+import argparse
 import os
 import random
 import select
@@ -16,6 +20,11 @@ def check(condition, what):
 
 def equal(found, expected):
     check(found == expected, f"found {found!r}, expected {expected!r}")
+
+
+def figure(text):
+    """Prints what was measured."""
+    print("  " + text if Board.kind == "uno" else f"  {Board.kind}: {text}")
 
 
 # ---- what sketches do ----
@@ -67,8 +76,8 @@ def a_repeated_command_is_carried_out_once():
         equal(session.ask(), "count(2);")
 
 
-def analogue_inputs_become_percepts():
-    with Board("Robot4WD") as board:
+def analogue_inputs_become_percepts(robot="Robot4WD"):
+    with Board(robot) as board:
         board.command("mux A4 2 4")
         board.command("mux A5 2 4")
         expected = ""
@@ -94,15 +103,15 @@ def motors_stop_when_the_far_end_falls_silent():
         board.line.write(frame1(b"speed(150)"))
         begin = board.await_pin(5, "pwm 150")
         end = board.await_pin(5, "low")
-        # The board counts whole milliseconds of its own.
-        check(297 <= end - begin < 400, f"stopped {end - begin} ms after the last message")
+        # The board counts whole milliseconds of its own, from when it looked for bytes; under QEMU it may be halted before it acts on them.
+        check((297 if board.kind == "uno" else 200) <= end - begin < 400, f"stopped {end - begin} ms after the last message")
         equal(board.line.ask(), "motor(0);stopped(linkLost);")
         equal(board.line.ask(), "motor(0);")
-        print(f"  motor stopped {end - begin:.0f} ms after the last message (set: 300 ms)")
+        figure(f"motor stopped {end - begin:.0f} ms after the last message (set: 300 ms)")
 
 
-def motors_stop_when_the_far_end_closes_the_line():
-    with Board("Robot4WD") as board:
+def motors_stop_when_the_far_end_closes_the_line(robot="Robot4WD"):
+    with Board(robot) as board:
         board.line.ready()
         for pin in (5, 6, 7, 9):
             board.watch(pin)
@@ -116,8 +125,8 @@ def motors_stop_when_the_far_end_closes_the_line():
         board.line.ready()
 
 
-def a_reflex_is_carried_out_by_the_board_itself():
-    with Board("Robot4WD") as board:
+def a_reflex_is_carried_out_by_the_board_itself(robot="Robot4WD"):
+    with Board(robot) as board:
         board.command("set A0 2500")
         board.line.ready()
         session = Session(board.line)
@@ -143,7 +152,8 @@ def a_reflex_is_carried_out_by_the_board_itself():
             time.sleep(0.05)
             session.send("front")
             board.await_pin(7, "high")
-        print(f"  from the reading to the reflex: {max(took):.1f} ms at most of 10, with 12 sensors at 9600 baud")
+        pace = " at 9600 baud" if board.kind == "uno" else ""
+        figure(f"from the reading to the reflex: {max(took):.1f} ms at most of 10, with 12 sensors{pace}")
         equal(session.ask("(light)").count("light("), 4)
 
 
@@ -191,6 +201,22 @@ def sketches_for_earlier_libraries_run():
         equal(board.line.ask(), "light(511);lamp(1);")
 
 
+def a_robot_without_arduino_does_the_same():
+    analogue_inputs_become_percepts("robot")
+    motors_stop_when_the_far_end_closes_the_line("robot")
+    a_reflex_is_carried_out_by_the_board_itself("robot")
+    with Board("robot") as board:
+        board.line.ready()
+        session = Session(board.line)
+        equal(session.vocabulary(), [("front", 0), ("back", 0), ("left", 0), ("right", 0), ("stop", 0), ("speed", 1)])
+        for refused in ("fly", "speed(256)", "speed(x)", "speed", "speed(1,2)", "stop(1)"):
+            session.send(refused)
+            equal(session.refused, True)
+        board.watch(5)
+        equal((session.send("speed(77)", 0), session.refused), (2, False))
+        board.await_pin(5, "pwm 77")
+
+
 # ---- time around the board ----
 
 def no_frame_is_lost_while_the_loop_stalls():
@@ -217,7 +243,7 @@ def no_frame_is_lost_while_the_loop_stalls():
                     time.sleep(0.005)
                 board.line.messages()
                 equal(board.line.ask().split(";")[0], f"count({sent})")
-    print("  no command lost by a loop() of 150, 300 and 1,000 ms, in either version")
+    figure("no command lost by a loop() of 150, 300 and 1,000 ms, in either version")
 
 
 def a_slow_command_is_carried_out_once():
@@ -264,7 +290,7 @@ def reading_again_takes_a_bounded_time():
             time.sleep(0.5)
             board.line.ready()
         longest = int(board.line.ask().split("longest(")[1].split(")")[0])
-        print(f"  the longest run() behind 300 bytes full of headers: {longest} microseconds")
+        figure(f"the longest run() behind 300 bytes full of headers: {longest} microseconds")
         check(longest < 10000, f"run() took {longest} microseconds")
 
 
@@ -303,13 +329,13 @@ def requests_that_the_line_has_time_for_are_answered():
         while found := board.line.messages(0.5):
             answered += len(found)
         share = 100.0 * answered / sent
-        print(f"  throughput: {share:.1f} % of {sent} requests answered at 115200 baud, loop() of 5 ms,"
+        figure(f"throughput: {share:.1f} % of {sent} requests answered at 115200 baud, loop() of 5 ms,"
               f" answers of {answer} bytes, one request every {period * 1000:.1f} ms")
         lock_step, begin = 0, float(board.command("time"))
         while (passed := float(board.command("time")) - begin) < 3000:
             board.line.ask()
             lock_step += 1
-        print(f"  one request after the other's answer: {lock_step * 1000 / passed:.0f} a second;"
+        figure(f"one request after the other's answer: {lock_step * 1000 / passed:.0f} a second;"
               f" the line alone would allow {1 / period:.0f}")
         check(share >= 95, "fewer than 95 % answered")
 
@@ -323,7 +349,7 @@ def version_2_asks_more_often_than_version_1_could():
         while (passed := float(board.command("time")) - begin) < 3000:
             session.ask()
             asked += 1
-        print(f"  version 2, one request after the other's answer: {asked * 1000 / passed:.0f} a second")
+        figure(f"version 2, one request after the other's answer: {asked * 1000 / passed:.0f} a second")
         equal(session.repeated, 0)
 
 
@@ -372,10 +398,10 @@ def on_a_damaged_line(version, run):
         # Here a swallowed frame is to be given up as soon as the protocol says.
         board.line.listen(100)
         board.line.damage = damage_one_in_200(rng, damaged)
-        result = run(board, texts(rng), time.monotonic() + 12)
+        result = run(board, texts(rng), time.monotonic() + (12 if board.kind == "uno" else 5))
         board.line.damage = lambda data: data
         board.line.ready()
-    print(f"  version {version}, {damaged[0]} bytes damaged in both directions: {result}")
+    figure(f"version {version}, {damaged[0]} bytes damaged in both directions: {result}")
 
 
 def version_2_carries_out_every_command_once_on_a_damaged_line():
@@ -412,7 +438,7 @@ def commands_and_requests_pass_at_every_pace_of_the_loop():
                 counted += 4
                 equal(session.ask("(count)"), f"count({counted});")
             took = (float(board.command("time")) - begin) / rounds
-            print(f"  loop() of {pace} ms: four commands and a request, one after the other's answer, {took:.0f} ms")
+            figure(f"loop() of {pace} ms: four commands and a request, one after the other's answer, {took:.0f} ms")
         equal(session.repeated, 0)
 
 
@@ -445,7 +471,7 @@ def version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line():
                 swallowed += 1
             else:
                 lost += 1
-                print(f"  not answered: {arrives + request}")
+                figure(f"not answered: {arrives + request}")
             comes = damage(answer)
             board.line.decoder1.receive(comes, time.monotonic() * 1000)
             if answer and comes == answer:
@@ -491,10 +517,32 @@ CASES = [
 ]
 
 
+# Those whose time is the program's, and not that of a UART and a processor which QEMU does not time.
+MACHINE_CASES = [
+    an_led_follows_actions_in_both_versions,
+    a_command_and_a_request_in_one_burst_are_both_handled,
+    a_repeated_command_is_carried_out_once,
+    analogue_inputs_become_percepts,
+    a_robot_without_arduino_does_the_same,
+    motors_stop_when_the_far_end_falls_silent,
+    motors_stop_when_the_far_end_closes_the_line,
+    a_reflex_is_carried_out_by_the_board_itself,
+    messages_of_255_bytes_go_both_ways,
+    a_slow_command_is_carried_out_once,
+    an_outcome_is_reported_later_and_the_board_goes_on,
+    version_2_carries_out_every_command_once_on_a_damaged_line,
+    version_1_carries_out_no_action_of_wrong_length_on_a_damaged_line,
+]
+
+
 def main():
-    wanted = sys.argv[1:]
-    failed = 0
-    cases = [c for c in CASES if not wanted or any(w in c.__name__ for w in wanted)]
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--board", choices=["uno", "cortex-m", "riscv"], default="uno")
+    parser.add_argument("wanted", nargs="*", help="parts of cases' names")
+    options = parser.parse_args()
+    Board.kind = options.board
+    wanted, failed = options.wanted, 0
+    cases = [c for c in (CASES if options.board == "uno" else MACHINE_CASES) if not wanted or any(w in c.__name__ for w in wanted)]
     for case in cases:
         try:
             case()

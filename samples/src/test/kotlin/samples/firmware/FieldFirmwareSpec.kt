@@ -25,7 +25,8 @@ private const val LAMPS = 8
  */
 class FieldFirmwareSpec : FunSpec({
     val built: EnabledOrReasonIf = {
-        if (SimulatedUno.isBuilt()) Enabled.enabled else Enabled.disabled("the firmware is not built: ./argo firmware says what it needs")
+        if (BoardKind.UNO.isBuilt("Field")) Enabled.enabled
+        else Enabled.disabled("the firmware is not built: ./argo firmware says what it needs")
     }
 
     for (buildMs in listOf(0, 11)) for (loopMs in listOf(0, 2, 3, 5, 10, 20, 50)) {
@@ -42,7 +43,7 @@ class FieldFirmwareSpec : FunSpec({
 /** What the board reports at the end of a run, and the longest that a write took by the board's time, in ms. */
 private class Run(val percepts: String, val longestWriteMs: Long)
 
-private fun burstsAt(loopMs: Int, buildMs: Int): Run = SimulatedUno("Field").use { uno ->
+private fun burstsAt(loopMs: Int, buildMs: Int): Run = SimulatedBoard("Field").use { uno ->
     val settings = LinkSettings.defaults().withProtocol(Protocol.V1)
     val line = TimedLine(Transports.open(uno.port, settings.line()), uno.clock)
     Link.over(line, settings, uno.clock).use { link ->

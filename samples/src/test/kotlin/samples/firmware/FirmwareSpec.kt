@@ -2,8 +2,11 @@ package samples.firmware
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.spec.style.scopes.FunSpecContainerScope
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.ActionRefusedException
@@ -11,27 +14,38 @@ import javino.Link
 import javino.LinkSettings
 import javino.Protocol
 import samples.Program
+import java.nio.file.Path
+import kotlin.io.path.copyTo
+import kotlin.io.path.createTempDirectory
+import kotlin.io.path.writeText
 
-/** The agents of the samples drive the real firmware, over jSerialComm, from end to end. */
+/** The same agents drive the real firmware, over jSerialComm, from end to end, on each kind of board. */
 class FirmwareSpec : FunSpec({
+    context("on an Uno") { agentsDrive(BoardKind.UNO, "Robot4WD") }
+    context("on a Cortex-M3") { agentsDrive(BoardKind.CORTEX_M, "robot") }
+    context("on a RISC-V microcontroller") { agentsDrive(BoardKind.RISC_V, "robot") }
+})
+
+private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProgram: String) {
     val built: EnabledOrReasonIf = {
-        if (SimulatedUno.isBuilt()) Enabled.enabled else Enabled.disabled("the firmware is not built: ./argo firmware says what it needs")
+        if (kind.isBuilt("Blink", "Echo", robotProgram)) Enabled.enabled
+        else Enabled.disabled("the firmware is not built: ./argo firmware says what it needs")
     }
 
     test("the LED on pin 13 follows argo.act(ledOn) and argo.act(ledOff)").config(enabledOrReasonIf = built) {
-        SimulatedUno("Blink").use { uno ->
-            uno.watch(LED)
-            Program.samples("blink", "--port", uno.port, "--seconds", "20").use {
+        SimulatedBoard("Blink", kind).use { board ->
+            board.watch(LED)
+            Program.samples("blink", "--port", board.port, "--seconds", "20").use {
                 repeat(3) {
-                    uno.awaitPin(LED, "high")
-                    uno.awaitPin(LED, "low")
+                    board.awaitPin(LED, "high")
+                    board.awaitPin(LED, "low")
                 }
             }
         }
     }
 
     test("what an analogue input measures becomes a percept, and the agent stops the motors").config(enabledOrReasonIf = built) {
-        SimulatedUno("Robot4WD").use { robot ->
+        SimulatedBoard(robotProgram, kind).use { robot ->
             robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
             robot.watch(LEFT_FORWARD)
             Program.samples("collision", "--port", robot.port, "--limit", "40").use { program ->
@@ -46,13 +60,13 @@ class FirmwareSpec : FunSpec({
     }
 
     test("in version 2 the board says that it has acted, and refuses what it does not know").config(enabledOrReasonIf = built) {
-        SimulatedUno("Blink").use { uno ->
-            uno.watch(LED)
-            Link.open(uno.port, LinkSettings.defaults().withProtocol(Protocol.AUTO), "the test").use { link ->
+        SimulatedBoard("Blink", kind).use { board ->
+            board.watch(LED)
+            Link.open(board.port, LinkSettings.defaults().withProtocol(Protocol.AUTO), "the test").use { link ->
                 link.request("getPercepts", ANSWER_LIMIT_MS).text() shouldContain "ledStatus(off)"
                 link.protocol() shouldBe Protocol.V2
                 link.sendAndAwait("ledOn", ANSWER_LIMIT_MS)
-                uno.awaitPin(LED, "high")
+                board.awaitPin(LED, "high")
                 shouldThrow<ActionRefusedException> { link.sendAndAwait("fly", ANSWER_LIMIT_MS) }
                 link.request("getPercepts(ledStatus)", ANSWER_LIMIT_MS).text() shouldContain "ledStatus(on)"
             }
@@ -60,16 +74,56 @@ class FirmwareSpec : FunSpec({
     }
 
     test("the motors stop by themselves when the Java machine is killed").config(enabledOrReasonIf = built) {
-        SimulatedUno("Robot4WD").use { robot ->
+        SimulatedBoard(robotProgram, kind).use { robot ->
             robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
             robot.watch(LEFT_FORWARD)
             Program.samples("collision", "--port", robot.port).use { robot.awaitPin(LEFT_FORWARD, "high") } // kills it
             robot.awaitPin(LEFT_FORWARD, "low")
         }
     }
-})
+
+    test("at one damaged byte in 200 in both directions each command is carried out once, in order").config(enabledOrReasonIf = built) {
+        SimulatedBoard("Echo", kind).use { board ->
+            DamagedLine(board.port).use { line ->
+                board.watch(DUTY)
+                board.watch(LED)
+                withJason("counting", counting(line.port)) { it.awaitLine("all carried out") }
+                line.damaged shouldBeGreaterThan 0
+            }
+            board.watch(FENCE)
+            val changes = generateSequence { board.awaitChange() }.takeWhile { !it.startsWith("pin $FENCE ") }.toList()
+            changes.filter { it.startsWith("pin $DUTY ") }.drop(1) shouldBe SPEEDS.map { "pin $DUTY pwm $it" }
+            changes.filter { it.startsWith("pin $LED ") }.drop(1) shouldHaveSize SPEEDS.count()
+        }
+    }
+}
+
+/** An agent that sends a row of commands, one after the other's outcome. */
+private fun counting(port: String) = """
+    !start.
+    +!start <- argo.port("$port"); !send(${SPEEDS.first}).
+    +!send(N) : N <= ${SPEEDS.last} <- argo.act(speed(N)); !send(N + 1).
+    +!send(_) <- .print("all carried out"); .stopMAS.
+    -!send(N)[error_msg(Why)] <- .print("failed at ", N, ": ", Why); .stopMAS.
+""".trimIndent()
+
+/** Runs Jason with one agent that has a board, while [test] runs. */
+private fun withJason(name: String, agent: String, test: (Program) -> Unit) {
+    val folder = createTempDirectory(name)
+    try {
+        folder.resolve("$name.mas2j").writeText("MAS $name { agents: $name agentArchClass argo.Arch; }")
+        folder.resolve("$name.asl").writeText(agent)
+        Path.of("blink/logging.properties").copyTo(folder.resolve("logging.properties"))
+        Program.start("jason.infra.local.RunLocalMAS", "$name.mas2j", "--no-net", directory = folder).use(test)
+    } finally {
+        folder.toFile().deleteRecursively()
+    }
+}
 
 private const val LED = 13
+private const val DUTY = 5
+private const val FENCE = 6 // a pin that nothing changes: what it reports comes behind all changes before
+private val SPEEDS = 10..109
 private const val ANSWER_LIMIT_MS = 20_000
 private const val LEFT_FORWARD = 7
 private const val FRONT_DISTANCE = "A0"

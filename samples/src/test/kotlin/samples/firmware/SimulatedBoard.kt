@@ -8,13 +8,40 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 import kotlin.concurrent.thread
 
+private val ROOT: Path = Path.of("../javino-arduino").toAbsolutePath()
+
+private val SIMULATOR: Path = ROOT.resolve("build/simulator")
+
 /**
- * A sketch of `javino-arduino/` on a simulated ATmega328P, whose serial line is a pseudo-terminal.
+ * The boards that programs of `javino-arduino/` run on here.
  *
- * @param sketch the name of an example, which `./argo firmware` has compiled
+ * @param folder of the programs in its build directory
+ * @param emulator the program that runs them; null: the simulator of this project
  */
-internal class SimulatedUno(sketch: String) : AutoCloseable {
-    private val process = ProcessBuilder("$SIMULATOR", "${elf(sketch)}").redirectErrorStream(true).start()
+internal enum class BoardKind(private val folder: String, private val emulator: String?) {
+    UNO("avr/uno", null),
+    CORTEX_M("cortex-m", "qemu-system-arm"),
+    RISC_V("riscv", "qemu-system-riscv32"),
+    ;
+
+    private fun elf(program: String) = ROOT.resolve("build/$folder/$program.elf")
+
+    /** The command that runs [program]. */
+    fun command(program: String): List<String> =
+        (if (emulator == null) listOf("$SIMULATOR") else listOf("python3", "$ROOT/tests/e2e/machine.py", folder)) + "${elf(program)}"
+
+    /** Whether there are the simulator and [programs]. */
+    fun isBuilt(vararg programs: String): Boolean =
+        (if (emulator == null) Files.isExecutable(SIMULATOR) else onPath(emulator)) && programs.all { Files.exists(elf(it)) }
+}
+
+/**
+ * A program of `javino-arduino/` on a simulated board, whose serial line is a pseudo-terminal.
+ *
+ * @param program the name of a sketch, or `robot` in C, which `./argo firmware` has compiled for this kind of board
+ */
+internal class SimulatedBoard(program: String, kind: BoardKind = BoardKind.UNO) : AutoCloseable {
+    private val process = ProcessBuilder(kind.command(program)).redirectErrorStream(true).start()
     private val commands = process.outputWriter()
     private val lines = LinkedBlockingQueue<String>()
     private val reader = thread(isDaemon = true) { process.inputStream.bufferedReader().forEachLine(lines::put) }
@@ -32,6 +59,9 @@ internal class SimulatedUno(sketch: String) : AutoCloseable {
     fun awaitPin(pin: Int, state: String) {
         awaitLine("pin $pin $state ")
     }
+
+    /** The next change of a watched pin as it is printed, without its time. */
+    fun awaitChange(): String = awaitLine("pin ").substringBeforeLast(' ')
 
     /** The board's time, which stands still while the machine is too busy to simulate it. */
     val clock = object : LineClock {
@@ -68,12 +98,5 @@ internal class SimulatedUno(sketch: String) : AutoCloseable {
 
     companion object {
         private const val DEADLINE_S = 60L
-        private val BUILD: Path = Path.of("../javino-arduino/build").toAbsolutePath()
-        private val SIMULATOR = BUILD.resolve("simulator")
-
-        private fun elf(sketch: String) = BUILD.resolve("avr/uno/$sketch.elf")
-
-        /** Whether the simulator and the sketches have been built. */
-        fun isBuilt(): Boolean = Files.isExecutable(SIMULATOR) && listOf("Blink", "Robot4WD", "Field").all { Files.exists(elf(it)) }
     }
 }

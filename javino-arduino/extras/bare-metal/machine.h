@@ -1,0 +1,40 @@
+/**
+ * @file
+ * What a program needs of its microcontroller: serial ports and a clock. cortex-m/machine.c and riscv/machine.c supply it for two
+ * machines; a port to another one is a third such file with its linker script.
+ */
+#ifndef MACHINE_H
+#define MACHINE_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The line to the computer, and a second port for the pins of pins.h. */
+enum { MACHINE_LINE, MACHINE_PANEL, MACHINE_PORTS };
+
+/** Rate of both ports. */
+#define MACHINE_BAUD 115200
+
+/** Opens the ports and starts the clock and the interrupts. */
+void machine_start(void);
+
+/** @return milliseconds since machine_start; wraps around */
+uint32_t machine_ms(void);
+
+/** @return the oldest byte that the port has received, or -1 */
+int machine_take(uint8_t port);
+
+/** Puts a byte on a port; waits while its transmitter is full. What arrives meanwhile is kept by the interrupt. */
+void machine_put(uint8_t port, uint8_t byte);
+
+/** Sleeps until an interrupt, at most a millisecond. */
+void machine_sleep(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

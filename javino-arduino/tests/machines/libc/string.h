@@ -1,0 +1,23 @@
+/* What the library uses of the C library, for compilers that come without one. */
+#ifndef MACHINES_STRING_H
+#define MACHINES_STRING_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+void *memcpy(void *to, const void *from, size_t n);
+void *memmove(void *to, const void *from, size_t n);
+void *memset(void *to, int value, size_t n);
+int memcmp(const void *a, const void *b, size_t n);
+size_t strlen(const char *text);
+int strcmp(const char *a, const char *b);
+char *strdup(const char *text); /* declared alone: no program for these machines uses it */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
