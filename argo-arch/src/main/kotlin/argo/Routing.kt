@@ -5,7 +5,7 @@ import argo.calls.Failure
 import argo.connecting.OpenPort
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
-import jason.asSemantics.IntendedMeans
+import jason.asSemantics.Intention
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
 import jason.asSyntax.StringTerm
@@ -98,7 +98,7 @@ private fun literalOf(command: Term): Literal? = try {
 
 /** The namespace of the module that the plan stands in which the agent of [ts] is carrying out; null: it stands in none. */
 internal fun moduleOf(ts: TransitionSystem): String? {
-    val plan = stepsOf(ts)?.firstOrNull()?.plan ?: return null
+    val plan = intentionOf(ts)?.peek()?.plan ?: return null
     val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null
     return namespace.functor.takeIf { !isSameFile(plan.sourceFile, ts.ag.aslSrc) }
 }
@@ -111,8 +111,8 @@ private fun isSameFile(one: String?, other: String?): Boolean {
 }
 
 /** The percept whose event began the intention that the agent of [ts] is carrying out; null: none did. */
-internal fun perceptBehind(ts: TransitionSystem): Literal? = stepsOf(ts)?.lastOrNull()?.trigger?.literal
+internal fun perceptBehind(ts: TransitionSystem): Literal? = intentionOf(ts)?.bottom?.trigger?.literal
     ?.takeIf { it.hasSource(BeliefBase.APercept) }
 
-/** What the intention consists of that the agent of [ts] is carrying out, the latest first. */
-private fun stepsOf(ts: TransitionSystem): List<IntendedMeans>? = ts.c.selectedIntention?.takeUnless { it.isFinished }?.toList()
+/** The intention that the agent of [ts] is carrying out; null: it has finished. */
+private fun intentionOf(ts: TransitionSystem): Intention? = ts.c.selectedIntention?.takeUnless { it.isFinished }

@@ -1,13 +1,7 @@
 package argo
 
 import argo.acting.CommandOptions
-import argo.calls.ArgumentException
-import jason.asSyntax.BinaryStructure
-import jason.asSyntax.Literal
-import jason.asSyntax.StringTerm
-import jason.asSyntax.Term
-import javino.Frame
-import javino.PerceptsRequest
+import argo.acting.commandText
 
 /**
  * The internal action `argo.act(W)`: sends the text of W, any literal, to a board: `ledOn`, `speed(120)`. A string is sent without its
@@ -50,26 +44,5 @@ open class act : BoardAction("argo.act", 1..2) {
             is Routing.Route.Nowhere -> throw route.failure.of(call.text)
         }
         io.send(port, text, options, perceptBehind(call.ts), call.suspendIntention())
-    }
-}
-
-private fun inDefaultNamespace(literal: Literal): Term =
-    if (literal.ns == Literal.DefaultNS) literal else literal.cloneNS(Literal.DefaultNS)
-
-private fun commandText(term: Term): String {
-    val text = when {
-        term is StringTerm -> term.string
-        !term.isGround || term is Literal && term.ns.isVar -> throw ArgumentException("$term holds a variable that has no value")
-        term is Literal && !term.isList && !term.isPlanBody && term !is BinaryStructure -> "${inDefaultNamespace(term)}"
-        else -> throw ArgumentException("a command is a literal such as ledOn or speed(120), not $term")
-    }
-    if (text.isEmpty()) throw ArgumentException("a command has at least one character")
-    if (PerceptsRequest.isIn(text)) {
-        throw ArgumentException("a board takes $text for the request for percepts, which argo.percepts(open) sends, and not for a command")
-    }
-    try {
-        return Frame.ofCommand(text).text()
-    } catch (unsendable: IllegalArgumentException) {
-        throw ArgumentException(unsendable.message.orEmpty())
     }
 }

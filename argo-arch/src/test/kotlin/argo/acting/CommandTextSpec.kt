@@ -1,0 +1,70 @@
+package argo.acting
+
+import argo.calls.ArgumentException
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.bind
+import io.kotest.property.arbitrary.boolean
+import io.kotest.property.arbitrary.double
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.of
+import io.kotest.property.checkAll
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Atom
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+
+/** Terms as plans hold them, up to [depth] levels deep. */
+private fun terms(depth: Int): Arb<Term> = Arb.int(0..(if (depth == 0) 5 else 8)).let { kinds ->
+    Arb.bind(kinds, Arb.int(), Arb.double(-1e6, 1e6), Arb.of("a", "front", "a b(", "")) { kind, whole, number, word ->
+        when (kind) {
+            0 -> ASSyntax.createNumber(whole.toDouble())
+            1 -> ASSyntax.createNumber(number)
+            2 -> ASSyntax.createString(word)
+            3 -> ASSyntax.parseTerm("[1,b|[c]]")
+            4 -> ASSyntax.parseTerm("near[distance(3)]")
+            5 -> ASSyntax.parseTerm("1+2")
+            6 -> ASSyntax.parseLiteral("~far")
+            7 -> ASSyntax.parseLiteral("other::part(1)")
+            else -> ASSyntax.createAtom("left")
+        }
+    }
+}
+
+private val structures: Arb<Literal> = Arb.bind(Arb.list(terms(2), 0..4), Arb.list(terms(1), 1..2), Arb.boolean()) { terms, inner, positive ->
+    ASSyntax.createLiteral(positive, "speed", *terms.toTypedArray(), ASSyntax.createStructure("of", *inner.toTypedArray()))
+}
+
+class CommandTextSpec : FunSpec({
+    test("a literal is sent as Jason writes it") {
+        checkAll(structures) { commandText(it) shouldBe it.toString() }
+    }
+
+    test("an atom, a negated literal and one with annotations are sent as Jason writes them") {
+        for (text in listOf("stop", "~stop", "stop[soon]", "speed(1)[a,b(2)]", "speed(\"a\",-1.5,[b])")) {
+            commandText(ASSyntax.parseLiteral(text)) shouldBe ASSyntax.parseLiteral(text).toString()
+        }
+    }
+
+    test("a literal is sent without its namespace, and its arguments with theirs") {
+        checkAll(structures) { literal ->
+            commandText(literal.cloneNS(Atom("left")) as Literal) shouldBe (literal.cloneNS(Literal.DefaultNS) as Literal).toString()
+        }
+        commandText(ASSyntax.parseLiteral("left::stop[soon]")) shouldBe "stop[soon]"
+    }
+
+    test("a string is sent without its quotes") {
+        commandText(ASSyntax.createString("left::raw text")) shouldBe "left::raw text"
+    }
+
+    test("what is no command is refused with what was found") {
+        for (term in listOf("3", "[a]", "X", "speed(X)", "\"\"", "getPercepts", "getPercepts(dist)")) {
+            shouldThrow<ArgumentException> { commandText(ASSyntax.parseTerm(term)) }
+        }
+        shouldThrow<ArgumentException> { commandText(ASSyntax.parseTerm("speed(X)")) }.message shouldContain "speed(X)"
+    }
+})
