@@ -3,9 +3,6 @@ package javino.sim;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import java.util.regex.MatchResult;
-import java.util.regex.Pattern;
-import javino.Frame;
 import javino.LineClock;
 import javino.PortException;
 import javino.Transport;
@@ -20,8 +17,6 @@ import javino.Transport;
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
-    /** The rest of a message if it fits into a frame, else as many whole percepts as do, else one that is too long. */
-    private static final Pattern PART = Pattern.compile("(?s).{1,255}\\z|.{0,254};|[^;]+(;|\\z)");
 
     private final List<Recording.Entry> said;
     private final boolean asked;
@@ -94,19 +89,6 @@ public final class ReplayBoard implements SimulatedBoard {
         return rounds * periodMillis()
                 + said.get(number % said.size()).millis()
                 - said.get(0).millis();
-    }
-
-    /**
-     * The parts of a message that fit into frames of version 1: it is cut behind percepts, as boards do; a percept that is too long for a
-     * frame is left out.
-     */
-    private static List<String> parts(String message) {
-        List<String> parts = PART.matcher(message)
-                .results()
-                .map(MatchResult::group)
-                .filter(part -> part.length() <= Frame.MAX_PAYLOAD)
-                .toList();
-        return parts.isEmpty() ? List.of("") : parts;
     }
 
     /** One use of the port. */
@@ -192,7 +174,7 @@ public final class ReplayBoard implements SimulatedBoard {
         }
 
         private List<String> messages(String text) {
-            return loop.version() == 1 ? parts(text) : List.of(text);
+            return loop.version() == 1 ? MessageParts.of(text) : List.of(text);
         }
     }
 }

@@ -107,10 +107,10 @@ class DocumentsSpec : FunSpec({
 
 /**
  * `text` is text to read or a program's output, `console` commands with their output. CommandsSpec tries the commands, FirmwareSnippetsSpec
- * `cpp` and `c`, JaCaMoSpec `jcm`.
+ * `cpp` and `c`, JaCaMoSpec `jcm`, BoardsPageSpec `java` and `python`.
  */
 private val LANGUAGES =
-    setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "text")
+    setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "java", "python", "text")
 
 /** Coordinates as Gradle has them. */
 private val GRADLE = Regex("\"argo:(.+?):(.+?)\"")

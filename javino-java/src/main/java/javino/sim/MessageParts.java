@@ -1,0 +1,27 @@
+package javino.sim;
+
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import javino.Frame;
+
+/** Percepts in as many messages of version 1 as they need. */
+final class MessageParts {
+    /** The rest of a message if it fits into a frame, else as many whole percepts as do, else one that is too long. */
+    private static final Pattern PART = Pattern.compile("(?s).{1,255}\\z|.{0,254};|[^;]+(;|\\z)");
+
+    private MessageParts() {}
+
+    /**
+     * The parts of a message that fit into frames of version 1, one at least: it is cut behind percepts, as boards do; a percept that is
+     * too long for a frame is left out.
+     */
+    static List<String> of(String message) {
+        List<String> parts = PART.matcher(message)
+                .results()
+                .map(MatchResult::group)
+                .filter(part -> part.length() <= Frame.MAX_PAYLOAD)
+                .toList();
+        return parts.isEmpty() ? List.of("") : parts;
+    }
+}

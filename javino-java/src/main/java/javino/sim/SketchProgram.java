@@ -1,0 +1,44 @@
+package javino.sim;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import javino.LineClock;
+import javino.PerceptsRequest;
+import javino.PortException;
+import javino.Transport;
+
+/** Runs a {@link Sketch} for one opening of its port. */
+final class SketchProgram implements BoardProgram {
+    private final Sketch sketch;
+    private final BoardLoop loop;
+
+    SketchProgram(Sketch sketch, Transport line) {
+        this.sketch = sketch;
+        loop = new BoardLoop(line, this, LineClock.system());
+    }
+
+    void run() throws PortException, InterruptedException {
+        loop.run();
+    }
+
+    @Override
+    public Outcome carryOut(String command) {
+        return sketch.act(command) ? Outcome.DONE : Outcome.REFUSED;
+    }
+
+    @Override
+    public String percepts(String request) throws PortException, InterruptedException {
+        Set<String> functors = PerceptsRequest.functorsIn(request);
+        String answer = sketch.percepts().stream()
+                .map(percept -> percept + ";")
+                .filter(percept -> functors.isEmpty()
+                        || functors.contains(PerceptTerm.of(percept).functor()))
+                .collect(Collectors.joining());
+        List<String> messages = loop.version() == 1 ? MessageParts.of(answer) : List.of(answer);
+        for (String message : messages.subList(0, messages.size() - 1)) {
+            loop.say(message);
+        }
+        return messages.get(messages.size() - 1);
+    }
+}
