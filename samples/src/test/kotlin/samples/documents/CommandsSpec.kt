@@ -66,6 +66,8 @@ private val NOT_TRIED = mapOf(
     "lsusb" to "is the system's",
     "ssh" to "needs another computer",
     "cc " to "is run by FirmwareSnippetsSpec",
+    "riscv64-unknown-elf-gcc" to "is for a microcontroller of the reader's; the Makefile's rules are the same",
+    "qemu-system-riscv32" to "runs the reader's own program",
     "./board " to "needs a board; javino-arduino/tests/e2e/posix.py runs it on a pseudo-terminal",
 )
 

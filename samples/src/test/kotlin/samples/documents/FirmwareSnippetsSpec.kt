@@ -41,7 +41,7 @@ class FirmwareSnippetsSpec : FunSpec({
             test("$document").config(enabledOrReasonIf = compiler("cc")) {
                 val body = document.snippets.filter { it.language == "c" }.joinToString("\n") { it.text }
                 val program = folder.resolve("program.c").apply { writeText("$OF_THE_READER\nvoid program(void) {\n$body\n}\n") }
-                library.runs("cc -std=c99 -pedantic $warnings -Isrc -c '$program' -o '$folder/program.o'")
+                library.runs("cc -std=c99 -pedantic $warnings -Isrc -Iextras/bare-metal -c '$program' -o '$folder/program.o'")
             }
         }
     }
@@ -57,17 +57,15 @@ class FirmwareSnippetsSpec : FunSpec({
 
 /** What a page leaves to its reader's own microcontroller. */
 private val OF_THE_READER = """
+    #include <string.h>
     #include "javino_board.h"
     #include "javino_literal.h"
-    bool uart_has_byte(void);
-    uint8_t uart_take_byte(void);
-    void uart_put_byte(void *context, uint8_t byte);
-    int read_light(void);
-    bool act(const char *text, size_t length);
+    #include "machine.h"
+    void put_byte(void *context, uint8_t byte);
+    uint32_t read_light(void);
+    bool set_motor(int32_t speed);
     void stop_motors(void);
     void program(void);
-    extern uint16_t now;
-    extern uint32_t now_32;
 """.trimIndent()
 
 private fun onPath(program: String) = System.getenv("PATH").split(File.pathSeparator).any { File(it, program).canExecute() }

@@ -1,6 +1,6 @@
 /* What the library uses of the C library, for compilers that come without one. */
-#ifndef MACHINES_STRING_H
-#define MACHINES_STRING_H
+#ifndef STRING_H
+#define STRING_H
 
 #include <stddef.h>
 
@@ -14,7 +14,7 @@ void *memset(void *to, int value, size_t n);
 int memcmp(const void *a, const void *b, size_t n);
 size_t strlen(const char *text);
 int strcmp(const char *a, const char *b);
-char *strdup(const char *text); /* declared alone: no program for these machines uses it */
+char *strdup(const char *text); /* declared alone: nothing here has a heap */
 
 #ifdef __cplusplus
 }
