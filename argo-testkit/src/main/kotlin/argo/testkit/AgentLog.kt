@@ -1,6 +1,8 @@
 package argo.testkit
 
 import jason.asSemantics.TransitionSystem
+import java.util.logging.ConsoleHandler
+import java.util.logging.Filter
 import java.util.logging.Handler
 import java.util.logging.Level
 import java.util.logging.LogRecord
@@ -27,6 +29,7 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
 
     init {
         root.addHandler(this)
+        root.handlers.filterIsInstance<ConsoleHandler>().forEach { if (it.filter !is Quiet) it.filter = Quiet(it.filter) }
     }
 
     /** All records, in their order. */
@@ -46,6 +49,15 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
         val jason = TransitionSystem::class.java
         return record.loggerName.orEmpty().startsWith("${jason.name}.") &&
             record.sourceClassName?.startsWith("${jason.packageName}.") != true
+    }
+
+    /**
+     * Keeps what agents under test log from the console: an expectation that fails shows it, and the passing ones would flood it. The
+     * property `argo.testkit.log`, set to `console`, shows it all the same.
+     */
+    private class Quiet(private val other: Filter?) : Filter {
+        override fun isLoggable(record: LogRecord): Boolean =
+            (VirtualTime.active() == null || System.getProperty("argo.testkit.log") == "console") && other?.isLoggable(record) != false
     }
 
     override fun flush() = Unit

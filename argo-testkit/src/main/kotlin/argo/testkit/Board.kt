@@ -41,6 +41,10 @@ class Board internal constructor(private val time: VirtualTime) {
     internal var answers = 0
         private set
 
+    /** The percepts that its sensors showed last; null: none yet, or it ignores requests, or its port leads elsewhere. */
+    internal var shown: List<String>? = null
+        private set
+
     private var isVersion2 = false
     private var program = fake.program()
     private val replayed = ArrayList<String>()
@@ -58,6 +62,7 @@ class Board internal constructor(private val time: VirtualTime) {
     fun shows(vararg percepts: String): Board = apply {
         messageOf(percepts.toList())
         shows { percepts.toList() }
+        shown = percepts.toList()
     }
 
     /**
@@ -66,29 +71,39 @@ class Board internal constructor(private val time: VirtualTime) {
      * Percepts that an agent would leave out fail the test.
      */
     fun shows(sensors: (Duration) -> List<String>): Board = answers { functors ->
-        messageOf(sensors(time.nanos().nanoseconds).filter { functors.isEmpty() || functorOf(it) in functors })
+        val percepts = sensors(time.nanos().nanoseconds).also { shown = it }
+        messageOf(percepts.filter { functors.isEmpty() || functorOf(it) in functors })
     }
 
     /** It answers requests for percepts from now on with [message] as it is: what no sensor should send, `dist(front;)(;`. */
     fun showsRaw(message: String): Board = apply {
         sendable(message)
         showsRaw { message }
+        shown = perceptsOf(message)
     }
 
     /** It answers requests for percepts from now on with the message that [message] returns, which is called as that of [shows] is. */
-    fun showsRaw(message: (Duration) -> String): Board = answers { sendable(message(time.nanos().nanoseconds)) }
+    fun showsRaw(message: (Duration) -> String): Board = answers {
+        sendable(message(time.nanos().nanoseconds)).also { shown = perceptsOf(it) }
+    }
 
     /**
      * It answers no request for percepts from now on, until [shows] is called, though it takes commands.
      * The agent believes `port(P,timeout)`.
      */
-    fun ignoresRequests(): Board = apply { answer = { null } }
+    fun ignoresRequests(): Board = apply {
+        answer = { null }
+        shown = null
+    }
 
     /**
      * It sends [percepts] unasked, now, as a board does whose port is opened with `mode(listen)`.
      * @throws IllegalArgumentException if an agent would leave out one of them
      */
-    fun says(vararg percepts: String): Board = apply { fake.send(messageOf(percepts.toList())) }
+    fun says(vararg percepts: String): Board = apply {
+        fake.send(messageOf(percepts.toList()))
+        shown = percepts.toList()
+    }
 
     /** It puts [bytes] on the line as they are, now: noise, half a message. A character is a byte. */
     fun disturbs(bytes: String): Board = apply { fake.noise(*bytesOf(bytes)) }
@@ -236,6 +251,7 @@ class Board internal constructor(private val time: VirtualTime) {
     private fun answers(answer: (Set<String>) -> String) = apply {
         this.answer = answer
         answers = 0
+        shown = null
     }
 
     private fun percepts(request: String): String? = answer(PerceptsRequest.functorsIn(request))?.also { answers++ }

@@ -2,14 +2,18 @@ package argo.testkit
 
 import argo.Arch
 import argo.observing.ObservedAgent
+import argo.perception.whyLeftOut
 import java.util.logging.Level
 import kotlin.time.Duration.Companion.nanoseconds
 
 /** The state of this agent, to show why an expectation is not met. */
 internal fun TestAgent.report(): String {
-    val found = listOf("sent" to accounted(), "believes" to beliefs, "intends" to intentions, "said" to said, "log" to newest(entries))
+    val found = listOf(
+        "sent" to accounted(), "boards" to boards(), "believes" to beliefs, "intends" to intentions, "said" to said,
+        "log" to newest(entries),
+    )
     val state = if (isRunning) "" else ", stopped"
-    return found.joinToString("\n", "after $now$state\n") { (what, lines) ->
+    return found.joinToString("\n", "after ${now.inWholeMilliseconds} ms$state\n") { (what, lines) ->
         "$what: ${if (lines.isEmpty()) "nothing" else lines.joinToString("\n    ", "\n    ")}"
     }
 }
@@ -33,6 +37,33 @@ internal fun TestAgent.whyBlind(): String {
     }
 }
 
+/** What its boards show, what its filters make of that, and whether it perceives any of it. */
+private fun TestAgent.boards(): List<String> {
+    val agent = observed() ?: return emptyList()
+    val ports = agent.ports().associateBy { it.name }
+    val blocked = if (agent.isPerceiving) emptyList() else listOf("perceiving is blocked: the agent starts it with argo.percepts(open)")
+    return blocked + platform.named().flatMap { (name, board) ->
+        val port = ports[name]
+        val state = listOfNotNull(port?.status ?: "never opened", "not perceived".takeIf { port?.isPerceived == false })
+        val shown = board.shown
+        val fates = shown.orEmpty().take(MOST_PERCEPTS).mapNotNull { fate(agent, it, port?.filter != null) }
+        listOf("$name (${state.joinToString()}) shows ${shown?.joinToString()?.ifEmpty { null } ?: "nothing"}") + fates.map { "  $it" }
+    }
+}
+
+/** What becomes of [percept]; null: it is believed as it is. */
+private fun TestAgent.fate(agent: ObservedAgent, percept: String, isFiltered: Boolean): String? {
+    val fault = whyLeftOut(percept.trim())
+    return when {
+        fault != null -> "$percept is left out: $fault"
+        isFiltered -> mas.time.driving { agent.explain(percept) }
+        else -> null
+    }
+}
+
+/** Of how many percepts of a board it is said what becomes of them. */
+private const val MOST_PERCEPTS = 24
+
 private fun TestAgent.observed(): ObservedAgent? =
     generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<Arch>().firstOrNull()?.observed
 
@@ -42,7 +73,7 @@ private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.ac
 /** Errors stay, however old: a program that cannot be read is reported at the start. */
 private fun newest(entries: List<AgentLog.Entry>): List<String> =
     entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
-        .map { "at ${it.atNanos.nanoseconds}: $it" }
+        .map { "at ${it.atNanos.nanoseconds.inWholeMilliseconds} ms: $it" }
 
 /** How many of the newest records of the log are shown. */
 private const val LOGGED = 20

@@ -34,6 +34,9 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
     /** The board of the first port there is; of the first that the agent will open, if there is none yet. */
     fun first(): Board = boards.values.firstOrNull() ?: unnamed ?: Board(time).also { unnamed = it }
 
+    /** The boards on the ports that have been named, by these names. */
+    fun named(): Map<String, Board> = boards
+
     /** All boards. */
     fun all(): Collection<Board> = boards.values + listOfNotNull(unnamed)
 }
