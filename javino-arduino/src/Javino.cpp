@@ -1,3 +1,5 @@
+#ifdef ARDUINO /* elsewhere the core in C is all there is */
+
 #include "Javino.h"
 
 #include "javino_literal.h"
@@ -182,3 +184,5 @@ void JavinoBoard::term(double value) {
   javino_percept_put(&board_, static_cast<char>('0' + hundredths / 10));
   javino_percept_put(&board_, static_cast<char>('0' + hundredths % 10));
 }
+
+#endif

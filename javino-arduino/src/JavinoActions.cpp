@@ -1,3 +1,5 @@
+#ifdef ARDUINO /* elsewhere the core in C is all there is */
+
 #include "JavinoActions.h"
 
 #include "javino_literal.h"
@@ -78,3 +80,5 @@ bool JavinoActions::callWithArguments(const Action &action, const JavinoArgument
 bool JavinoActions::askWithArguments(const Action &action, const JavinoArguments &arguments) {
   return takes(action.named.arguments, arguments) && reinterpret_cast<bool (*)(const JavinoArguments &)>(action.function)(arguments);
 }
+
+#endif

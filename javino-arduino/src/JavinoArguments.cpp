@@ -1,3 +1,5 @@
+#ifdef ARDUINO /* elsewhere the core in C is all there is */
+
 #include "JavinoArguments.h"
 
 #include <float.h>
@@ -159,3 +161,5 @@ String JavinoArguments::text(uint8_t index) const {
     text += characters.take();
   return text;
 }
+
+#endif

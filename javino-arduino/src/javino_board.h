@@ -28,7 +28,7 @@ extern "C" {
  * Bytes of text at most: those of one frame, or in version 2 as many as the memory holds. The former takes less flash.
  */
 #ifndef JAVINO_TEXT_MAX
-#ifdef __AVR__
+#if defined(__AVR__) || defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_TEXT_MAX 255
 #else
 #define JAVINO_TEXT_MAX 65535
