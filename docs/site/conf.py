@@ -17,7 +17,8 @@ extensions = ["myst_parser"]
 root_doc = "README"
 include_patterns = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "javino-arduino/README.md", "javino-arduino/extras/*.md",
-    "javino-arduino/simulator/README.md", "javino-arduino/vectors/README.md", "samples/*/README.md",
+    "javino-arduino/simulator/README.md", "javino-arduino/vectors/README.md", "javino-python/README.md",
+    "samples/*/README.md",
 ]
 exclude_patterns = ["**/target", "**/build", ".*"]
 myst_heading_anchors = 4  # as GitHub has them

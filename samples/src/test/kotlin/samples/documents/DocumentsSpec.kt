@@ -107,7 +107,8 @@ class DocumentsSpec : FunSpec({
 
 /**
  * `text` is text to read or a program's output, `console` commands with their output. CommandsSpec tries the commands, FirmwareSnippetsSpec
- * `cpp` and `c`, JaCaMoSpec `jcm`, BoardsPageSpec `java` and `python`.
+ * `cpp` and `c`, JaCaMoSpec `jcm`, BoardsPageSpec `java` and `python`, javino-python/tests/programs.py
+ * programs in `python` that import `javino`.
  */
 private val LANGUAGES =
     setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "java", "python", "text")

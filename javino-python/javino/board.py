@@ -1,0 +1,488 @@
+"""A board on a line: answers requests for percepts and carries out actions, in versions 1 and 2 of the protocol."""
+from . import frames
+from .clock import ticks_diff, ticks_ms
+from .items import MAX_SHAPES, Shapes
+from .lines import open_line
+from .literals import functor_of, split, term, to_bytes, to_text, value
+
+ANY = 255
+"""Any number of arguments."""
+
+_MAX_ACTIONS = 126
+_MAX_PARTS = 255
+_PART = 253
+_PART_WITH_RULES = 12
+_PAGE = 252
+_LOOK_MS = 5
+_IDLE_MS = 100
+_MAX_WAITING = 4096
+_REQUEST = "getPercepts"
+_NOTHING = None  # a command whose number is used up
+
+
+class Refused(Exception):
+    """Raised by an action's function: it cannot be carried out. Returning False says the same."""
+
+
+def _read_row(row):
+    """The commands of a payload: the number of an action, a text, or _NOTHING. An item that cannot be read ends the row."""
+    at = 0
+    while at < len(row) and row[at] != 0xFF:
+        first = row[at]
+        at += 1
+        if first >= 0x80:
+            yield _NOTHING if first == 0xFE else first - 0x80
+            continue
+        if first == 0:
+            first = row[at] if at < len(row) else 0
+            at += 1
+        if not 0 < first <= len(row) - at:
+            return
+        yield to_text(row[at:at + first])
+        at += first
+
+
+def _asks_for(functors, functor):
+    """Whether a request that names functors, as `(dist,light)`, names this one. One without names asks for all."""
+    if "(" not in functors and "," not in functors:
+        return True
+    for before in "(,":
+        for behind in ",)":
+            if before + functor + behind in functors:
+                return True
+    return False
+
+
+class _Acts:
+    """`board.act["ledOn"] = led_on`"""
+
+    def __init__(self, board):
+        self._board = board
+
+    def __setitem__(self, name, function):
+        self._board.on_action(name, function)
+
+
+class Board:
+    """A board on a line.
+
+    `line` is the name of one, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
+    port. Without one it is standard input and output, on a microcontroller the USB port. `baud` is the rate that a named serial port is
+    opened with and at which a reflex overtakes a long answer; 100 ms of silence end a frame that has begun, on a slower line than 2000
+    baud 20 byte times. `credit` is how many bytes the port's receive buffer holds, `longest` how many a frame's payload may have, `shapes`
+    how many kinds of percepts are sent by their digits alone. `ticks` is a clock of milliseconds.
+
+    One thread calls all of it, none from an interrupt.
+    """
+
+    def __init__(self, line=None, baud=None, credit=None, longest=frames.MAX_PAYLOAD, shapes=MAX_SHAPES, ticks=ticks_ms):
+        self.line = open_line(line, baud)
+        self.act = _Acts(self)
+        self._baud = baud
+        self._credit = credit or getattr(self.line, "credit", 63)
+        self._longest = longest
+        self._room = shapes
+        self._ticks = ticks
+        self._actions = []  # (name, arguments, function), by number
+        self._perceive = None
+        self._receiver = frames.Receiver(self, max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS, longest)
+        self._running = False
+        self._inbox = b""  # what came while a function ran
+        self._texts = []  # percepts that were written and not sent
+        self._waiting = 0  # their bytes, while nobody has asked
+        self._asked = None  # the functors of the request in hand
+        self._version = 0  # of that request
+        self._doubtful = None  # an action of version 1 that may be the beginning of another
+        self._rules = None
+        self._is_looking = False
+        self._looked = self._before = self._heard = self._free_at = ticks()
+        self._silence = 0
+        self._lost = None
+        self._is_lost = False
+        self._tokens = 0
+        self._begin(0)
+
+    def _begin(self, session):
+        self._session = self._receiver.session = session
+        self._due = 0
+        self._is_refused = self._is_busy = False
+        self._known = 0
+        self._shapes = Shapes(self._room)
+        self._parts = []
+        self._next_ask = None
+        self._open = 0  # the action whose outcome is reported later
+        self._outcome = None
+        self._in_hand = False
+        if self._rules is not None:
+            self._rules.forget()
+
+    # ---- what a program registers ----
+
+    def on_action(self, name, function=None, arguments=0):
+        """Has the function called for the action of this name, with the arguments' values: int, float, or str.
+
+        `arguments` is how many it takes, or ANY; with another number the action is refused. The function refuses it too by returning False
+        or raising Refused. Another exception refuses it and ends `run`. Without a function this decorates one:
+        `@board.on_action("speed", arguments=1)`. Registering a name again replaces its function.
+        """
+        if function is None:
+            return lambda decorated: self.on_action(name, decorated, arguments)
+        data = to_bytes(name)
+        if split(name) != (name, [], True) or len(data) > 200:
+            raise ValueError("%r is no action's name; give the functor alone, and the number of its arguments as arguments=1" % name)
+        for i in range(len(self._actions)):
+            if self._actions[i][0] == name:
+                self._actions[i] = (name, arguments, function)
+                return function
+        if len(self._actions) == _MAX_ACTIONS:
+            raise ValueError("a board has at most %d actions, there is no room for %s" % (_MAX_ACTIONS, name))
+        self._actions.append((name, arguments, function))
+        return function
+
+    def perceive(self, function):
+        """Has percepts written by this function whenever they are asked for. Returns it, to decorate it."""
+        self._perceive = function
+        return function
+
+    def watch_rules(self, room=8):
+        """Has the board watch up to `room` critical rules itself, which the computer sets. The function given to `perceive` is called at
+        most every 5 ms then, for the percepts that the rules name; `wants` is true for those alone. Call it before the first `run`."""
+        from .rules import Rules  # spared where no board watches
+        self._rules = Rules(room)
+
+    def on_link_lost(self, ms, function):
+        """Has the function called when nothing valid has arrived for so many milliseconds, once until something arrives. 0: never."""
+        self._silence, self._lost = ms, function
+        self._heard, self._is_lost = self._ticks(), False
+
+    # ---- percepts ----
+
+    def wants(self, functor):
+        """Whether the request in hand asks for percepts of this functor; spares reading a sensor."""
+        functor = functor.lstrip("~")
+        if self._is_looking:
+            return self._rules.watches(functor)
+        return self._asked is None or _asks_for(self._asked, functor)
+
+    def percept(self, functor, *values):
+        """Writes a percept: `percept("dist", "front", 30)` is `dist(front,30)`. See `term` for the values.
+
+        Returns False if it will not be sent: it is too long for version 1, or nobody asks and too many wait.
+        """
+        if not self.wants(functor):
+            return True
+        return self._write(functor + "(" + ",".join([term(each) for each in values]) + ")" if values else functor)
+
+    def add_percept(self, text):
+        """Writes a percept as it is, without the `;` behind it. Returns as `percept`."""
+        return not self.wants(functor_of(text)) or self._write(text)
+
+    def _write(self, text):
+        data = to_bytes(text) + b";"
+        if self._is_looking:
+            self._compare(text, data)
+            return True
+        if self._version == 1 and len(data) > frames.MAX_PAYLOAD:
+            return False
+        if self._asked is None:
+            if self._waiting + len(data) > _MAX_WAITING:
+                return False
+            self._waiting += len(data)
+        self._texts.append(data)
+        return True
+
+    def clear_percepts(self):
+        """Forgets the percepts that were written and not sent."""
+        self._texts = []
+        self._waiting = 0
+
+    def send_percepts(self):
+        """Sends the percepts that were written, though nobody asks. `run` sends those of a request by itself."""
+        if self._asked is None and not self._is_looking:
+            self._send_texts(0, 2 if self._session else 1)
+            self._send_parts()
+
+    def _answer(self, request, functors, version):
+        self._asked, self._version = functors, version
+        try:
+            if self._perceive:
+                self._perceive()
+            self._send_texts(request, version)
+        finally:
+            self._asked, self._version = None, 0
+            self.clear_percepts()
+        self._send_parts()
+
+    def _send_texts(self, request, version):
+        texts = self._texts
+        self.clear_percepts()
+        if version == 1:
+            self._send_messages(texts)
+            return
+        size = _PART_WITH_RULES if self._rules else _PART
+        answer = self._shapes.write(texts, self._known)
+        while len(answer) > size * _MAX_PARTS:  # what no answer holds is left out
+            texts = texts[:len(texts) * 3 // 4]
+            answer = self._shapes.write(texts, self._known)
+        if len(answer) <= (size if self._rules else size + 1):
+            self._parts.append((frames.PERCEPTS, bytes((request,)) + answer))
+        else:
+            count = (len(answer) + size - 1) // size
+            for i in range(count):
+                kind = frames.PART if i < count - 1 else frames.LAST_PART
+                self._parts.append((kind, bytes((request, i)) + answer[i * size:i * size + size]))
+
+    def _send_messages(self, texts):
+        """Messages of version 1, each of whole percepts."""
+        message = b""
+        for text in texts:
+            if len(text) > frames.MAX_PAYLOAD:
+                continue
+            if len(message) + len(text) > frames.MAX_PAYLOAD:
+                self._put(frames.frame1(message))
+                message = b""
+            message += text
+        self._put(frames.frame1(message))
+
+    def _send_parts(self):
+        """Sends parts of answers: with rules each when the one before has left, looking at the sensors between them."""
+        while self._parts and (not self._rules or self._has_left()):
+            kind, payload = self._parts.pop(0)
+            self._say(kind, payload)
+            if self._parts:
+                self._look()
+
+    # ---- actions ----
+
+    def carry_out(self, text):
+        """Carries out the action of this text, as a reflex does. Returns whether it was."""
+        functor, arguments, is_whole = split(text)
+        if not is_whole:
+            return False
+        for name, count, function in self._actions:
+            if name == functor and count in (len(arguments), ANY):
+                return self._call(function, [value(each) for each in arguments])
+        return False
+
+    @staticmethod
+    def _call(function, arguments):
+        try:
+            return function(*arguments) is not False
+        except Refused:
+            return False
+
+    def later(self):
+        """In an action's function: its outcome is reported later, with `done`. Until then no other action of version 2 is carried out, and
+        requests are answered. Returns what to hand to `done`; 0 where nobody waits for an outcome, as in version 1."""
+        if not self._in_hand:
+            return 0
+        self._tokens += 1
+        self._open = self._tokens
+        return self._open
+
+    def done(self, later, carried_out=True):
+        """Reports the outcome of an action of which `later` was called. Returns whether it was reported: not if the computer has begun
+        anew since, or for 0."""
+        if not later or later != self._open:
+            return False
+        self._open = 0
+        if self._in_hand:
+            self._outcome = carried_out
+        else:
+            self._is_busy = False
+            self._settle(carried_out)
+            self._say(frames.ACK)
+        return True
+
+    def _commands(self, kind, number, row):
+        if kind == frames.RESUME and number == self._due:
+            self._is_refused = False
+        try:
+            for command in _read_row(row):
+                if number == self._due and not self._is_refused and not self._is_busy:
+                    self._handle(command)
+                number = (number + 1) & 255
+        finally:
+            self._say(frames.ACK)
+
+    def _handle(self, command):
+        self._in_hand, self._outcome, outcome = True, None, False
+        try:
+            outcome = self._command(command)
+            if self._outcome is not None:
+                outcome = self._outcome
+            self._is_busy = bool(outcome and self._open)
+        finally:
+            self._in_hand = False
+            if not self._is_busy:
+                self._open = 0
+                self._settle(outcome)
+
+    def _settle(self, is_done):
+        self._due = (self._due + 1) & 255
+        self._is_refused = not is_done
+
+    def _command(self, command):
+        if command is _NOTHING:
+            return True
+        if isinstance(command, str):
+            if command[0] == "\x01":
+                return self._rules is not None and self._rules.set(command)
+            return self.carry_out(command)
+        if command >= len(self._actions) or self._actions[command][1] not in (0, ANY):
+            return False
+        return self._call(self._actions[command][2], [])
+
+    # ---- rules ----
+
+    def _look(self):
+        """Has the sensors compared with the rules, at most every 5 ms."""
+        now = self._ticks()
+        if not self._rules or not self._perceive or ticks_diff(now, self._looked) < _LOOK_MS:
+            return
+        self._looked = now
+        self._is_looking = True
+        self._rules.begin()
+        try:
+            self._perceive()
+        finally:
+            self._is_looking = False
+        self._rules.end()
+
+    def _compare(self, text, data):
+        for number, reflex in self._rules.newly_met(text) if len(data) <= 253 else ():
+            outcome = 0
+            if reflex:
+                self._is_looking = False  # what its function writes waits
+                try:
+                    outcome = 1 if self.carry_out(reflex) else 2
+                finally:
+                    self._is_looking = True
+            self._say(frames.CRITICAL, bytes((number, outcome)) + data)
+
+    # ---- the line ----
+
+    def run(self):
+        """Takes what has arrived: answers requests, carries out actions, reports a lost link. Call it in every round of the program. Within
+        a function that it has called it only takes what has arrived, so that a receive buffer does not overflow meanwhile.
+
+        Raises LineGone when the line is gone for good.
+        """
+        if self._running:
+            if len(self._inbox) < _MAX_WAITING:
+                self._inbox += self.line.read() or b""
+            return
+        self._running = True
+        try:
+            self._round()
+        finally:
+            self._running = False
+
+    def _round(self):
+        now = self._ticks()
+        data = self._inbox + (self.line.read() or b"")
+        self._inbox = b""
+        if data:
+            self._receiver.receive(data, now)
+        else:
+            self._receiver.idle(now, ticks_diff)
+        self._look()
+        self._send_parts()
+        if self._next_ask and not self._parts:
+            number, payload = self._next_ask
+            self._next_ask = None
+            self._ask(number, payload)
+        self._before = now
+        if self._silence and not self._is_lost and ticks_diff(now, self._heard) >= self._silence:
+            self._is_lost = True
+            self._lost()
+
+    def wait(self, ms):
+        """Waits until something arrives, at most so many milliseconds; shorter where silence or the sensors matter sooner."""
+        if self._parts:
+            ms = min(ms, 1)
+        elif self._rules or self._receiver.is_waiting():  # rules that are set
+            ms = min(ms, _LOOK_MS)
+        self.line.wait(ms)
+
+    def run_forever(self, each_round=None, ms=20):
+        """Runs the board until the program is stopped. Calls `each_round` in every round, at least every `ms` milliseconds."""
+        while True:
+            self.run()
+            if each_round:
+                each_round()
+            self.wait(ms)
+
+    def _put(self, data):
+        if self._baud:
+            now = self._ticks()
+            begin = now if self._has_left() else self._free_at
+            self._free_at = begin + len(data) * 10000 // self._baud + 1
+        self.line.write(data)
+
+    def _has_left(self):
+        """Whether all that was written has left, by the line's rate."""
+        return not self._baud or ticks_diff(self._free_at, self._ticks()) <= 0
+
+    def _say(self, kind, payload=b""):
+        if self._is_refused:
+            kind |= frames.REFUSED
+        if self._is_busy:
+            kind |= frames.BUSY
+        self._put(frames.frame2(kind, self._due, payload))
+
+    # ---- frames, as the receiver finds them ----
+
+    def take1(self, payload):
+        """Takes a message of version 1."""
+        self._note_valid()
+        text = to_text(payload)
+        if text.startswith(_REQUEST) and text[len(_REQUEST):len(_REQUEST) + 1] in ("", "("):
+            self._answer(0, text[len(_REQUEST):], 1)
+            return
+        for name, _, _ in self._actions:
+            if name != text and name.startswith(text):
+                self._doubtful = text  # a damaged size may have cut it short
+                return
+        self.carry_out(text)
+
+    def followed(self, rightly):
+        """Hears from what follows whether the message of version 1 in front was read rightly."""
+        text, self._doubtful = self._doubtful, None
+        if text is not None and rightly:
+            self.carry_out(text)
+
+    def take2(self, kind, number, payload):
+        """Takes a frame of version 2."""
+        self._note_valid()
+        if kind == frames.HELLO:
+            self._begin(number)
+        if kind == frames.HELLO or not self._session:
+            rules = 0 if self._rules is None else self._rules.room
+            self._say(frames.WELCOME, bytes((self._session, self._credit, self._longest, rules)))
+        elif kind == frames.ASK:
+            if self._parts:
+                self._next_ask = number, payload
+            else:
+                self._ask(number, payload)
+        elif kind == frames.DESCRIBE:
+            self._describe(number, payload[0] if payload else 0)
+        else:
+            self._commands(kind, number, payload)
+
+    def _ask(self, number, payload):
+        self._known = min(payload[0] if payload else 0, len(self._shapes))
+        self._answer(number, to_text(payload[1:]), 2)
+
+    def _describe(self, number, first):
+        page = b""
+        for name, arguments, _ in self._actions[first:]:
+            name = to_bytes(name)
+            if len(page) + 2 + len(name) > _PAGE:
+                break
+            page += bytes((arguments, len(name))) + name
+        self._say(frames.VOCABULARY, bytes((number, first, len(self._actions))) + page)
+
+    def _note_valid(self):
+        self._heard = self._before
+        self._is_lost = False

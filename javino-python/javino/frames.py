@@ -1,0 +1,219 @@
+"""Frames of the Javino protocol, versions 1 and 2: finds them in the bytes that arrive, and writes them.
+
+No line and no clock are in here: bytes and times, in milliseconds, are handed in.
+"""
+try:
+    from binascii import crc_hqx  # the same polynomial, in C
+except ImportError:  # on microcontrollers
+    crc_hqx = None
+
+START = 0xA5
+ESCAPE = 0xA4
+
+HELLO = 0x10
+ASK = 0x20
+DESCRIBE = 0x28
+COMMANDS = 0x30
+RESUME = 0x31
+WELCOME = 0x80
+ACK = 0x81
+PERCEPTS = 0x82
+PART = 0x83
+LAST_PART = 0x84
+CRITICAL = 0x85
+VOCABULARY = 0x86
+REFUSED = 0x40
+BUSY = 0x20
+
+MAX_PAYLOAD = 255
+"""Bytes of payload that a frame holds at most, in either version."""
+
+_TO_BOARD = (HELLO, ASK, DESCRIBE, COMMANDS, RESUME)
+_PREAMBLE = b"fffe"
+_HEADER = 6
+_HEX = b"0123456789abcdefABCDEF"
+_NO, _MAYBE, _YES = 0, 1, 2
+
+
+def crc16(data):
+    """CRC-16/CCITT-FALSE of the bytes."""
+    if crc_hqx:
+        return crc_hqx(data, 0xFFFF)
+    crc = 0xFFFF
+    for byte in data:
+        # Eight steps of the polynomial 1021 at once.
+        x = (crc >> 8) ^ byte
+        x ^= x >> 4
+        crc = ((crc << 8) ^ (x << 12) ^ (x << 5) ^ x) & 0xFFFF
+    return crc
+
+
+def frame1(payload):
+    """A frame of version 1 around at most 255 bytes."""
+    return _PREAMBLE + b"%02X" % len(payload) + payload
+
+
+def frame2(kind, number, payload):
+    """A frame of version 2 around at most 255 bytes, with its escapes."""
+    body = bytes((len(payload), kind, number)) + payload
+    crc = crc16(body)
+    body += bytes((crc >> 8, crc & 255))
+    return b"\xa5" + body.replace(b"\xa4", b"\xa4\x04").replace(b"\xa5", b"\xa4\x05")
+
+
+def _header(data, at, end):
+    """Whether a preamble and two hex digits stand at this place; _MAYBE if there are too few bytes to know."""
+    for i in range(min(_HEADER, end - at)):
+        byte = data[at + i]
+        if byte != _PREAMBLE[i] if i < 4 else byte not in _HEX:
+            return _NO
+    return _YES if end - at >= _HEADER else _MAYBE
+
+
+class Receiver:
+    """Finds the frames for a board on a line that both versions share.
+
+    `sink` is an object with `take1(payload)` and `take2(kind, number, payload)`, which get each frame with its last byte, and
+    `followed(rightly)`, which hears what the bytes behind a frame of version 1 show: that it was read rightly, or that it may have been
+    misread.
+    """
+
+    def __init__(self, sink, timeout=100, longest=MAX_PAYLOAD):
+        self.session = False
+        """Whether the board has a session; set in `take2`."""
+        self._sink = sink
+        self._timeout = timeout
+        self._longest = longest
+        self._last = None  # when bytes came last
+        self._body = None  # the frame of version 2 that is being read, without escapes
+        self._escaped = False
+        self._window = b""  # bytes that may belong to a frame of version 1
+        self._held = 0  # bytes at its start that are a frame which has been handed out
+        self._quiet = True  # a frame of version 1 may begin at the window's start
+
+    def receive(self, data, now):
+        """Takes bytes. One that has waited in a receive buffer is not late: silences are known from `idle` alone."""
+        self._last = now
+        self._read(data)
+
+    def idle(self, now, diff=lambda a, b: a - b):
+        """Hears that at this time nothing more had arrived. `diff` subtracts times of a clock that wraps."""
+        silence = self._timeout + 1 if self._last is None else diff(now, self._last)
+        if silence > self._timeout:
+            while self._window:
+                self._give_up()
+            self._body = None
+        waits = len(self._window) > self._held
+        if silence * 4 > self._timeout and not waits:
+            self._quiet = True
+        if silence * 16 > self._timeout and self._held and not waits:
+            self._sink.followed(True)
+
+    def is_waiting(self):
+        """Whether silence would tell something."""
+        return bool(self._window) or self._body is not None
+
+    def _read(self, data):
+        while data:
+            data = self._read1(data) if self._body is None else self._read2(data)
+
+    # ---- version 1 ----
+
+    def _read1(self, data):
+        """Reads bytes outside of frames of version 2; returns what stands behind the start of such a frame."""
+        window = self._window + data
+        end = len(window)
+        at = 0
+        anywhere = not self.session
+        while at < end:
+            if window[at] == START:
+                self._window = b""
+                self._followed(True)
+                self._begin2()
+                return window[at + 1:]
+            if self._held:
+                behind = at + self._held
+                follows = _header(window, behind, end)
+                if behind < end and window[behind] == START:
+                    follows = _YES
+                if follows == _MAYBE:
+                    break
+                at = behind if follows == _YES else at + 1
+                if follows == _NO:
+                    self._quiet = anywhere
+                self._followed(follows == _YES)
+                continue
+            header = _header(window, at, end) if self._quiet else _NO
+            if header == _MAYBE:
+                break
+            if header == _NO:
+                at += 1
+                self._quiet = anywhere
+                continue
+            length = _HEADER + int(window[at + 4:at + 6], 16)
+            if end - at < length:
+                break
+            self._held = length
+            self._quiet = anywhere
+            self._sink.take1(window[at + _HEADER:at + length])
+        self._window = window[at:]
+        return b""
+
+    def _followed(self, rightly):
+        if self._held:
+            self._held = 0
+            self._sink.followed(rightly)
+
+    def _give_up(self):
+        """Nothing follows: drops the frame that was handed out, or reads what is incomplete again from its second byte."""
+        window, held = self._window, self._held
+        self._window = b""
+        if held and (len(window) == held or _header(window, held, len(window)) == _YES):
+            self._followed(True)
+            self._read(window[held:])
+        else:
+            self._followed(False)
+            self._quiet = not self.session
+            self._read(window[1:])
+
+    # ---- version 2 ----
+
+    def _begin2(self):
+        self._body = bytearray()
+        self._escaped = False
+
+    def _read2(self, data):
+        """Reads bytes of a frame of version 2; returns what stands behind its end."""
+        for i in range(len(data)):
+            byte = data[i]
+            if byte == START:
+                self._begin2()
+            elif self._escaped:
+                self._escaped = False
+                if byte not in (4, 5):
+                    return self._end2(data, i)
+                self._take(0xA0 | byte)
+            elif byte == ESCAPE:
+                self._escaped = True
+            else:
+                self._take(byte)
+            if self._body is None:
+                return self._end2(data, i)
+        return b""
+
+    def _end2(self, data, i):
+        self._body = None
+        self._quiet = not self.session
+        return data[i + 1:]
+
+    def _take(self, byte):
+        """Takes a byte without escapes; the frame is over when `_body` is None."""
+        body = self._body
+        body.append(byte)
+        size = len(body)
+        if body[0] > self._longest or size == 2 and byte not in _TO_BOARD:
+            self._body = None
+        elif size == body[0] + 5:
+            self._body = None
+            if crc16(body) == 0:  # of the bytes and their own checksum
+                self._sink.take2(body[1], body[2], bytes(body[3:size - 2]))

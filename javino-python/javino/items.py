@@ -1,0 +1,91 @@
+"""Answers of version 2: percepts as a row of items, by text once and by the digits alone from then on."""
+
+MAX_SHAPES = 126
+_BY_NUMBER = 0x80
+_CONTINUED = 0x7E
+_WITHOUT_ID = 0x7F
+_MAX_TEXT = 255
+_END_OF_NUMBER = 0xF
+
+
+def _shape(text, halves):
+    """The text with one 0 in place of each run of digits. The digits go to `halves`, as half bytes with an F behind each run."""
+    shape = bytearray()
+    was_digit = False
+    for byte in text:
+        is_digit = 0x30 <= byte <= 0x39
+        if is_digit:
+            halves.append(byte - 0x30)
+        elif was_digit:
+            halves.append(_END_OF_NUMBER)
+        if not (is_digit and was_digit):
+            shape.append(0x30 if is_digit else byte)
+        was_digit = is_digit
+    if was_digit:
+        halves.append(_END_OF_NUMBER)
+    return bytes(shape)
+
+
+class Shapes:
+    """A session's table of the shapes that were sent, and the answers written with it."""
+
+    def __init__(self, room=MAX_SHAPES):
+        self._room = min(room, MAX_SHAPES)
+        self._ids = {}
+
+    def __len__(self):
+        return len(self._ids)
+
+    def write(self, texts, known):
+        """The items of an answer. `known` is how many texts the computer knows, as the newest request says, of those there were then."""
+        items = bytearray()
+        first, count, halves = 0, 0, bytearray()  # percepts in turn, of which only the digits go
+        for text in texts:
+            digits = bytearray()
+            id = self._id(text, digits)
+            if id >= known:
+                self._end_row(items, first, count, halves)
+                count = 0
+                self._write_text(items, text, id)
+                continue
+            if not count or id != first + count:
+                self._end_row(items, first, count, halves)
+                first, count, halves = id, 0, bytearray()
+            count += 1
+            halves.extend(digits)
+        self._end_row(items, first, count, halves)
+        return bytes(items)
+
+    def _id(self, text, digits):
+        """The text's id, or _WITHOUT_ID."""
+        if len(text) > _MAX_TEXT:
+            return _WITHOUT_ID
+        shape = _shape(text, digits)
+        id = self._ids.get(shape)
+        if id is None:
+            id = len(self._ids)
+            if id >= self._room:
+                return _WITHOUT_ID
+            self._ids[shape] = id
+        return id
+
+    @staticmethod
+    def _end_row(items, first, count, halves):
+        if not count:
+            return
+        items.append(_BY_NUMBER + first)
+        items.append(count)
+        if len(halves) & 1:
+            halves.append(_END_OF_NUMBER)
+        for i in range(0, len(halves), 2):
+            items.append(halves[i] << 4 | halves[i + 1])
+
+    @staticmethod
+    def _write_text(items, text, id):
+        while len(text) > _MAX_TEXT:
+            items.extend(bytes((_CONTINUED, _MAX_TEXT)))
+            items.extend(text[:_MAX_TEXT])
+            text = text[_MAX_TEXT:]
+        items.append(id)
+        items.append(len(text))
+        items.extend(text)

@@ -1,0 +1,114 @@
+"""Lines of microcontrollers: ports that the program has opened, and the USB port. The lines of computers are in `hosts`."""
+import sys
+
+from .clock import ticks_diff, ticks_ms
+
+IS_COMPUTER = sys.implementation.name == "cpython"
+
+
+class LineGone(OSError):
+    """The line is gone and does not come back by itself: a cable was pulled, or the input has ended."""
+
+
+def open_line(line, baud=None):
+    """The line that a name, an open port or nothing stands for; see `Board`, and `hosts.open_named` for the names."""
+    if line is not None and not isinstance(line, str):
+        return line if hasattr(line, "wait") else Port(line)
+    if IS_COMPUTER:
+        from .hosts import open_named
+        return open_named(line or "-", baud)
+    if line is not None:
+        raise ValueError("a microcontroller has no line %r; hand over the open port, as machine.UART(0, 9600), or nothing for USB" % line)
+    return Console()
+
+
+def _sleep_ms(ms):
+    try:
+        from time import sleep_ms
+        sleep_ms(ms)
+    except ImportError:
+        from time import sleep
+        sleep(ms / 1000)
+
+
+class Port:
+    """An open port: `machine.UART`, `busio.UART`, a pyserial port, or whatever has `read` and `write` like these."""
+
+    def __init__(self, port):
+        self._port = port
+        if hasattr(port, "in_waiting"):
+            self._count = lambda: port.in_waiting
+        elif hasattr(port, "any"):
+            self._count = port.any
+        else:
+            raise TypeError("%r is no line: a port has read, write, and any or in_waiting; a line of your own read, write and wait" % port)
+
+    def read(self):
+        """What has arrived, without waiting."""
+        count = self._count()
+        return self._port.read(count) if count else b""
+
+    def write(self, data):
+        """Writes all of it."""
+        while data:
+            written = self._port.write(data)
+            if written is None or written >= len(data):
+                return
+            data = data[written:]
+
+    def wait(self, ms):
+        """Waits until something has arrived, at most so long."""
+        begin = ticks_ms()
+        while not self._count() and ticks_diff(ticks_ms(), begin) < ms:
+            _sleep_ms(1)
+
+
+class Console:
+    """Standard input and output of a microcontroller, which is its USB port. The byte 03 is data here and interrupts nothing."""
+
+    def __init__(self):
+        try:
+            import micropython
+            micropython.kbd_intr(-1)
+        except (ImportError, AttributeError):
+            pass
+        self._in = getattr(sys.stdin, "buffer", sys.stdin)
+        self._out = getattr(sys.stdout, "buffer", sys.stdout)
+        try:
+            import select
+            self._poll = select.poll()
+            self._poll.register(self._in, select.POLLIN)
+        except (ImportError, AttributeError):  # CircuitPython
+            import supervisor
+            self._poll = None
+            self._runtime = supervisor.runtime
+
+    def _is_ready(self, ms):
+        if self._poll:
+            return bool(self._poll.poll(ms))
+        return self._runtime.serial_bytes_available
+
+    def read(self):
+        """What has arrived, without waiting."""
+        data = bytearray()
+        while len(data) < 256 and self._is_ready(0):
+            byte = self._in.read(1)
+            if not byte:
+                if data:
+                    break
+                raise LineGone("the input has ended")
+            data.extend(byte if isinstance(byte, bytes) else byte.encode())
+        return bytes(data)
+
+    def write(self, data):
+        """Writes all of it."""
+        self._out.write(data)
+
+    def wait(self, ms):
+        """Waits until something has arrived, at most so long."""
+        if self._poll or not ms:
+            self._is_ready(ms)
+            return
+        begin = ticks_ms()
+        while not self._is_ready(0) and ticks_diff(ticks_ms(), begin) < ms:
+            _sleep_ms(1)

@@ -1,0 +1,124 @@
+"""Critical rules that the board itself watches: conditions on percepts, set by the computer."""
+from .literals import compare, functor_of, is_number, split
+
+MARK = 1
+"""The byte with which the command that sets a rule begins."""
+
+MAX_PERCEPT = 253
+"""Bytes of a percept that a report holds, with its `;`."""
+
+NO_REFLEX = 0
+CARRIED_OUT = 1
+NOT_CARRIED_OUT = 2
+
+_REFLEX = "\x02"
+
+
+def _word(text, begin):
+    """The characters up to a 00, and the place behind it; (None, 0) if there is no 00."""
+    end = text.find("\x00", begin)
+    return (None, 0) if end < 0 else (text[begin:end], end + 1)
+
+
+def read(text):
+    """The rule of a command without its mark and number, as (functor, conditions, reflex); None if it has another form."""
+    functor, at = _word(text, 0)
+    if not functor:
+        return None
+    conditions = []
+    while at < len(text) and text[at] != _REFLEX:
+        place, operator = text[at], text[at + 1:at + 2]
+        value, at = _word(text, at + 2)
+        if not "1" <= place <= "9" or operator not in ("<", ">", "{", "}", "=", "!") or not value:
+            return None
+        if operator not in ("=", "!") and not is_number(value):
+            return None
+        conditions.append((int(place), operator, value))
+    reflex = text[at + 1:]
+    return None if at < len(text) and not reflex else (functor, conditions, reflex)
+
+
+def _holds(condition, arguments):
+    place, operator, value = condition
+    if place > len(arguments):
+        return operator == "!"
+    argument = arguments[place - 1]
+    if is_number(argument) != is_number(value):
+        return operator == "!"
+    order = compare(argument, value) if is_number(value) else int(argument != value)
+    if operator in "<>":
+        return order < 0 if operator == "<" else order > 0
+    if operator in "{}":
+        return order <= 0 if operator == "{" else order >= 0
+    return (order == 0) == (operator == "=")
+
+
+def is_met(rule, percept):
+    """Whether the percept has the rule's functor and meets all its conditions."""
+    if functor_of(percept) != rule[0]:
+        return False
+    arguments = split(percept)[1]
+    for condition in rule[1]:
+        if not _holds(condition, arguments):
+            return False
+    return True
+
+
+class Rules:
+    """The rules of a session, at most `room` of them."""
+
+    def __init__(self, room):
+        self.room = room
+        self._rules = []  # (number, rule), by number
+        self._met = ()
+        self._seen = []
+
+    def __len__(self):
+        return len(self._rules)
+
+    def forget(self):
+        """Removes all rules."""
+        self._rules = []
+        self._met = ()
+
+    def set(self, text):
+        """Does what a command says that begins with the mark. Returns false if it is refused."""
+        if len(text) == 1:
+            self.forget()
+            return True
+        number = ord(text[1])
+        rule = read(text[2:]) if len(text) > 2 else None
+        others = [each for each in self._rules if each[0] != number]
+        if number == 0 or len(text) > 2 and (rule is None or len(others) >= self.room):
+            return False
+        if rule:
+            others.append((number, rule))
+            others.sort(key=lambda each: each[0])
+        self._rules = others
+        self._met = tuple([met for met in self._met if met != number])
+        return True
+
+    def watches(self, functor):
+        """Whether a rule is about such percepts."""
+        for _, rule in self._rules:
+            if rule[0].lstrip("~") == functor:
+                return True
+        return False
+
+    def begin(self):
+        """Begins a look at the sensors."""
+        self._seen = []
+
+    def newly_met(self, percept):
+        """The (number, reflex) of rules that this percept meets as the first of the look, and that were not met before."""
+        found = []
+        for number, rule in self._rules:
+            if number not in self._seen and is_met(rule, percept):
+                self._seen.append(number)
+                if number not in self._met:
+                    found.append((number, rule[2]))
+        return found
+
+    def end(self):
+        """Ends the look: rules that no percept met begin anew."""
+        self._met = tuple([number for number in self._seen if number in [each[0] for each in self._rules]])

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""The board of ../../javino-arduino/tests/differential.py, which describes what it is sent, in Python in place of C."""
+import pathlib
+import struct
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent))
+import javino  # noqa: E402
+from javino.literals import to_bytes  # noqa: E402
+
+
+class Memory:
+    """A line whose far end is the test."""
+
+    def __init__(self):
+        self.arrives, self.sent = b"", b""
+
+    def read(self):
+        data, self.arrives = self.arrives, b""
+        return data
+
+    def write(self, data):
+        self.sent += data
+
+    def wait(self, ms):
+        pass
+
+
+class KnowsTexts(javino.Board):
+    """Takes whole texts for actions, as the test's program does."""
+
+    def __init__(self, now, carried):
+        super().__init__(Memory(), credit=63, shapes=64, ticks=lambda: now[0])
+        self._carried, self.pending = carried, 0
+        for name, arguments in (("front", 0), ("left", 0), ("speed", 1), ("bump", 0), ("grip", 0), ("say", javino.ANY)):
+            self.on_action(name, lambda name=name: self.carry_out(name), arguments)
+
+    def carry_out(self, text):
+        if text not in ("front", "left", "grip", "say") and not (text.startswith("speed(") and len(text) > 6):
+            return False
+        self._carried.append(to_bytes(text))
+        if text == "grip":
+            self.pending = self.later() or self.pending
+        return True
+
+
+def main():
+    now, carried, texts, board = [0], [], [], None
+    high, last = 0, 0  # the test's clock has 16 bits
+    while record := sys.stdin.buffer.read(6):
+        what, flag, time, length = struct.unpack("=cBHH", record)
+        data = sys.stdin.buffer.read(length) if length else b""
+        if time < last:
+            high += 65536
+        last, now[0] = time, high + time
+        if what == b"n":
+            board, texts = KnowsTexts(now, carried), []
+            board.perceive(lambda: [board.add_percept(text.decode("latin1")) for text in texts])
+        elif what == b"b":
+            board.run()  # finds that nothing has come before
+            board.line.arrives = data
+            board.run()
+        elif what == b"p":
+            texts = data.split(b"\0")[:-1]
+        elif what == b"u":
+            for text in texts:
+                board.add_percept(text.decode("latin1"))
+            board.send_percepts()
+        elif what == b"d":
+            board.done(board.pending, bool(flag))
+        said = b"".join(bytes([len(text)]) + text for text in carried)
+        carried.clear()
+        sys.stdout.buffer.write(struct.pack("=I", len(board.line.sent)) + board.line.sent + struct.pack("=I", len(said)) + said)
+        sys.stdout.buffer.flush()
+        board.line.sent = b""
+
+
+main()

@@ -1,0 +1,2 @@
+"""Stands for the pins of CircuitPython."""
+LED = A0 = None

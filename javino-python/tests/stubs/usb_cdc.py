@@ -1,0 +1,2 @@
+"""Stands for the USB ports of CircuitPython."""
+data = None
