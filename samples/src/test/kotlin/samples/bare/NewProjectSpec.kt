@@ -7,6 +7,7 @@ import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
 import jason.asSemantics.Agent
 import org.jetbrains.kotlin.cli.common.ExitCode
 import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
@@ -25,53 +26,63 @@ import kotlin.io.path.useDirectoryEntries
  */
 class NewProjectSpec : FunSpec({
     val folder = tempdir().toPath()
-    val project = folder.resolve("my-robot")
     val avr: EnabledOrReasonIf = {
         if (ARDUINO_CORE.isDirectory()) Enabled.enabled else Enabled.disabled(
             "there is no Arduino core: ./argo firmware says what it needs",
         )
     }
 
-    beforeSpec {
-        val made = JarProgram.run(
-            folder, "-jar", System.getProperty("argo.jar"), "new", "my-robot", "--testkit-jar", System.getProperty("argo.testkit.jar"),
-        )
-        withClue(made.printed) { made.status shouldBe 0 }
-        compile(project.resolve("src/main/kotlin"), project.resolve("main"), emptyList())
-    }
+    mapOf(1 to listOf("my_robot"), 2 to listOf("two_eyed_eyes", "two_eyed_lamp")).forEach { (boards, sketches) ->
+        context("a project whose agent has $boards board(s):") {
+            val project = folder.resolve(if (boards == 1) "my-robot" else "two-eyed")
 
-    test("its agent runs without a board, through its filter in Kotlin") {
-        val run = JarProgram.start(
-            project, "-cp", path(main(project) + jason()), "jason.infra.local.RunLocalMAS", "my_robot.mas2j", "--no-net",
-        )
-        run.use { it.awaitLine("[robot] something is ") }
-    }
+            test("it is made, and its filter compiles") {
+                val made = JarProgram.run(
+                    folder, "-jar", System.getProperty("argo.jar"), "new", project.name, "--boards", "$boards",
+                    "--testkit-jar", System.getProperty("argo.testkit.jar"),
+                )
+                withClue(made.printed) { made.status shouldBe 0 }
+                compile(project.resolve("src/main/kotlin"), project.resolve("main"), emptyList())
+            }
 
-    test("its tests pass") {
-        val test = project.resolve("test")
-        val libraries = main(project) + listOf(project.resolve("lib/argo-testkit.jar")) + jason() + kotest()
-        compile(project.resolve("src/test/kotlin"), test, libraries)
-        val specs = project.resolve("src/test/kotlin").useDirectoryEntries { files -> files.map { it.name.removeSuffix(".kt") }.toList() }
-        specs.sorted() shouldBe listOf("RobotFiltersSpec", "RobotSpec")
-        specs.forEach { spec ->
-            val run = JarProgram.run(project, "-cp", path(libraries + listOf(test)), "io.kotest.engine.launcher.MainKt", "--specs", spec)
-            withClue(run.printed) {
-                run.status shouldBe 0
-                run.printed shouldContain Regex("[23] passed")
+            test("its agent runs without a board, through its filter in Kotlin") {
+                val run = JarProgram.start(
+                    project, "-cp", path(main(project) + jason()), "jason.infra.local.RunLocalMAS",
+                    "${project.name.replace('-', '_')}.mas2j", "--no-net",
+                )
+                run.use { it.awaitLine("[robot] something is ") }
+            }
+
+            test("its tests pass, and print nothing of the agent") {
+                val test = project.resolve("test")
+                val libraries = main(project) + listOf(project.resolve("lib/argo-testkit.jar")) + jason() + kotest()
+                compile(project.resolve("src/test/kotlin"), test, libraries)
+                val specs =
+                    project.resolve("src/test/kotlin").useDirectoryEntries { files -> files.map { it.name.removeSuffix(".kt") }.toList() }
+                specs.sorted() shouldBe listOf("RobotFiltersSpec", "RobotSpec")
+                specs.forEach { spec ->
+                    val run =
+                        JarProgram.run(project, "-cp", path(libraries + listOf(test)), "io.kotest.engine.launcher.MainKt", "--specs", spec)
+                    withClue(run.printed) {
+                        run.status shouldBe 0
+                        run.printed shouldContain Regex("[23] passed")
+                        run.printed shouldNotContain "INFO: "
+                    }
+                }
+            }
+
+            sketches.forEach { sketch ->
+                test("its sketch $sketch compiles for an Uno").config(enabledOrReasonIf = avr) {
+                    val source = project.resolve("sketch/$sketch/$sketch.ino")
+                    val library = Path.of("../javino-arduino").toAbsolutePath().normalize()
+                    val elf = folder.resolve("avr/avr/uno/$sketch.elf")
+                    val make = ProcessBuilder("make", "-s", "-C", "$library", "SKETCHES=$source", "BUILD=${folder.resolve("avr")}", "$elf")
+                    val run = JarProgram.run(make)
+                    withClue(run.printed) { run.status shouldBe 0 }
+                    elf.exists() shouldBe true
+                }
             }
         }
-    }
-
-    test("its sketch compiles for an Uno").config(enabledOrReasonIf = avr) {
-        val sketch = project.resolve("sketch/my_robot/my_robot.ino")
-        val library = Path.of("../javino-arduino").toAbsolutePath().normalize()
-        val make = ProcessBuilder(
-            "make", "-s", "-C", "$library", "SKETCHES=$sketch", "BUILD=${folder.resolve("avr")}",
-            "${folder.resolve("avr")}/avr/uno/my_robot.elf",
-        )
-        val run = JarProgram.run(make)
-        withClue(run.printed) { run.status shouldBe 0 }
-        folder.resolve("avr/avr/uno/my_robot.elf").exists() shouldBe true
     }
 })
 
