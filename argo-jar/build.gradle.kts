@@ -2,6 +2,7 @@ dependencies {
     // what is packed, with all that it needs but Jason
     runtimeOnly(project(":argo-arch"))
     runtimeOnly(project(":argo-view"))
+    runtimeOnly(project(":argo-ros"))
     runtimeOnly(project(":argo-tools"))
     // what packs
     compileOnly(libs.asm.commons)

@@ -29,7 +29,8 @@ import argo.acting.commandText
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` when no port is in use, `error(unknown_board)` if no board has the
  * namespace or the port, `error(ambiguous_action)` if several boards have described themselves with it, `error(port_gone)`,
  * `error(port_timeout)`, `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` for an action
- * or arguments that it does not know, and with `error(act_unconfirmed)` without its acknowledgement, though it may have acted.
+ * or arguments that it does not know, and with `error(act_unconfirmed)` without its acknowledgement, though it may have acted; with a
+ * robot that speaks ROS also with `error(act_failed)` if it could not do what it was asked.
  */
 @Suppress("ClassName")
 open class act : BoardAction("argo.act", 1..2) {

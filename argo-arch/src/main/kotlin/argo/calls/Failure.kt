@@ -3,6 +3,7 @@ package argo.calls
 import argo.observing.CommandFailure
 import jason.JasonException
 import jason.asSyntax.ASSyntax
+import javino.ActionFailedException
 import javino.ActionRefusedException
 import javino.ActionUnconfirmedException
 import javino.CommandReplacedException
@@ -40,6 +41,7 @@ private fun failureOf(trouble: PortException): Failure = Failure(
         is PortGoneException -> "port_gone"
         is PortTimeoutException -> "port_timeout"
         is ActionRefusedException -> "act_refused"
+        is ActionFailedException -> "act_failed"
         is ActionUnconfirmedException -> "act_unconfirmed"
         is CommandWithdrawnException -> "act_timeout"
         is CommandReplacedException -> "act_replaced"

@@ -50,7 +50,8 @@ class LayersSpec : FunSpec({
     test("the rules see the packages that they speak of") {
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
-            "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.tools", "javino", "javino.serial", "javino.tcp", "javino.sim",
+            "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.tools", "argo.ros",
+            "argo.ros.bridge", "argo.ros.mapping", "javino", "javino.serial", "javino.tcp", "javino.sim",
         )
     }
 
@@ -104,6 +105,17 @@ class LayersSpec : FunSpec({
         test("knows observed agents and filters, and of ARGO nothing else") {
             noClasses().that().resideInAPackage("argo.view..").should()
                 .dependOnClassesThat(productBut("argo.view..", "argo.observing", "argo.filters..")).check(product)
+        }
+    }
+
+    context("robots that speak ROS") {
+        test("know links and filters, and of ARGO nothing else") {
+            noClasses().that().resideInAPackage("argo.ros..").should()
+                .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", "javino", "javino.wire")).check(product)
+        }
+        test("are known by nobody") {
+            noClasses().that().resideOutsideOfPackage("argo.ros..").should()
+                .dependOnClassesThat().resideInAPackage("argo.ros..").check(product)
         }
     }
 

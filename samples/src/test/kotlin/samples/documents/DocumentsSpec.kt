@@ -108,10 +108,11 @@ class DocumentsSpec : FunSpec({
 /**
  * `text` is text to read or a program's output, `console` commands with their output. CommandsSpec tries the commands, FirmwareSnippetsSpec
  * `cpp` and `c`, JaCaMoSpec `jcm`, BoardsPageSpec `java` and `python`, javino-python/tests/programs.py
- * programs in `python` that import `javino`.
+ * programs in `python` that import `javino`, RosDocumentSpec `yaml`.
  */
-private val LANGUAGES =
-    setOf("agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "java", "python", "text")
+private val LANGUAGES = setOf(
+    "agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "java", "python", "text", "yaml",
+)
 
 /** Coordinates as Gradle has them. */
 private val GRADLE = Regex("\"argo:(.+?):(.+?)\"")

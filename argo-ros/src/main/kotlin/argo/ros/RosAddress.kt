@@ -1,0 +1,32 @@
+package argo.ros
+
+import javino.NoSuchPortException
+import java.net.URI
+
+/**
+ * Where a bridge is, and which mapping says what it has: `ros://robot.local:9090`, `ros://robot:9090#left`.
+ *
+ * @property socket the address of its WebSocket
+ * @property mapping the name of the mapping, `robot` unless one stands behind `#`
+ */
+internal data class RosAddress(val socket: URI, val mapping: String) {
+    companion object {
+        /** The port that a bridge listens at unless it is given another. */
+        private const val USUAL_PORT = 9090
+        private const val USUAL_MAPPING = "robot"
+        private const val MAX_PORT = 65_535
+        private val FORM = Regex("ros:(?://)?(\\[[0-9A-Fa-f:.%]+]|[A-Za-z0-9._-]+)(?::([0-9]{1,5}))?/?(?:#(.*))?")
+
+        /** Reads the name of a port. */
+        fun of(port: String): RosAddress {
+            val (host, number, mapping) = FORM.matchEntire(port)?.destructured ?: throw malformed(port)
+            val socketPort = if (number.isEmpty()) USUAL_PORT else number.toInt()
+            if (socketPort !in 1..MAX_PORT) throw malformed(port)
+            return RosAddress(URI("ws://$host:$socketPort/"), mapping.ifEmpty { USUAL_MAPPING })
+        }
+
+        private fun malformed(port: String) = NoSuchPortException(
+            port, "\"$port\" names no robot: that is ros://HOST:PORT, as ros://192.168.1.20:9090, and #NAME behind it for NAME.ros.yaml",
+        )
+    }
+}

@@ -1,0 +1,169 @@
+package argo.ros.bridge
+
+import javino.NoSuchPortException
+import javino.PortException
+import javino.PortFaultException
+import javino.PortInterruptedException
+import java.io.IOException
+import java.lang.ref.WeakReference
+import java.net.ConnectException
+import java.net.URI
+import java.net.http.HttpClient
+import java.net.http.HttpConnectTimeoutException
+import java.net.http.WebSocket
+import java.net.http.WebSocketHandshakeException
+import java.nio.ByteBuffer
+import java.nio.channels.UnresolvedAddressException
+import java.time.Duration
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.CompletionStage
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
+
+/** Hears what a bridge sends, on a thread of the HTTP client; returns soon. */
+internal interface BridgeListener {
+    /** A message came. */
+    fun text(message: String)
+
+    /** The bridge has shown that it is there. */
+    fun isAlive()
+
+    /** The connection is gone, for [reason]. May be called more than once. */
+    fun gone(reason: String)
+}
+
+/**
+ * A WebSocket to a bridge. Messages go out in their order, those that are urgent before the others that wait; nothing here waits for the
+ * bridge. Safe for use by several threads.
+ *
+ * @param client stays in use as long as there is a socket
+ */
+internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : AutoCloseable {
+    private val outbox = Outbox { socket.sendText(it, true) }
+
+    /** Sends [message]. Whoever waits for messages that have left may be called by this thread, so that no lock is to be held. */
+    fun send(message: Outgoing) {
+        outbox.add(message)
+        outbox.flush()
+    }
+
+    /** Has [message] sent by the next [send] or [flush], and calls nobody. */
+    fun queue(message: Outgoing) = outbox.add(message)
+
+    /** Sends what was queued; as [send]. */
+    fun flush() = outbox.flush()
+
+    /** Asks the bridge to show that it is there. */
+    fun ping() {
+        try {
+            socket.sendPing(ByteBuffer.allocate(0))
+        } catch (_: IllegalStateException) {
+            // one that is under way asks already
+        }
+    }
+
+    /** Closes the connection, with a word to the bridge if it still takes one. */
+    override fun close() {
+        outbox.close()
+        socket.sendClose(WebSocket.NORMAL_CLOSURE, "").orTimeout(CLOSING_MS, TimeUnit.MILLISECONDS).whenComplete { _, _ -> socket.abort() }
+    }
+
+    private class Receiver(private val listener: BridgeListener) : WebSocket.Listener {
+        private val text = StringBuilder()
+        private var isTooLong = false
+
+        override fun onText(socket: WebSocket, data: CharSequence, last: Boolean): CompletionStage<*>? {
+            isTooLong = isTooLong || text.length + data.length > MAX_LENGTH
+            if (isTooLong) text.setLength(0) else text.append(data)
+            if (last) {
+                if (!isTooLong) listener.text(text.toString())
+                if (text.capacity() > KEPT_LENGTH) text.apply { setLength(0) }.trimToSize() else text.setLength(0)
+                isTooLong = false
+            }
+            listener.isAlive()
+            socket.request(1)
+            return null
+        }
+
+        override fun onBinary(socket: WebSocket, data: ByteBuffer, last: Boolean): CompletionStage<*>? {
+            socket.request(1) // nothing was asked for that is sent so
+            return null
+        }
+
+        override fun onPong(socket: WebSocket, message: ByteBuffer): CompletionStage<*>? {
+            listener.isAlive()
+            socket.request(1)
+            return null
+        }
+
+        override fun onClose(socket: WebSocket, statusCode: Int, reason: String): CompletionStage<*>? {
+            listener.gone("the bridge has closed the connection" + reason.takeIf { it.isNotBlank() }?.let { ": $it" }.orEmpty())
+            return null
+        }
+
+        override fun onError(socket: WebSocket, error: Throwable) =
+            listener.gone("the connection to the bridge is broken: ${error.message ?: error.javaClass.simpleName}")
+    }
+
+    companion object {
+        private const val CONNECTING_S = 3L
+        private const val CLOSING_MS = 200L
+
+        /** The longest message that is read, in characters; a longer one is dropped. */
+        const val MAX_LENGTH = 4 * 1024 * 1024
+        private const val KEPT_LENGTH = 64 * 1024
+
+        /** One for the program, since each has threads of its own; it ends when no socket uses it any more. */
+        private var shared = WeakReference<HttpClient>(null)
+
+        @Synchronized
+        private fun client(): HttpClient = shared.get()
+            ?: HttpClient.newBuilder().connectTimeout(Duration.ofSeconds(CONNECTING_S)).build().also { shared = WeakReference(it) }
+
+        /**
+         * Connects to the bridge at [address].
+         *
+         * @param port its name, for messages
+         * @throws NoSuchPortException if there is no such host, or nothing answers there
+         * @throws PortInterruptedException if the thread is interrupted
+         * @throws PortFaultException if what answers is no bridge
+         */
+        fun connect(port: String, address: URI, listener: BridgeListener): BridgeSocket {
+            val client = client()
+            val opening: CompletableFuture<WebSocket> = client.newWebSocketBuilder()
+                .connectTimeout(Duration.ofSeconds(CONNECTING_S)).buildAsync(address, Receiver(listener))
+            var isTaken = false
+            try {
+                return BridgeSocket(client, opening.get(2 * CONNECTING_S, TimeUnit.SECONDS)).also { isTaken = true }
+            } catch (_: InterruptedException) {
+                throw PortInterruptedException.remarking(port)
+            } catch (failed: ExecutionException) {
+                throw refusal(port, address, failed.cause ?: failed)
+            } catch (_: TimeoutException) {
+                throw NoSuchPortException(port, "port $port cannot be opened: what accepts at ${address.authority} does not answer")
+            } finally {
+                if (!isTaken) opening.thenAccept(WebSocket::abort)
+            }
+        }
+
+        private fun refusal(port: String, address: URI, cause: Throwable): PortException {
+            val start = "port $port cannot be opened: "
+            val place = address.authority
+            return when {
+                cause is HttpConnectTimeoutException ->
+                    NoSuchPortException(port, "$start$place did not answer within $CONNECTING_S s; is the robot on, and in this network?")
+                generateSequence(cause) { it.cause }.any { it is UnresolvedAddressException } ->
+                    NoSuchPortException(port, "${start}there is no host ${address.host}")
+                cause is ConnectException -> NoSuchPortException(
+                    port, "${start}nothing listens at $place; does rosbridge_server run, and is ${address.port} its port?",
+                )
+                cause is WebSocketHandshakeException ->
+                    PortFaultException(port, "${start}$place is no bridge: it answers ${cause.response.statusCode()}", cause)
+                cause is IOException ->
+                    PortFaultException(port, "${start}what listens at $place does not answer as a bridge: ${cause.message}", cause)
+                else -> PortFaultException(port, "$start$cause", cause)
+            }
+        }
+    }
+}

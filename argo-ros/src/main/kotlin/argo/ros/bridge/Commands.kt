@@ -1,0 +1,239 @@
+package argo.ros.bridge
+
+import argo.filters.GroundTerm
+import argo.links.SentCommand
+import argo.ros.mapping.CommandRule
+import argo.ros.mapping.CommandRule.Kind
+import argo.ros.mapping.Scope
+import argo.ros.mapping.Value
+import argo.ros.mapping.asJson
+import argo.ros.mapping.isRos2Action
+import javino.ActionFailedException
+import javino.ActionRefusedException
+import javino.ActionUnconfirmedException
+import javino.CommandReplacedException
+import javino.CommandWithdrawnException
+import javino.LineClock
+import javino.PortException
+import javino.PortGoneException
+import javino.SendOptions
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import java.util.UUID
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.CompletionException
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicLong
+
+/**
+ * The commands of an agent: what is sent for each, and what becomes of it. Each goes out once at most. One that was not answered when the
+ * connection ended may have been carried out, and is not sent again. Safe for use by several threads.
+ *
+ * @param port the port's name, for messages
+ * @param send sends a message to the bridge
+ */
+internal class Commands(
+    private val port: String,
+    private val rules: List<CommandRule>,
+    private val clock: LineClock,
+    private val send: (Outgoing) -> Unit,
+) {
+    private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Unit>)
+
+    private val pending = ConcurrentHashMap<String, Pending>()
+    private val session = "argo-${UUID.randomUUID()}" // so that no answer is for another client's command
+    private val number = AtomicLong()
+
+    /** What the bridge is told before the first command: publishers need subscribers by then, and results a subscription. */
+    fun announcements(): List<String> = rules.flatMap { rule ->
+        when {
+            rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
+            rule.kind == Kind.ACTION && !isRos2Action(rule.type) -> listOf(
+                advertisement("${rule.target}/goal", "${rule.type}Goal"),
+                advertisement("${rule.target}/cancel", CANCEL_TYPE),
+                operation("subscribe", "topic" to "${rule.target}/result", "type" to "${rule.type}Result"),
+            )
+            else -> emptyList()
+        }
+    }.distinct()
+
+    private fun advertisement(topic: String, type: String) = operation("advertise", "topic" to topic, "type" to type)
+
+    /** Sends the command [text]. */
+    fun send(text: String, options: SendOptions): SentCommand {
+        val outcome = CompletableFuture<Unit>()
+        val command = GroundTerm.ofOrNull(text) as? GroundTerm.Structure
+        val arguments = command?.arguments.orEmpty()
+        val rule = rules.find { it.name == command?.predicate?.functor && it.parameters.size == arguments.size }
+            ?: return refused("the robot has no command $text; it has ${known()}")
+        val body = bodyOf(rule, arguments) ?: return refused("$text has an argument that no message can have")
+        val id = "$session-${number.incrementAndGet()}"
+        val message = Outgoing(messageOf(rule, body, id), options.urgent(), rule.name, options.latest())
+        val entry = Pending(rule, text, message, outcome)
+        pending[id] = entry
+        outcome.whenComplete { _, _ -> pending -= id }
+        message.left.whenComplete { _, trouble -> left(entry, trouble) }
+        limit(id, entry, options.limitMillis())
+        send(message)
+        return SentCommand(outcome, eitherOf(message.left, outcome))
+    }
+
+    private fun known() = rules.joinToString(", ") { "${it.name}/${it.parameters.size}" }.ifEmpty { "none" }
+
+    private fun refused(reason: String) =
+        SentCommand(CompletableFuture.failedFuture<Unit>(ActionRefusedException(port, "$reason (port $port)")))
+
+    /** Completed by the first of the two, however that ends. */
+    private fun eitherOf(left: CompletableFuture<Unit>, outcome: CompletableFuture<Unit>): CompletableFuture<Unit> {
+        val either = CompletableFuture<Unit>()
+        left.whenComplete { _, _ -> either.complete(Unit) }
+        outcome.whenComplete { _, _ -> either.complete(Unit) }
+        return either
+    }
+
+    private fun limit(id: String, entry: Pending, limitMs: Int) {
+        val ms = if (limitMs > 0) minOf(limitMs, entry.rule.withinMs) else entry.rule.withinMs
+        clock.schedule(TimeUnit.MILLISECONDS.toNanos(ms.toLong())) { timeIsOver(id, entry, ms) }
+    }
+
+    private fun timeIsOver(id: String, entry: Pending, ms: Int) {
+        if (entry.outcome.isDone) return
+        if (entry.message.withdraw()) {
+            val reason = "\"${entry.text}\" has not left port $port within $ms ms, and never will"
+            entry.outcome.completeExceptionally(CommandWithdrawnException(port, reason))
+        } else if (entry.outcome.completeExceptionally(unconfirmed(entry, "the robot has not said it within $ms ms"))) {
+            cancellation(entry.rule, id)?.let { send(Outgoing(it, isUrgent = true)) }
+        }
+    }
+
+    private fun left(entry: Pending, trouble: Throwable?) {
+        val cause = if (trouble is CompletionException) trouble.cause else trouble
+        when (cause) {
+            null -> if (entry.rule.kind == Kind.TOPIC) entry.outcome.complete(Unit)
+            is Replaced -> entry.outcome.completeExceptionally(
+                CommandReplacedException(port, "a later ${entry.rule.name} has taken the place of \"${entry.text}\" on port $port"),
+            )
+            is NeverSent -> entry.outcome.completeExceptionally(neverSent(entry, "the port was closed"))
+            else -> entry.outcome.completeExceptionally(unconfirmed(entry, "the connection broke while it left"))
+        }
+    }
+
+    private fun neverSent(entry: Pending, reason: String) = PortGoneException(port, "\"${entry.text}\" never left port $port: $reason")
+
+    private fun unconfirmed(entry: Pending, reason: String): PortException =
+        ActionUnconfirmedException(port, "it is not known what became of \"${entry.text}\": $reason (port $port)")
+
+    /** The connection has ended for [reason]. */
+    fun gone(reason: String) = pending.values.toList().forEach { entry ->
+        entry.outcome.completeExceptionally(
+            if (entry.message.withdraw()) neverSent(entry, reason) else unconfirmed(entry, reason),
+        )
+    }
+
+    /** Takes in what a bridge has said; false: it is about no command. */
+    fun heard(operation: JsonObject): Boolean = when (operation.text("op")) {
+        "service_response" -> pendingOf(operation)?.also { responded(it, operation) } != null
+        "action_result" -> pendingOf(operation)?.also { resulted(it, operation) } != null
+        "publish" -> goalOf(operation)?.also { (entry, message) -> resultPublished(entry, message) } != null
+        else -> false
+    }
+
+    private fun pendingOf(operation: JsonObject): Pending? = operation.text("id")?.let(pending::get)
+
+    private fun responded(entry: Pending, operation: JsonObject) {
+        val values = operation.part("values")
+        when {
+            operation.flag("result") == false -> fail(entry, operation.text("values") ?: "${operation["values"] ?: "no reason is given"}")
+            values?.flag("success") == false -> fail(entry, values.text("message").orEmpty().ifEmpty { "the service reports no success" })
+            else -> entry.outcome.complete(Unit)
+        }
+    }
+
+    private fun resulted(entry: Pending, operation: JsonObject) {
+        val status = operation.text("status")?.toIntOrNull()
+        when {
+            operation.flag("result") == false && status == null ->
+                fail(entry, operation.text("values") ?: "${operation["values"] ?: "no reason is given"}")
+            status == null || status == SUCCEEDED_2 -> entry.outcome.complete(Unit)
+            else -> fail(entry, "its goal was ${STATES_2[status] ?: "left in state $status"}")
+        }
+    }
+
+    /** The command that a published result of ROS 1 is for, and the message. */
+    private fun goalOf(operation: JsonObject): Pair<Pending, JsonObject>? {
+        val message = operation.part("msg") ?: return null
+        val entry = message.part("status")?.part("goal_id")?.text("id")?.let(pending::get) ?: return null
+        return (entry to message).takeIf { operation.text("topic")?.endsWith("/result") == true }
+    }
+
+    private fun resultPublished(entry: Pending, message: JsonObject) {
+        val status = message.part("status")
+        val state = status?.text("status")?.toIntOrNull()
+        if (state == SUCCEEDED_1) {
+            entry.outcome.complete(Unit)
+            return
+        }
+        val reason = "its goal was ${STATES_1[state] ?: "left in state $state"}" +
+            status?.text("text").orEmpty().let { if (it.isEmpty()) "" else ": $it" }
+        if (state != REJECTED_1) fail(entry, reason)
+        else entry.outcome.completeExceptionally(ActionRefusedException(port, "the robot refuses \"${entry.text}\": $reason"))
+    }
+
+    private fun fail(entry: Pending, reason: String) {
+        entry.outcome.completeExceptionally(ActionFailedException(port, "the robot could not do \"${entry.text}\": $reason (port $port)"))
+    }
+
+    private fun bodyOf(rule: CommandRule, arguments: List<GroundTerm>): JsonObject? {
+        val values = rule.parameters.zip(arguments) { name, term -> name to (valueOf(term) ?: return null) }.toMap()
+        val scope = Scope { path -> values[path.single()] }
+        val fields = rule.fields.map { it.path to (it.value.valueIn(scope)?.asJson() ?: return null) }
+        return nested(fields)
+    }
+
+    private fun messageOf(rule: CommandRule, body: JsonObject, id: String): String = when {
+        rule.kind == Kind.TOPIC -> operation("publish", "topic" to rule.target, "msg" to body)
+        rule.kind == Kind.SERVICE ->
+            operation("call_service", "id" to id, "service" to rule.target, "type" to rule.type, "args" to body)
+        isRos2Action(rule.type) ->
+            operation("send_action_goal", "id" to id, "action" to rule.target, "action_type" to rule.type, "args" to body)
+        else -> operation("publish", "topic" to "${rule.target}/goal", "msg" to JsonObject(mapOf("goal_id" to goalId(id), "goal" to body)))
+    }
+
+    private fun cancellation(rule: CommandRule, id: String): String? = when {
+        rule.kind != Kind.ACTION -> null
+        isRos2Action(rule.type) -> operation("cancel_action_goal", "id" to id, "action" to rule.target)
+        else -> operation("publish", "topic" to "${rule.target}/cancel", "msg" to goalId(id))
+    }
+
+    private fun goalId(id: String) = JsonObject(mapOf("id" to JsonPrimitive(id)))
+
+    private companion object {
+        const val CANCEL_TYPE = "actionlib_msgs/GoalID"
+
+        // actionlib_msgs/GoalStatus
+        const val SUCCEEDED_1 = 3
+        const val REJECTED_1 = 5
+        val STATES_1 = mapOf(2 to "preempted", 4 to "aborted", REJECTED_1 to "rejected", 8 to "recalled", 9 to "lost")
+
+        // action_msgs/msg/GoalStatus
+        const val SUCCEEDED_2 = 4
+        val STATES_2 = mapOf(5 to "cancelled", 6 to "aborted")
+    }
+}
+
+private fun valueOf(term: GroundTerm): Value? = when (term) {
+    is GroundTerm.Number -> Value.of(term.value)
+    is GroundTerm.Text -> Value.Text(term.text)
+    is GroundTerm.Structure -> Value.Symbol("$term")
+    is GroundTerm.Sequence -> term.items.map { (valueOf(it) ?: return null).asJson() }.let { Value.Part(JsonArray(it)) }
+}
+
+/** The object that has [fields], by their paths. */
+private fun nested(fields: List<Pair<List<String>, JsonElement>>): JsonObject = JsonObject(
+    fields.groupBy({ (path, _) -> path.first() }, { (path, value) -> path.drop(1) to value }).mapValues { (_, inside) ->
+        inside.singleOrNull { (path, _) -> path.isEmpty() }?.second ?: nested(inside)
+    },
+)

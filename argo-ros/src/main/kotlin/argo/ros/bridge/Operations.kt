@@ -1,0 +1,55 @@
+package argo.ros.bridge
+
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.contentOrNull
+import kotlinx.serialization.json.put
+
+/** The operation [op] of the rosbridge protocol with [fields]; a null is left out. */
+internal fun operation(op: String, vararg fields: Pair<String, Any?>): String = buildJsonObject {
+    put("op", op)
+    for ((name, value) in fields) {
+        when (value) {
+            null -> Unit
+            is JsonElement -> put(name, value)
+            is Number -> put(name, value)
+            is Boolean -> put(name, value)
+            else -> put(name, "$value")
+        }
+    }
+}.toString()
+
+/** The operation that [text] is; null: it is none. */
+internal fun operationIn(text: String): JsonObject? = try {
+    Json.parseToJsonElement(text) as? JsonObject
+} catch (_: IllegalArgumentException) { // how malformed JSON is reported
+    null
+} catch (_: StackOverflowError) { // brackets in brackets, thousands of them
+    null
+}
+
+/** The text of field [name]; null: there is none. */
+internal fun JsonObject.text(name: String): String? = (this[name] as? JsonPrimitive)?.takeIf { it !is JsonNull }?.contentOrNull
+
+/** The object in field [name]; null: there is none. */
+internal fun JsonObject.part(name: String): JsonObject? = this[name] as? JsonObject
+
+/** Whether field [name] is `true`; null: it is neither that nor `false`. */
+internal fun JsonObject.flag(name: String): Boolean? = text(name)?.toBooleanStrictOrNull()
+
+/** A time of ROS 1 (`secs`, `nsecs`) or ROS 2 (`sec`, `nanosec`), in ns; null: this is none, or the zero that stands for none. */
+internal fun JsonObject.rosNanos(): Long? {
+    val seconds = (text("secs") ?: text("sec"))?.toLongOrNull() ?: return null
+    val nanos = (text("nsecs") ?: text("nanosec"))?.toLongOrNull() ?: return null
+    if (seconds !in 0..MAX_SECONDS || nanos !in 0 until NANOS_PER_SECOND) return null
+    return (seconds * NANOS_PER_SECOND + nanos).takeIf { it != 0L }
+}
+
+private const val NANOS_PER_SECOND = 1_000_000_000L
+
+/** What fits into 64 bits as ns. */
+private const val MAX_SECONDS = 9_000_000_000L

@@ -1,0 +1,96 @@
+package argo.ros.bridge
+
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * A message for a bridge.
+ *
+ * @property text what is sent
+ * @property isUrgent whether it goes before the others that wait and are not
+ * @property functor of the command that it is; null: it is none
+ * @property replaces whether it takes the place of those of its [functor] that wait
+ */
+internal class Outgoing(val text: String, val isUrgent: Boolean = false, val functor: String? = null, val replaces: Boolean = false) {
+    /** Completed when the system has taken the message, or exceptionally if it never will; on any thread. */
+    val left = CompletableFuture<Unit>()
+
+    /** Whether it has begun to go out. */
+    @Volatile
+    var hasBegun = false
+        private set
+
+    private var isWithdrawn = false // these two are guarded by this
+
+    /** The message goes out now; false: it has been withdrawn. */
+    fun begin(): Boolean = synchronized(this) { (!isWithdrawn).also { hasBegun = it } }
+
+    /** Takes the message back; false: it has begun to go out. */
+    fun withdraw(): Boolean = synchronized(this) { (!hasBegun).also { isWithdrawn = it } }
+}
+
+/** Another command has taken the place of one that waited. */
+internal class Replaced : Exception()
+
+/** The connection was closed before a message went out. */
+internal class NeverSent : Exception()
+
+/**
+ * The messages that wait for a connection, which takes one at a time. Safe for use by several threads.
+ *
+ * @param write hands a text to the connection
+ */
+internal class Outbox(private val write: (String) -> CompletableFuture<*>) : AutoCloseable {
+    private val lock = ReentrantLock()
+    private val waiting = ArrayDeque<Outgoing>()
+    private var isBusy = false
+    private var isClosed = false
+
+    /** Adds [message]; it goes out when its turn comes, and [flush] is called. */
+    fun add(message: Outgoing) {
+        val replaced = lock.withLock {
+            if (isClosed) null
+            else waiting.filter { message.replaces && it.functor == message.functor && it.withdraw() }.also { put(message, it) }
+        }
+        if (replaced == null) message.left.completeExceptionally(NeverSent())
+        replaced?.forEach { it.left.completeExceptionally(Replaced()) }
+    }
+
+    private fun put(message: Outgoing, replaced: List<Outgoing>) {
+        val place = replaced.firstOrNull { it.isUrgent == message.isUrgent }?.let(waiting::indexOf)
+            ?: if (message.isUrgent) waiting.indexOfFirst { !it.isUrgent }.takeIf { it >= 0 } ?: waiting.size else waiting.size
+        waiting.add(place, message)
+        waiting.removeAll(replaced.toSet())
+    }
+
+    /** Hands the next message over, if the connection takes one. */
+    fun flush() {
+        val message = lock.withLock {
+            if (isBusy || isClosed) return
+            var first: Outgoing?
+            do first = waiting.removeFirstOrNull() while (first != null && !first.begin())
+            isBusy = first != null
+            first
+        } ?: return
+        val sent = try {
+            write(message.text)
+        } catch (broken: RuntimeException) {
+            CompletableFuture.failedFuture<Unit>(broken)
+        }
+        sent.whenComplete { _, trouble ->
+            lock.withLock { isBusy = false }
+            if (trouble == null) message.left.complete(Unit) else message.left.completeExceptionally(trouble)
+            flush()
+        }
+    }
+
+    /** Nothing goes out any more. */
+    override fun close() {
+        val left = lock.withLock {
+            isClosed = true
+            waiting.toList().also { waiting.clear() }
+        }
+        left.forEach { if (it.withdraw()) it.left.completeExceptionally(NeverSent()) }
+    }
+}

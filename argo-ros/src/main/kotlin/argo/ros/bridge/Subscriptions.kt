@@ -1,0 +1,61 @@
+package argo.ros.bridge
+
+import argo.filters.Condition
+import argo.filters.PerceptionFilter
+import argo.filters.Predicate
+import argo.filters.Rule
+import argo.filters.matching.matcher
+import argo.links.Wish
+import argo.ros.mapping.Expression
+import argo.ros.mapping.PerceptRule
+import argo.ros.mapping.asTerm
+
+/**
+ * How a topic is subscribed to.
+ *
+ * @property throttleMs the least time between two messages that the bridge sends, in ms. It keeps one message for the time when the next may
+ *     go (`queue_length` 1), the newest: so what comes is never older than that time, and what comes in between costs no time here
+ */
+internal data class Subscription(val topic: String, val type: String, val throttleMs: Int)
+
+/** What is subscribed to while the agent has this wish: the topics that its filter does not drop all percepts of, each once. */
+internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
+    if (!isSensed) return emptyList()
+    return rules.groupBy { it.topic }.mapNotNull { (topic, its) ->
+        val kept = its.filter { rule -> filter?.let { dropsAll(it, rule.percept) } != true }
+        val everyMs = kept.minOfOrNull { rule -> filter?.let { everyMs(it, rule.percept) } ?: 0 } ?: return@mapNotNull null
+        Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt())
+    }
+}
+
+/** Whether [filter] drops every percept that [percept] can become. */
+internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): Boolean {
+    if (filter.critical.any { isFor(it.rule, percept) }) return false
+    val rules = filter.rules.filter { isFor(it, percept) }
+    return when (filter.mode) {
+        PerceptionFilter.Mode.DROP -> rules.any { it.rate == null && isAlwaysMet(it, percept) }
+        PerceptionFilter.Mode.KEEP -> rules.all { rule -> rule.conditions.any { isMet(it, percept) == false } }
+    }
+}
+
+/** For how many ms [filter] holds every percept back that [percept] can become, whatever its numbers; null: for none. */
+private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
+    if (filter.mode != PerceptionFilter.Mode.DROP || filter.critical.any { isFor(it.rule, percept) }) return null
+    return filter.rules.filter { isFor(it, percept) && isAlwaysMet(it, percept) }
+        .mapNotNull { it.rate?.takeIf { rate -> rate.deadbands.isEmpty() }?.everyMs }.maxOrNull()?.coerceAtMost(Int.MAX_VALUE.toLong())
+}
+
+private fun isFor(rule: Rule, percept: Expression.Compound) =
+    rule.predicate == Predicate(percept.functor) && (rule.arity == null || rule.arity == percept.arguments.size)
+
+private fun isAlwaysMet(rule: Rule, percept: Expression.Compound) = rule.conditions.all { isMet(it, percept) == true }
+
+/** Whether [condition] holds for all percepts that [percept] can become, or for none; null: for some. */
+private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? {
+    val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
+    if (index >= percept.arguments.size) return false
+    if (percept.arguments[index] !is Expression.Constant) return null
+    val terms = percept.arguments.map { (it as? Expression.Constant)?.value?.asTerm() ?: "0" }
+    val alone = PerceptionFilter("", Rule(percept.functor, condition))
+    return alone.matcher().drops(terms.joinToString(",", "${percept.functor}(", ")"))
+}

@@ -1,0 +1,66 @@
+package argo.ros.mapping
+
+/** What is read of a line is not what a mapping may have there. */
+internal class Refusal(val place: Place, message: String) : Exception(message)
+
+/**
+ * Reads a rule from its beginning to its end.
+ *
+ * @param text the rule
+ * @param start where it begins in its file
+ */
+internal class Cursor(private val text: String, private val start: Place) {
+    private var at = 0
+
+    init {
+        skipBlanks()
+    }
+
+    /** Where the next character stands. */
+    val place: Place get() = Place(start.line, start.column + at)
+
+    /** Whether nothing is left. */
+    val isAtEnd: Boolean get() = at == text.length
+
+    /** What is left, up to the next blank, for messages. */
+    val found: String get() = if (isAtEnd) "the end of the line" else "'${text.substring(at).substringBefore(' ').take(MAX_QUOTED)}'"
+
+    /** Takes [symbol] if it is next; a word only if it ends there. */
+    fun take(symbol: String): Boolean {
+        val isThere = text.startsWith(symbol, at) && !(symbol.last().isWordPart() && text.getOrNull(at + symbol.length).isWordPart())
+        if (isThere) advance(symbol.length)
+        return isThere
+    }
+
+    /** Takes the first of [symbols] that is next; null: none is. */
+    fun takeOneOf(symbols: List<String>): String? = symbols.find(::take)
+
+    /** Takes what [pattern] matches here; null: it does not match. */
+    fun take(pattern: Regex): String? = pattern.matchAt(text, at)?.value?.also { advance(it.length) }
+
+    /** Takes [symbol], or refuses what is there. */
+    fun expect(symbol: String, where: String) {
+        if (!take(symbol)) throw refusal("expected '$symbol' $where, but found $found")
+    }
+
+    /** Takes what [pattern] matches here, or refuses what is there. */
+    fun expect(pattern: Regex, what: String): String = take(pattern) ?: throw refusal("expected $what, but found $found")
+
+    /** What [message] is about stands here. */
+    fun refusal(message: String) = Refusal(place, message)
+
+    private fun advance(by: Int) {
+        at += by
+        skipBlanks()
+    }
+
+    private fun skipBlanks() {
+        while (at < text.length && text[at] == ' ') at++
+    }
+
+    private fun Char?.isWordPart() = this != null && (isLetterOrDigit() || this == '_')
+
+    private companion object {
+        const val MAX_QUOTED = 40
+    }
+}

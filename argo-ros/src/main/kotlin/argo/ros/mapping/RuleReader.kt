@@ -1,0 +1,165 @@
+package argo.ros.mapping
+
+import argo.ros.mapping.CommandRule.Kind
+import java.util.concurrent.TimeUnit
+
+private val TOPIC = Regex("[~/A-Za-z][A-Za-z0-9_/~]*")
+private val TYPE = Regex("[A-Za-z][A-Za-z0-9_]*(/[A-Za-z][A-Za-z0-9_]*){1,2}")
+private val VARIABLE = Regex("[A-Z][A-Za-z0-9_]*")
+private const val TYPE_IN_WORDS = "a type, as sensor_msgs/Range or sensor_msgs/msg/Range"
+private const val MAX_MS = 86_400_000.0
+
+/** Reads what stands behind a dash below `percepts:`. */
+internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
+    val cursor = Cursor(text, start)
+    val topic = cursor.expect(TOPIC, "the name of a topic, as /sonar/front")
+    val type = cursor.expect(TYPE, TYPE_IN_WORDS)
+    val usual = UsualType.of(type)
+    val reader = ExpressionReader(cursor) { name, place -> argumentOf(name, place, type, usual) }
+    val percept = if (cursor.take("->")) reader.readLiteral() else shortForm(topic, type, usual, cursor)
+    val conditions = ArrayList<Comparison>()
+    if (cursor.take("if")) {
+        do conditions += comparison(reader, cursor) while (cursor.take("and"))
+    }
+    val forMs = if (cursor.take("for")) duration(cursor) else null
+    end(cursor, "if CONDITION, for TIME or nothing")
+    val rule = PerceptRule(start, topic, type, percept, conditions, forMs)
+    if (usual != null) rule.fields().forEach { checkField(it, type, usual.fields) }
+    return rule
+}
+
+/** The fields of its message that this rule uses. */
+internal fun PerceptRule.fields(): List<Expression.Field> =
+    percept.fields() + conditions.flatMap { it.left.fields() + it.right.fields() }
+
+/** Refuses [field] if it is none of the [known] fields of [type]. */
+internal fun checkField(field: Expression.Field, type: String, known: Set<String>) {
+    val name = field.path.first()
+    if (name !in known) throw Refusal(field.place, "$type has no field $name; it has ${known.joinToString(", ")}")
+}
+
+private fun argumentOf(name: String, place: Place, type: String, usual: UsualType?): Expression {
+    if (usual == null || name in usual.fields) return Expression.Field(place, listOf(name))
+    val meant = usual.fields.find { isNear(name, it) }
+    if (meant != null) throw Refusal(place, "$type has no field $name; is $meant meant? An atom $name would be written '$name'")
+    if (!name[0].isLowerCase()) throw Refusal(place, "$type has no field $name, and it is no atom")
+    return Expression.Constant(Value.Symbol(name))
+}
+
+/** Whether [one] is [other] with two letters in the other order, or with one letter wrong, missing or too many. */
+private fun isNear(one: String, other: String): Boolean {
+    if (other.length <= 2 || Math.abs(one.length - other.length) > 1) return false
+    val same = one.commonPrefixWith(other).length
+    val end = one.drop(same).commonSuffixWith(other.drop(same)).length
+    val (a, b) = one.substring(same, one.length - end) to other.substring(same, other.length - end)
+    return a.length <= 1 && b.length <= 1 || a == b.reversed() && a.length == 2
+}
+
+private fun shortForm(topic: String, type: String, usual: UsualType?, cursor: Cursor): Expression.Compound {
+    val arguments = usual?.percept ?: throw cursor.refusal(
+        "expected '->' and a literal, but found ${cursor.found}; without it there are percepts of ${UsualType.names.joinToString(", ")}",
+    )
+    val name = topic.substringAfterLast('/')
+    val reader = ExpressionReader(Cursor("$name(${arguments.joinToString(", ")})", cursor.place)) { field, place ->
+        Expression.Field(place, listOf(field))
+    }
+    return try {
+        reader.readLiteral()
+    } catch (_: Refusal) {
+        throw cursor.refusal("'$name' is no name for a percept; write one behind '->', as -> dist(${arguments.joinToString(", ")})")
+    }
+}
+
+private fun comparison(reader: ExpressionReader, cursor: Cursor): Comparison {
+    val left = reader.read()
+    val operator = cursor.takeOneOf(Comparison.OPERATORS)
+        ?: throw cursor.refusal("expected one of ${Comparison.OPERATORS.joinToString(" ")}, but found ${cursor.found}")
+    return Comparison(left, operator, reader.read())
+}
+
+private fun duration(cursor: Cursor): Int {
+    val place = cursor.place
+    val number = cursor.expect(ExpressionReader.NUMBER, "a time, as 500 ms or 2 s").toDouble()
+    val unit = if (cursor.take("ms")) 1.0 else if (cursor.take("s")) TimeUnit.SECONDS.toMillis(1).toDouble() else null
+    if (unit == null) throw cursor.refusal("expected ms or s, but found ${cursor.found}")
+    return (number * unit).takeIf { it in 1.0..MAX_MS }?.toInt() ?: throw Refusal(place, "a time is 1 ms to 24 hours")
+}
+
+private fun end(cursor: Cursor, expected: String) {
+    if (!cursor.isAtEnd) throw cursor.refusal("expected $expected, but found ${cursor.found}")
+}
+
+/** Reads what stands behind a dash below `commands:`. */
+internal fun commandRuleOf(text: String, start: Place): CommandRule {
+    val cursor = Cursor(text, start)
+    val literal = ExpressionReader(cursor) { name, place -> Expression.Field(place, listOf(name)) }.readLiteral()
+    val parameters = literal.arguments.map { parameterOf(it, start) }
+    parameters.groupBy { it }.values.find { it.size > 1 }?.let { throw Refusal(start, "${it[0]} is two arguments of ${literal.functor}") }
+    cursor.expect("->", "behind the command")
+    val kind = when (cursor.takeOneOf(listOf("topic", "service", "action"))) {
+        "service" -> Kind.SERVICE
+        "action" -> Kind.ACTION
+        else -> Kind.TOPIC
+    }
+    val target = cursor.expect(TOPIC, "the name of a topic, service or action, as /cmd_vel")
+    val typePlace = cursor.place
+    val type = cursor.expect(TYPE, TYPE_IN_WORDS)
+    if (kind == Kind.ACTION && !isAction(type)) {
+        throw Refusal(typePlace, "$type is no action: ROS 1 has pkg/DockAction, ROS 2 pkg/action/Dock")
+    }
+    val isWritten = cursor.take("(")
+    val fields = if (isWritten) fieldValues(cursor, parameters) else shortFields(cursor, literal.functor, parameters, kind, type)
+    val withinMs = if (cursor.take("within")) duration(cursor) else kind.defaultMs.toInt()
+    end(cursor, "within TIME or nothing")
+    return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs)
+}
+
+/** Whether [type] is written as an action of ROS 2. */
+internal fun isRos2Action(type: String) = "/action/" in type
+
+private fun isAction(type: String) = isRos2Action(type) || type.endsWith("Action")
+
+private fun parameterOf(argument: Expression, start: Place): String {
+    val field = argument as? Expression.Field ?: throw Refusal(start, "the arguments of a command are variables, as move(V, W)")
+    return field.path.singleOrNull()?.takeIf(VARIABLE::matches)
+        ?: throw Refusal(field.place, "${field.path.joinToString(".")} is no variable; one begins with a capital letter")
+}
+
+private fun fieldValues(cursor: Cursor, parameters: List<String>): List<FieldValue> {
+    val fields = ArrayList<FieldValue>()
+    if (cursor.take(")")) return fields
+    val reader = ExpressionReader(cursor) { name, place -> Expression.Field(place, listOf(name)) }
+    do {
+        val place = cursor.place
+        val path = ArrayList<String>()
+        do path += cursor.expect(ExpressionReader.NAME, "a field, as linear.x = V") while (cursor.take("."))
+        cursor.expect("=", "behind ${path.joinToString(".")}")
+        val value = reader.read()
+        value.fields().forEach { checkParameter(it, parameters) }
+        fields.find { startsWith(path, it.path) || startsWith(it.path, path) }?.let {
+            throw Refusal(place, "${path.joinToString(".")} has a value already, as ${it.path.joinToString(".")}")
+        }
+        fields += FieldValue(place, path, value)
+    } while (cursor.take(","))
+    cursor.expect(")", "behind the fields")
+    return fields
+}
+
+private fun startsWith(path: List<String>, begin: List<String>) = path.take(begin.size) == begin
+
+private fun checkParameter(field: Expression.Field, parameters: List<String>) {
+    val name = field.path.joinToString(".")
+    if (name in parameters) return
+    val known = if (parameters.isEmpty()) "it has none" else "it has ${parameters.joinToString(", ")}"
+    throw Refusal(field.place, "$name is no argument of the command; $known. An atom is written in quotes, '$name'")
+}
+
+private fun shortFields(cursor: Cursor, functor: String, parameters: List<String>, kind: Kind, type: String): List<FieldValue> {
+    if (parameters.isEmpty()) return emptyList()
+    val fields = UsualType.of(type)?.command?.takeIf { kind == Kind.TOPIC && it.size >= parameters.size } ?: throw cursor.refusal(
+        "expected the fields that the arguments of $functor are for, as $type(field = ${parameters[0]}), but found ${cursor.found}",
+    )
+    return parameters.zip(fields) { parameter, field ->
+        FieldValue(cursor.place, field.split('.'), Expression.Field(cursor.place, listOf(parameter)))
+    }
+}

@@ -1,0 +1,52 @@
+package argo.ros.mapping
+
+/**
+ * A type of messages whose fields are known here, so that it has a short form, and other names in a rule on it are atoms.
+ *
+ * @property fields the names of its outermost fields
+ * @property percept the arguments of a percept that is given none
+ * @property command the fields that the arguments of a command are for, in their order; empty: there is no short form
+ */
+internal class UsualType(val fields: Set<String>, val percept: List<String>, val command: List<String>) {
+    companion object {
+        private val DATA = UsualType(setOf("data"), listOf("data"), listOf("data"))
+        private val POSE = listOf("position.x", "position.y", "yaw(orientation)")
+
+        private val TYPES: Map<String, UsualType> = listOf("Bool", "String", "Int32", "Int64", "Float32", "Float64")
+            .associate { "std_msgs/$it" to DATA } + mapOf(
+            "sensor_msgs/Range" to of("header radiation_type field_of_view min_range max_range range variance", "range"),
+            "sensor_msgs/LaserScan" to of(
+                "header angle_min angle_max angle_increment time_increment scan_time range_min range_max ranges intensities",
+                "min(ranges)",
+            ),
+            "sensor_msgs/BatteryState" to of(
+                "header voltage temperature current charge capacity design_capacity percentage power_supply_status power_supply_health " +
+                    "power_supply_technology present cell_voltage cell_temperature location serial_number",
+                "percentage",
+            ),
+            "sensor_msgs/Imu" to of(
+                "header orientation orientation_covariance angular_velocity angular_velocity_covariance linear_acceleration " +
+                    "linear_acceleration_covariance",
+                "yaw(orientation)", "angular_velocity.z",
+            ),
+            "sensor_msgs/Temperature" to of("header temperature variance", "temperature"),
+            "nav_msgs/Odometry" to of("header child_frame_id pose twist", *POSE.map { inPose("pose.pose", it) }.toTypedArray()),
+            "geometry_msgs/PoseStamped" to of("header pose", *POSE.map { inPose("pose", it) }.toTypedArray()),
+            "geometry_msgs/Pose" to of("position orientation", *POSE.toTypedArray()),
+            "geometry_msgs/Twist" to
+                UsualType(setOf("linear", "angular"), listOf("linear.x", "angular.z"), listOf("linear.x", "angular.z")),
+            "turtlesim/Pose" to of("x y theta linear_velocity angular_velocity", "x", "y", "theta"),
+        )
+
+        private fun of(fields: String, vararg percept: String) = UsualType(fields.split(' ').toSet(), percept.asList(), emptyList())
+
+        private fun inPose(path: String, field: String) =
+            if (field.startsWith("yaw(")) "yaw($path.orientation)" else "$path.$field"
+
+        /** The usual type that is written [type], as in ROS 1 or as in ROS 2 (`sensor_msgs/msg/Range`); null: it is another. */
+        fun of(type: String): UsualType? = TYPES[type.replace("/msg/", "/")]
+
+        /** Their names, for messages. */
+        val names: Set<String> get() = TYPES.keys
+    }
+}

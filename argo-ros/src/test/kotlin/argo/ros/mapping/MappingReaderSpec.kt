@@ -1,0 +1,107 @@
+package argo.ros.mapping
+
+import argo.ros.bridge.operationIn
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import kotlin.io.path.createTempDirectory
+import kotlin.io.path.writeText
+
+class MappingReaderSpec : FunSpec({
+    fun percept(rule: String, message: String): String? {
+        val read = mappingOf("percepts:\n  - $rule", "t").percepts.single()
+        val scope = MessageScope(checkNotNull(operationIn(message)))
+        return read.percept.textIn(scope).takeIf { read.conditions.all { condition -> condition.holdsIn(scope) } }
+    }
+
+    fun refusal(text: String) = shouldThrow<MappingException> { mappingOf(text, "robot.ros.yaml") }.message.orEmpty()
+
+    context("a percept") {
+        test("has fields, calculations, atoms, strings and functions for arguments") {
+            val range = """{"range": 0.375, "header": {"frame_id": "left"}}"""
+            percept("/sonar/front sensor_msgs/Range -> dist(f, range*100)", range) shouldBe "dist(f,37.5)"
+            percept("/sonar/front sensor_msgs/msg/Range -> dist(f, round(range*100), \"a b\", -1)", range) shouldBe "dist(f,38,\"a b\",-1)"
+            percept("/sonar/front sensor_msgs/Range -> dist(header.frame_id, (range + 1) / 2 - 0.5)", range) shouldBe
+                "dist(\"left\",0.1875)"
+            percept("/a my_msgs/A -> a(b[1].c, 'front', at(d))", """{"b": [{}, {"c": true}], "d": "x"}""") shouldBe
+                "a(true,front,at(\"x\"))"
+            percept("/a my_msgs/A -> 'a'(b)".replace("'a'", "a"), """{"b": [1, 2.5]}""") shouldBe "a([1,2.5])"
+        }
+        test("without a value for each argument is none") {
+            listOf("""{"range": null}""", "{}", """{"range": "far"}""", """{"range": {}}""").forEach {
+                percept("/sonar sensor_msgs/Range -> dist(range * 1)", it) shouldBe null
+            }
+            percept("/sonar sensor_msgs/Range -> dist(1/range)", """{"range": 0}""") shouldBe null
+        }
+        test("may have conditions") {
+            val rule = "/sonar sensor_msgs/Range -> near if range < max_range / 2 and range >= min_range"
+            percept(rule, """{"range": 1, "min_range": 0, "max_range": 4}""") shouldBe "near"
+            percept(rule, """{"range": 3, "min_range": 0, "max_range": 4}""") shouldBe null
+            percept(rule, """{"range": 1, "max_range": 4}""") shouldBe null
+            percept("/s std_msgs/String -> go if data == \"go\"", """{"data": "go"}""") shouldBe "go"
+            percept("/s std_msgs/Bool -> go if data == 'true'", """{"data": true}""") shouldBe "go"
+        }
+        test("of a usual type may be left to it") {
+            percept("/robot/battery sensor_msgs/BatteryState", """{"percentage": 0.5}""") shouldBe "battery(0.5)"
+            percept("/scan sensor_msgs/LaserScan", """{"ranges": [2, null, 0.5]}""") shouldBe "scan(0.5)"
+            val pose = """{"position": {"x": 1, "y": 2}, "orientation": {"x": 0, "y": 0, "z": 1, "w": 0}}"""
+            percept("/odom nav_msgs/Odometry", """{"pose": {"pose": $pose}}""") shouldBe "odom(1,2,${Math.PI})"
+            percept("/ready std_msgs/msg/Bool", """{"data": false}""") shouldBe "ready(false)"
+            percept("/turtle1/pose turtlesim/Pose -> at(round(x), round(y))", """{"x": 5.54, "y": 5.5}""") shouldBe "at(6,6)"
+        }
+        test("may hold for a time") {
+            mappingOf("percepts:\n- /a std_msgs/Bool -> a for 1.5 s", "t").percepts.single().forMs shouldBe 1500
+        }
+    }
+
+    test("comments, blank lines and both orders of the keys are read") {
+        val commands = "---\n# a robot\ncommands:\n- stop -> service /stop std_srvs/Empty # at once\n"
+        val mapping = mappingOf("$commands\npercepts:\n  - /a std_msgs/Bool\n", "t")
+        (mapping.commands.single().name to mapping.percepts.single().topic) shouldBe ("stop" to "/a")
+    }
+
+    context("mistakes are refused with line and column:") {
+        listOf(
+            "percepts:\n  - /sonar sensor_msgs/Range -> dist(f, rnage)" to "2:41: sensor_msgs/Range has no field rnage; is range meant?",
+            "percepts:\n  - /sonar sensor_msgs/Range -> dist(f, rang.e)" to "2:41: sensor_msgs/Range has no field rang; it has header",
+            "percepts:\n  - sonar" to "robot.ros.yaml:2:10: expected a type",
+            "percepts:\n  - /sonar sensor_msgs/Range -> Dist(range)" to "robot.ros.yaml:2:33: 'Dist' is no functor",
+            "percepts:\n  - /sonar sensor_msgs/Range -> dist(range" to "expected ')' behind the arguments, but found the end of the line",
+            "percepts:\n  - /sonar sensor_msgs/Range -> dist(range) iff" to "2:45: expected if CONDITION, for TIME or nothing",
+            "percepts:\n  - /sonar sensor_msgs/Range -> dist(range) if range" to "expected one of <=",
+            "percepts:\n  - /sonar my_msgs/Depth" to "robot.ros.yaml:2:25: expected '->' and a literal",
+            "percepts:\n  - /sonar sensor_msgs/Range -> dist(range + 1) for 5" to "expected ms or s",
+            "percepts:\n  - /a std_msgs/Bool\n  - /a std_msgs/String" to "3:5: the topic /a has the type std_msgs/Bool in line 2",
+            "commands:\n  - move(v) -> /cmd_vel geometry_msgs/Twist" to "robot.ros.yaml:2:10: v is no variable",
+            "commands:\n  - move(V) -> /cmd_vel geometry_msgs/Twist(linear.x = W)" to "W is no argument of the command; it has V",
+            "commands:\n  - move(V) -> /cmd_vel geometry_msgs/Twist(linear.x = V, linear = V)" to "linear has a value already, as linear.x",
+            "commands:\n  - move(V) -> service /move my_msgs/Move" to "expected the fields that the arguments of move are for",
+            "commands:\n  - dock -> action /dock my_msgs/Dock" to "robot.ros.yaml:2:26: my_msgs/Dock is no action",
+            "commands:\n  - a -> /a std_msgs/Empty\n  - a -> /b std_msgs/Empty" to "3:5: the command a/0 stands in line 2 already",
+            "commands:\n  - a -> /a std_msgs/Bool(data: 1)" to "robot.ros.yaml:2:31: an item has no ':'",
+            "topics:\n  - /a std_msgs/Bool" to "robot.ros.yaml:1:1: expected 'percepts:' or 'commands:', and below them",
+            "percepts: /a" to "expected nothing behind 'percepts:'",
+            "- /a std_msgs/Bool" to "this item is below neither",
+            "percepts:\n  - \"/a std_msgs/Bool\"" to "an item does not begin with \"",
+            "" to "it is empty",
+        ).forEach { (text, message) ->
+            test(text.lines().last().trim().ifEmpty { "an empty file" }) { refusal(text) shouldContain message }
+        }
+        test("all at once") {
+            refusal("percepts:\n  - a\n  - b").lines().size shouldBe 2
+        }
+    }
+
+    test("a mapping is found in its directory, then on the class path, and nowhere else") {
+        val directory = createTempDirectory("argo-ros")
+        val file = directory.resolve("robot.ros.yaml").apply { writeText("percepts:\n  - /a std_msgs/Bool") }
+        findMapping("robot", directory).source shouldBe "$file"
+        shouldThrow<MappingException> { findMapping("other", directory) }.message shouldContain "there is no such file in $directory"
+        shouldThrow<MappingException> { findMapping("../robot", directory.resolve("inner")) }.message shouldContain
+            "is no name of a mapping"
+        Files.delete(file)
+        Files.delete(directory)
+    }
+})
