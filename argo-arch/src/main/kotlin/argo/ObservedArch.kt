@@ -1,14 +1,22 @@
 package argo
 
+import argo.acting.CommandOptions
+import argo.acting.commandTerm
+import argo.acting.commandText
+import argo.calls.ArgumentException
+import argo.calls.wrongArgument
 import argo.filters.PerceptionFilter
+import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
 import argo.perception.filterNames
 import argo.perception.filterOf
 import argo.platform.Platform
 import argo.platform.Waker
+import jason.asSemantics.Circumstance
 import jason.bb.BeliefBase
 import java.util.concurrent.atomic.AtomicBoolean
+import java.util.logging.Logger
 
 /** [arch] as its observers see it. */
 internal class ObservedArch(
@@ -22,6 +30,8 @@ internal class ObservedArch(
     override val skewMs get() = arch.io.skewMs()
     override val isPerceiving get() = arch.io.isPerceiving
     override val beliefs: BeliefBase get() = arch.ts.ag.bb
+    override val circumstance: Circumstance get() = arch.ts.c
+    override val printed: Logger get() = arch.ts.logger
 
     override fun nanos() = platform.clock.nanos()
 
@@ -43,6 +53,25 @@ internal class ObservedArch(
     override fun criticalRules() = arch.io.criticalRules()
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = later(done) { arch.perceiveThrough(filter) }
     override fun perceive(open: Boolean, done: () -> Unit) = later(done) { arch.io.perceive(open) }
+
+    override fun act(command: String, done: (CommandFailure?) -> Unit) {
+        val term = try {
+            commandTerm(command)
+        } catch (wrong: ArgumentException) {
+            return done(wrongArgument(wrong.message.orEmpty()))
+        }
+        later({}) {
+            try {
+                when (val route = Routing(arch.io).routeOf(term, null, null)) {
+                    is Routing.Route.To -> arch.io.send(route.port, commandText(term), CommandOptions(), null, done)
+                    is Routing.Route.Nowhere -> done(route.failure)
+                }
+            } catch (wrong: ArgumentException) {
+                done(wrongArgument(wrong.message.orEmpty()))
+            }
+        }
+    }
+
     override fun wake() = waker.wake { true }
 
     /** Has the agent's own thread do [work] before its next cycle. */

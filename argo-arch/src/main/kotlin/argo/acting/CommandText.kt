@@ -1,6 +1,8 @@
 package argo.acting
 
 import argo.calls.ArgumentException
+import argo.filters.jason.PerceptReader
+import argo.filters.jason.PerceptSyntaxException
 import jason.asSyntax.BinaryStructure
 import jason.asSyntax.Literal
 import jason.asSyntax.LiteralImpl
@@ -9,6 +11,22 @@ import jason.asSyntax.Structure
 import jason.asSyntax.Term
 import javino.Frame
 import javino.PerceptsRequest
+
+/**
+ * The command that a person has written: a literal, or a string in quotes.
+ *
+ * @throws ArgumentException if it is neither
+ */
+internal fun commandTerm(command: String): Term {
+    val text = command.trim()
+    try {
+        if (!text.startsWith('"')) return PerceptReader.read(text)
+        val only = PerceptReader.read("text($text)").terms.singleOrNull() // the reader takes literals alone
+        return only as? StringTerm ?: throw ArgumentException("$text is more than one string in quotes")
+    } catch (wrong: PerceptSyntaxException) {
+        throw ArgumentException(if (text.startsWith('"')) "$text is no string in quotes" else wrong.message.orEmpty())
+    }
+}
 
 /**
  * The text that [command] is sent as: a string without its quotes, or a literal as Jason writes it, without its namespace.

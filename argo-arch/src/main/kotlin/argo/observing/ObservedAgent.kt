@@ -2,7 +2,9 @@ package argo.observing
 
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
+import jason.asSemantics.Circumstance
 import jason.bb.BeliefBase
+import java.util.logging.Logger
 
 /** An agent as its observers see it, and what they can ask of it. Any thread may call, but for [beliefs]. */
 interface ObservedAgent {
@@ -25,6 +27,12 @@ interface ObservedAgent {
 
     /** What it believes. For the agent's thread only: see [AgentObserver.cycleFinished]. */
     val beliefs: BeliefBase
+
+    /** What it does: its intentions and events. For the agent's thread only, as [beliefs]. */
+    val circumstance: Circumstance
+
+    /** The log that its plans print to with `.print`. Jason's reports of it go there too. */
+    val printed: Logger
 
     /** The clock that its messages are timed by, in ns. It never goes back. */
     fun nanos(): Long
@@ -53,6 +61,12 @@ interface ObservedAgent {
 
     /** Has it start or stop perceiving before its next cycle; then its thread calls [done]. */
     fun perceive(open: Boolean, done: () -> Unit)
+
+    /**
+     * Sends [command], a literal or a string in quotes, before its next cycle, by the same way as the internal action `argo.act(command)`
+     * of a plan. Whichever thread finds the outcome calls [done] once: with null, or why the command was not carried out.
+     */
+    fun act(command: String, done: (CommandFailure?) -> Unit)
 
     /** Has it run a reasoning cycle soon. */
     fun wake()

@@ -86,4 +86,32 @@ class ObserversSpec : FunSpec({
             agent.isPerceiving shouldBe false
         }
     }
+
+    test("a person's command goes the way of argo.act, and its outcome is reported") {
+        bob("argo_diary" to "acting").use { bob ->
+            bob.perceives("dist(f,38)").shouldSend("seen")
+            val agent = DiaryProvider.opened.getValue("acting").agent
+            val outcomes = LinkedHashMap<String, String?>()
+            fun command(text: String) = agent.act(text) { outcomes[text] = it?.run { "$error: $cause" } ?: "done" }
+            command("speed(120)")
+            command("\"any text\"")
+            bob.shouldSend("speed(120)").shouldSend("any text")
+            listOf("speed(", "X", "getPercepts", "\"a\", \"b\"", "left::stop", "", "a. b", "1").forEach(::command)
+            bob.after(1.seconds)
+            outcomes.filterValues { it == "done" }.keys shouldBe setOf("speed(120)", "\"any text\"")
+            outcomes["left::stop"].orEmpty() shouldContain "unknown_board: no board has the namespace left"
+            outcomes["getPercepts"].orEmpty() shouldContain "wrong_arguments: a board takes getPercepts for the request for percepts"
+            outcomes["\"a\", \"b\""].orEmpty() shouldContain "more than one string"
+            outcomes.size shouldBe 10
+        }
+    }
+
+    test("a person's command without a board fails as that of a plan does") {
+        project.agent("likes(tea).") { options("argo_diary" to "alone") }.use { bob ->
+            var error: String? = null
+            DiaryProvider.opened.getValue("alone").agent.act("stop") { error = it?.error }
+            bob.after(1.seconds)
+            error shouldBe "no_port"
+        }
+    }
 })

@@ -1,16 +1,19 @@
 package argo.view
 
 import argo.filters.PerceptionFilter
+import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
 import argo.observing.WatchedRule
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import jason.asSemantics.Circumstance
 import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
 import java.net.InetSocketAddress
 import java.net.Socket
 import java.util.concurrent.atomic.AtomicLong
+import java.util.logging.Logger
 import kotlin.concurrent.thread
 
 private val LARGE = "\"" + "x".repeat(1_000_000) + "\""
@@ -18,14 +21,15 @@ private val LARGE = "\"" + "x".repeat(1_000_000) + "\""
 class StalledBrowserSpec : FunSpec({
     test("a browser that has not taken what was written to it for too long is given up") {
         val now = AtomicLong()
-        val pages = Broadcast(4)
-        val server = ViewServer("bob", 0, Routes(Nobody), pages, now::get)
+        val page = AgentPage(Nobody)
+        val pages = page.states
+        val server = ViewServer("bob", 0, now::get).apply { site.add(page) }
         thread(isDaemon = true) { server.start() }.join()
         try {
             Socket().use { browser ->
                 browser.receiveBufferSize = 1024
                 browser.connect(InetSocketAddress("127.0.0.1", server.address.port))
-                browser.getOutputStream().write("GET /events HTTP/1.1\r\nHost: ${server.address.authority}\r\n\r\n".toByteArray())
+                browser.getOutputStream().write("GET /bob/events HTTP/1.1\r\nHost: ${server.address.authority}\r\n\r\n".toByteArray())
                 eventually({ "no browser" }) { pages.isWatched }
                 eventually({ "it still watches" }) {
                     pages.publish(LARGE, isLast = false)
@@ -35,7 +39,8 @@ class StalledBrowserSpec : FunSpec({
                 }
             }
         } finally {
-            server.stop()
+            server.closePort()
+            server.endThreads()
         }
     }
 
@@ -66,6 +71,9 @@ internal object Nobody : ObservedAgent {
     override val skewMs: Long? = null
     override val isPerceiving = false
     override val beliefs: BeliefBase = DefaultBeliefBase()
+    override val circumstance = Circumstance()
+    override val printed: Logger = Logger.getLogger("argo.view.test.nobody")
+    override fun act(command: String, done: (CommandFailure?) -> Unit) = done(null)
     override fun nanos() = System.nanoTime()
     override fun ports() = emptyList<ObservedPort>()
     override fun filterNames() = emptyList<String>()
