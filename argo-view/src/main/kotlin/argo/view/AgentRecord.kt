@@ -18,8 +18,8 @@ import kotlin.concurrent.withLock
  * Safe for use by several threads; the lock is held for no longer than a note takes.
  */
 internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : AgentObserver {
-    /** What the agent believes. */
-    val beliefs = BeliefWatch(agent::beliefs, log, agent::nanos)
+    /** What the agent believes and intends. */
+    val mind = MindWatch({ Mind.of(agent) }, log, agent::nanos)
 
     private val lock = ReentrantLock()
     private val commands = CommandRecord()
@@ -31,16 +31,25 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     private var lastPerception: Perception? = null
     private var counts = Counts(0, 0, 0, 0)
     private var changes = 0L
+    private val printed = PrintRecord(agent::nanos) { changing {} }
 
     /** Another number after each event but the end of a cycle. */
     val version: Long get() = lock.withLock { changes }
 
+    /** Reads the agent's log from now on, until [close]. */
+    fun begin() = agent.printed.addHandler(printed)
+
     /** All that is recorded at [now]. [Recorded.unseen] are the messages since the last call. */
     fun take(now: Long): Recorded = lock.withLock {
         val counted = counts.copy(commands = commands.count)
-        Recorded(counted, filter, lastPerception, unseen.toList(), portChanges.toMap(), commands.state(now), reflexes.toMap())
-            .also { unseen.clear() }
+        Recorded(
+            counted, filter, lastPerception, unseen.toList(), portChanges.toMap(), commands.state(now), reflexes.toMap(),
+            printed.state(now),
+        ).also { unseen.clear() }
     }
+
+    /** The messages since the last call or [take]. */
+    fun takeUnseen(): List<PerceivedMessage> = lock.withLock { unseen.toList().also { unseen.clear() } }
 
     override fun messageFiltered(message: PerceivedMessage) = changing {
         if (message.receivedNanos != lastReceived) counts = counts.copy(frames = counts.frames + 1)
@@ -75,11 +84,11 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
 
     override fun cycleFinished() {
         lock.withLock { counts = counts.copy(cycles = counts.cycles + 1) }
-        beliefs.cycleFinished()
+        mind.cycleFinished()
     }
 
-    /** There is nothing to give back. */
-    override fun close() = Unit
+    /** Reads the agent's log no more. */
+    override fun close() = agent.printed.removeHandler(printed)
 
     private inline fun changing(event: () -> Unit) = lock.withLock {
         event()
@@ -110,6 +119,7 @@ internal class Recorded(
     val ports: Map<String, PortChange>,
     val commands: CommandsState,
     val reflexes: Map<CriticalRule, EndedReflex>,
+    val printed: List<LineState>,
 )
 
 /** A port came into the state [status] at [nanos]. */

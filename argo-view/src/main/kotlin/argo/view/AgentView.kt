@@ -10,19 +10,21 @@ import java.util.logging.Logger
 
 /**
  * The live view of one agent: a page that browsers on this computer can open while the agent runs. An agent has one whose options
- * hold `argo_view=8080`, or `argo_view=0` for any port that is free; it is among [argo.Arch.observers].
+ * hold `argo_view=8080`, or `argo_view=0` for any port that is free; it is among [argo.Arch.observers]. Agents of one program whose
+ * options hold the same number share the port, and their pages lead to each other.
  *
  * Neither the agent nor its sensing ever waits for it. Safe for use by several threads.
  */
 class AgentView private constructor(
     private val agent: ObservedAgent,
-    port: Int,
+    private val port: Int,
     log: Logger,
     private val record: AgentRecord,
 ) : AgentObserver by record {
-    private val pages = Broadcast(MAX_PAGES)
-    private val server = ViewServer(agent.name, port, Routes(agent), pages)
-    private val composer = StateComposer(agent, record, log)
+    private val page = AgentPage(agent)
+    private val pages = page.states
+    private val server = ViewServers.join(port, page)
+    private val composer = StateComposer(agent, record, server.site::tabs, log)
     private val closing = CountDownLatch(1)
     private var publishedNanos: Long? = null
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply { isDaemon = true }
@@ -35,12 +37,13 @@ class AgentView private constructor(
     internal constructor(agent: ObservedAgent, port: Int, log: Logger) : this(agent, port, log, AgentRecord(agent, log))
 
     init {
+        record.begin()
         Runtime.getRuntime().addShutdownHook(atExit) // or pages would not be sent the agent's end where the program ends with it
         publisher.start()
     }
 
-    /** Where it is, such as `http://127.0.0.1:8080/`. */
-    val address: URI get() = server.address
+    /** Where it is, such as `http://127.0.0.1:8080/bob/`. */
+    val address: URI get() = server.address.resolve(page.path)
 
     /**
      * Shows a picture above all else. [picture] is called by the view's thread: ten times a second at most while a page is open, and
@@ -52,7 +55,10 @@ class AgentView private constructor(
     }
 
     /** Sends the pages the agent's end and gives the port and all threads back. Returns at once; may be called twice. */
-    override fun close() = closing.countDown()
+    override fun close() {
+        record.close()
+        closing.countDown()
+    }
 
     private fun publish() {
         try {
@@ -61,23 +67,24 @@ class AgentView private constructor(
             publish(isLast = true)
             pages.awaitNoPage(MAX_FAREWELL_MS) // one that does not read is not waited for
         } finally {
-            server.stop()
+            ViewServers.leave(port, server, page)
             forgetExit()
         }
     }
 
     private fun publishIfNew() {
         server.closeStalled()
-        val beliefs = record.beliefs
-        beliefs.isWatched = pages.isWatched
-        if (!beliefs.isWatched) return
-        if (beliefs.isBehind()) agent.wake()
+        val mind = record.mind
+        mind.isWatched = pages.isWatched
+        if (!mind.isWatched) return composer.takeIn()
+        if (mind.isBehind()) agent.wake()
+        val isNewPage = pages.takeNewPage()
         val isDue = publishedNanos.let { it == null || System.nanoTime() - it >= REPEAT_NANOS }
-        if (pages.takeNewPage() || isDue || composer.hasNews()) publish(isLast = false)
+        if (isNewPage || isDue || composer.hasNews()) publish(isLast = false, isFull = isNewPage)
     }
 
-    private fun publish(isLast: Boolean) {
-        pages.publish(Json.encodeToString(ViewState.serializer(), composer.state(isLast)), isLast)
+    private fun publish(isLast: Boolean, isFull: Boolean = true) {
+        pages.publish(Json.encodeToString(ViewState.serializer(), composer.state(isLast, isFull)), isLast)
         publishedNanos = System.nanoTime()
     }
 
@@ -93,6 +100,5 @@ class AgentView private constructor(
         const val INTERVAL_MS = 100L
         val REPEAT_NANOS = TimeUnit.SECONDS.toNanos(1)
         const val MAX_FAREWELL_MS = 1000L
-        const val MAX_PAGES = 12
     }
 }

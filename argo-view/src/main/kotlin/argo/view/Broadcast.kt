@@ -7,10 +7,8 @@ import kotlin.concurrent.withLock
 /**
  * Passes the newest state of an agent on to the pages that show it. A page that is slower than the agent misses states. Safe for use
  * by several threads.
- *
- * @param maxPages how many pages there may be at once
  */
-internal class Broadcast(private val maxPages: Int) {
+internal class Broadcast {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
     private var pages = 0
@@ -32,12 +30,9 @@ internal class Broadcast(private val maxPages: Int) {
     /**
      * Serves a page on the calling thread: calls [begin], then [send] with each state that is published from now on, until the last
      * one. [send] is called with null when [HEARTBEAT_NANOS] ns pass without a state, so that a closed connection is noticed.
-     *
-     * @return false if there are too many pages; then nothing was called
      */
-    fun serve(begin: () -> Unit, send: (String?) -> Unit): Boolean {
+    fun serve(begin: () -> Unit, send: (String?) -> Unit) {
         var number = lock.withLock {
-            if (pages == maxPages) return false
             pages++
             hasNewPage = true
             newest.number // this state is of another time
@@ -49,7 +44,6 @@ internal class Broadcast(private val maxPages: Int) {
                 number = next?.number ?: number
                 send(next?.json)
             } while (next?.isLast != true)
-            return true
         } finally {
             lock.withLock {
                 pages--

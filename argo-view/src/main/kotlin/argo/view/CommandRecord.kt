@@ -4,7 +4,10 @@ import argo.observing.CommandFailure
 import argo.observing.IssuedCommand
 import java.util.concurrent.TimeUnit
 
-/** The commands of an agent: those that have not gone out, and the last ones that have. Not safe for use by several threads. */
+/**
+ * The commands of an agent: those that have not gone out, and the last ones that have. Equal ones with the same end, one after the other,
+ * are one with a count. Not safe for use by several threads.
+ */
 internal class CommandRecord {
     private val unfinished = LinkedHashMap<Long, IssuedCommand>()
     private val finished = ArrayDeque<Ended>()
@@ -24,6 +27,11 @@ internal class CommandRecord {
     fun ended(command: IssuedCommand, failure: CommandFailure?, nanos: Long) {
         count++
         unfinished -= command.number
+        val last = finished.firstOrNull()
+        if (last != null && last.isAlike(command, failure)) {
+            last.again(command, nanos)
+            return
+        }
         if (finished.size == MAX_FINISHED) finished.removeLast()
         finished.addFirst(Ended(command, nanos, failure))
     }
@@ -32,16 +40,37 @@ internal class CommandRecord {
     fun state(now: Long): CommandsState {
         val ports = HashSet<String>()
         val waiting = unfinished.values.map { it.state(now, if (ports.add(it.port)) "line" else "waiting") }
-        val ended = finished.map { it.command.state(now, if (it.failure == null) "done" else "failed", it) }
-        return CommandsState((issued - count).toInt(), waiting, ended)
+        return CommandsState((issued - count).toInt(), folded(waiting), finished.map { it.state(now) })
     }
 
-    private fun IssuedCommand.state(now: Long, state: String, end: Ended? = null) = CommandState(
-        number, port, shown(text), state, ms(now - issuedNanos), end?.let { ms(it.nanos - issuedNanos) },
-        end?.failure?.let { shown("${it.error}: ${it.cause}") },
-    )
+    /** Of equal commands one after the other the first, with their count. */
+    private fun folded(commands: List<CommandState>): List<CommandState> = commands.fold(emptyList()) { folded, next ->
+        val last = folded.lastOrNull()
+        if (last == null || last.text != next.text || last.port != next.port || last.state != next.state) folded + next
+        else folded.dropLast(1) + last.copy(times = last.times + 1)
+    }
 
-    private class Ended(val command: IssuedCommand, val nanos: Long, val failure: CommandFailure?)
+    private fun IssuedCommand.state(now: Long, state: String) =
+        CommandState(number, port, shown(text), 1, state, ms(now - issuedNanos), tookMs = null, error = null)
+
+    private class Ended(private var command: IssuedCommand, private var nanos: Long, private val failure: CommandFailure?) {
+        private val first = command.number
+        private var times = 1
+
+        fun isAlike(other: IssuedCommand, otherFailure: CommandFailure?) = command.text == other.text && command.port == other.port &&
+            failure?.error == otherFailure?.error && failure?.cause == otherFailure?.cause
+
+        fun again(command: IssuedCommand, nanos: Long) {
+            this.command = command
+            this.nanos = nanos
+            times++
+        }
+
+        fun state(now: Long) = CommandState(
+            first, command.port, shown(command.text), times, if (failure == null) "done" else "failed", ms(now - command.issuedNanos),
+            ms(nanos - command.issuedNanos), failure?.let { shown("${it.error}: ${it.cause}") },
+        )
+    }
 
     private companion object {
         const val MAX_UNFINISHED = 50

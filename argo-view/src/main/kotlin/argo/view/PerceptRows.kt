@@ -5,12 +5,13 @@ import java.util.concurrent.TimeUnit
 
 /**
  * The last percept of each sensor. Percepts of a board that differ in numbers only are one sensor's, and a sensor without a percept for
- * [FORGOTTEN_NANOS] ns is forgotten. Not safe for use by several threads.
+ * [FORGOTTEN_NANOS] ns is forgotten, unless nothing comes from its board. Not safe for use by several threads.
  */
 internal class PerceptRows {
     private val rows = LinkedHashMap<String, Row>()
     private var port: String? = null
     private val more = HashMap<String, Int>() // by the port
+    private val newest = HashMap<String, Long>() // message of each port
 
     /** When the last byte of the newest message came, by the agent's clock; null: there was none. */
     var newestNanos: Long? = null
@@ -21,9 +22,11 @@ internal class PerceptRows {
         if (isAlone && message.portName != port) {
             rows.clear()
             more.clear()
+            newest.clear()
         }
         port = message.portName
         newestNanos = maxOf(newestNanos ?: message.receivedNanos, message.receivedNanos)
+        newest[message.portName] = message.receivedNanos
         val kept = message.kept.toHashSet()
         val standIns = (kept - message.texts.toSet()).mapTo(HashSet(), ::shape)
         val seen = HashMap<String, Int>()
@@ -33,7 +36,9 @@ internal class PerceptRows {
             val before = rows[key]
             val words = shown(text)
             val since = if (before?.text == words) before.sinceNanos else message.receivedNanos
-            rows[key] = Row(message, words, fate(text, message.unreadable, kept, shape in standIns), since)
+            val course = before?.course ?: Course()
+            course.add(NUMBER.findAll(words).take(MAX_NUMBERS).map { it.value.toDouble() }.toList(), message.receivedNanos)
+            rows[key] = Row(message, words, fate(text, message.unreadable, kept, shape in standIns), since, course)
         }
         more[message.portName] = maxOf(0, message.texts.size - MAX_ROWS)
         while (rows.size > MAX_ROWS) rows.remove(rows.minBy { it.value.seenNanos }.key)
@@ -52,15 +57,19 @@ internal class PerceptRows {
      * @param isSilent whether nothing comes from the board on a port
      */
     fun state(now: Long, isSilent: (String) -> Boolean): Pair<List<PerceptState>, Int> {
-        rows.values.removeIf { now - it.seenNanos > FORGOTTEN_NANOS }
         val silent = rows.values.map { it.port }.distinct().filter(isSilent)
+        rows.values.removeIf { (if (it.port in silent) newest.getValue(it.port) else now) - it.seenNanos > FORGOTTEN_NANOS }
         val shown = rows.map { (key, row) ->
             PerceptState(key, row.board, row.text, row.fate, row.port in silent, ms(now - row.seenNanos), ms(now - row.sinceNanos))
         }
         return shown to more.values.sum()
     }
 
-    private class Row(message: PerceivedMessage, val text: String, val fate: String, val sinceNanos: Long) {
+    /** What the numbers of the first [MAX_COURSES] sensors with numbers were until [now]: [Course.values] by their keys. */
+    fun courses(now: Long): Map<String, List<List<Double?>>> =
+        rows.mapValues { it.value.course.values(now) }.filterValues { it.isNotEmpty() }.entries.take(MAX_COURSES).associate { it.toPair() }
+
+    private class Row(message: PerceivedMessage, val text: String, val fate: String, val sinceNanos: Long, val course: Course) {
         val port = message.portName
         val board = message.namespace
         val seenNanos = message.receivedNanos
@@ -70,6 +79,8 @@ internal class PerceptRows {
         /** For how long a sensor without a new percept is shown, in ns. */
         val FORGOTTEN_NANOS: Long = TimeUnit.SECONDS.toNanos(10)
         private const val MAX_ROWS = 200
+        private const val MAX_COURSES = 60
+        private const val MAX_NUMBERS = 4
         private val NUMBER = Regex("""(?<!\w)[-+]?\d+(\.\d+)?([eE][-+]?\d+)?""")
 
         private fun shape(percept: String) = percept.replace(NUMBER, "#")

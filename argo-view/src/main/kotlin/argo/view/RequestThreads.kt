@@ -9,18 +9,18 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The threads that answer the requests to a view, one for each at a time. A client that does not finish its request, or does not read its
- * response, holds its thread up until [interruptStalled]. Safe for use by several threads.
+ * The threads that answer the requests to a server of views, one for each at a time. A client that does not finish its request, or does
+ * not read its response, holds its thread up until [interruptStalled]. Safe for use by several threads.
  *
- * @param agent whose view it is, for the threads' names
+ * @param name of the server, for the threads' names
  * @param nanos a clock in ns that never goes back
  */
-internal class RequestThreads(agent: String, private val nanos: () -> Long) : Executor {
+internal class RequestThreads(name: String, private val nanos: () -> Long) : Executor {
     private val lock = ReentrantLock()
     private val waitingSince = HashMap<Thread, Long>()
     private val numbers = AtomicInteger()
     private val pool = ThreadPoolExecutor(MAX_THREADS, MAX_THREADS, IDLE_S, TimeUnit.SECONDS, LinkedBlockingQueue(MAX_QUEUED)) { work ->
-        Thread(work, "argo-$agent-view-${numbers.incrementAndGet()}").apply { isDaemon = true }
+        Thread(work, "argo-$name-view-${numbers.incrementAndGet()}").apply { isDaemon = true }
     }.apply { allowCoreThreadTimeOut(true) }
 
     /** Runs [request], which begins by reading from its client: see [stopWaiting]. */

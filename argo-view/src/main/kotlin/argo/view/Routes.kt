@@ -2,28 +2,30 @@ package argo.view
 
 import argo.filters.FilterException
 import argo.filters.FilterNotFoundException
+import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import java.net.URLDecoder
 import java.util.ServiceConfigurationError
+import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
 
 /**
- * Responds to the requests of [agent]'s page, but for its stream of states: its files, and what its buttons ask for. Filters are
+ * Responds to the requests of [agent]'s page, but for its stream of states: the page itself, and what its buttons ask for. Filters are
  * looked for and read by the thread of the request; the agent's own thread changes the agent. Safe for use by several threads.
  */
 internal class Routes(private val agent: ObservedAgent) {
     private val routes: Map<String, Route> = mapOf(
-        "/" to Route("GET") { file("view.html", "text/html") },
-        "/view.css" to Route("GET") { file("view.css", "text/css") },
-        "/view.js" to Route("GET") { file("view.js", "text/javascript") },
+        "/" to Route("GET") { Site.file("view.html", "text/html") },
         "/filters" to Route("GET") { filters() },
         "/explain" to Route("GET") { explain(it.query.orEmpty()) },
         "/filter" to Route("POST") { request -> request.read<FilterRequest> { changeFilter(it.name) } },
         "/percepts" to Route("POST") { request -> request.read<PerceptsRequest> { perceive(it.open) } },
+        "/command" to Route("POST") { request -> request.read<CommandRequest> { act(it.command) } },
     )
 
     /** The response to [request]. */
@@ -31,9 +33,6 @@ internal class Routes(private val agent: ObservedAgent) {
         val route = routes[request.path] ?: return HttpResponse.message(404, "there is nothing at ${shown(request.path)}")
         return if (request.method == route.method) route.respond(request) else HttpResponse.wrongMethod(route.method)
     }
-
-    private fun file(name: String, type: String) =
-        HttpResponse(200, type, checkNotNull(Routes::class.java.getResource(name)) { "the resource $name is missing" }.readBytes())
 
     private inline fun <reified T> Request.read(respond: (T) -> HttpResponse): HttpResponse {
         if (type?.substringBefore(';')?.trim() != HttpResponse.JSON) {
@@ -85,6 +84,18 @@ internal class Routes(private val agent: ObservedAgent) {
         return awaitDone(if (open) "the agent perceives again" else closed) { agent.perceive(open, it) }
     }
 
+    /** Has the agent send [command] and waits a while for the outcome, which the page's list of commands shows in any case. */
+    private fun act(command: String): HttpResponse {
+        val outcome = CompletableFuture<CommandFailure?>()
+        agent.act(command, outcome::complete)
+        return try {
+            val failure = outcome.get(MAX_WAIT_S, TimeUnit.SECONDS) ?: return HttpResponse.message(200, "$command: done")
+            HttpResponse.message(422, "$command: ${failure.error}: ${failure.cause}")
+        } catch (_: TimeoutException) {
+            HttpResponse.message(202, "$command: waits since more than $MAX_WAIT_S s; the commands show its outcome")
+        }
+    }
+
     /** Has the agent do something and waits a while for its thread, which may have no time or not run yet. */
     private fun awaitDone(message: String, ask: (done: () -> Unit) -> Unit): HttpResponse {
         val done = CountDownLatch(1)
@@ -100,6 +111,9 @@ internal class Routes(private val agent: ObservedAgent) {
 
     @Serializable
     private class FilterRequest(val name: String?)
+
+    @Serializable
+    private class CommandRequest(val command: String)
 
     @Serializable
     private class PerceptsRequest(val open: Boolean)

@@ -3,17 +3,26 @@ package argo.view
 import argo.observing.EndedReflex
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
+import argo.observing.PerceivedMessage
 import argo.observing.RuleWatcher
 import argo.observing.WatchedRule
+import java.util.concurrent.TimeUnit
 import java.util.logging.Level
 import java.util.logging.Logger
 
 /** Composes what the page shows. Belongs to the view's thread, but for [picture]. */
-internal class StateComposer(private val agent: ObservedAgent, private val record: AgentRecord, private val log: Logger) {
+internal class StateComposer(
+    private val agent: ObservedAgent,
+    private val record: AgentRecord,
+    private val tabs: () -> List<AgentTab>,
+    private val log: Logger,
+) {
     private val rows = PerceptRows()
     private val meter = RateMeter()
     private var shownVersion = -1L
-    private var shownBeliefs: BeliefWatch.Picture? = null
+    private var shownMind: MindWatch.Seen? = null
+    private var shownTabs: List<AgentTab> = emptyList()
+    private var coursesNanos: Long? = null
     private var shownPicture: Picture? = null
     private var shownRules: List<WatchedRule> = emptyList()
 
@@ -22,20 +31,29 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
     var picture: () -> Picture? = { null }
 
     /** Whether something has happened since the last [state]; the project's picture may change at any time. */
-    fun hasNews(): Boolean = record.version != shownVersion || record.beliefs.newest !== shownBeliefs || currentPicture() != shownPicture ||
-        agent.criticalRules() != shownRules
+    fun hasNews(): Boolean = record.version != shownVersion || record.mind.newest !== shownMind || currentPicture() != shownPicture ||
+        agent.criticalRules() != shownRules || tabs() != shownTabs
 
-    /** All there is to show now; [isLast] when the agent has ended. */
-    fun state(isLast: Boolean): ViewState {
+    /** Takes in what the board has sent while nobody watches, so that courses have no gap: the last message of each board. */
+    fun takeIn() = takeIn(record.takeUnseen().associateBy { it.portName }.values, agent.ports())
+
+    private fun takeIn(messages: Collection<PerceivedMessage>, ports: List<ObservedPort>) {
+        val isAlone = ports.count { it.isPerceived } < 2
+        messages.forEach { rows.add(it, isAlone) }
+    }
+
+    /** All there is to show now; [isLast] when the agent has ended. Courses are shown once a second, and if [isFull]. */
+    fun state(isLast: Boolean, isFull: Boolean = true): ViewState {
         val now = agent.nanos()
         shownVersion = record.version
-        shownBeliefs = record.beliefs.newest
+        shownMind = record.mind.newest
+        shownTabs = tabs()
         shownPicture = currentPicture()
         shownRules = agent.criticalRules()
         val recorded = record.take(now)
         val ports = agent.ports()
         val perceived = ports.count { it.isPerceived }
-        recorded.unseen.forEach { rows.add(it, isAlone = perceived < 2) }
+        takeIn(recorded.unseen, ports)
         return ViewState(
             agent = agent.name,
             policy = agent.policy,
@@ -48,12 +66,21 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
             critical = shownRules.take(MAX_RULES).map { criticalState(it, recorded.reflexes[it.rule], now) },
             ports = ports.map { portState(it, recorded.ports[it.name], now) },
             sensors = sensors(ports, recorded.lastPerception, now),
-            beliefs = BeliefsState(shownBeliefs?.let { ms(now - it.nanos) }, shownBeliefs?.total ?: 0, shownBeliefs?.beliefs.orEmpty()),
+            beliefs = beliefs(shownMind, now),
             commands = recorded.commands,
             rates = meter.rates(now, recorded.counts),
             picture = shownPicture?.let { PictureState(it.svg, shown(it.words)) },
+            intentions = IntentionsState(shownMind?.mind?.intended ?: 0, shownMind?.mind?.intentions.orEmpty()),
+            printed = recorded.printed,
+            courses = if (isFull || isCourseDue(now)) rows.courses(now).also { coursesNanos = now } else null,
+            agents = shownTabs,
         )
     }
+
+    private fun isCourseDue(now: Long) = coursesNanos.let { it == null || now - it >= COURSES_NANOS }
+
+    private fun beliefs(seen: MindWatch.Seen?, now: Long) =
+        BeliefsState(seen?.let { ms(now - it.nanos) }, seen?.mind?.believed ?: 0, seen?.mind?.beliefs.orEmpty())
 
     private fun currentPicture(): Picture? = try {
         picture()
@@ -83,7 +110,8 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
     }
 
     private fun sensors(ports: List<ObservedPort>, last: Perception?, now: Long): SensorState {
-        val (percepts, more) = rows.state(now) { name -> isSilent(ports.find { it.name == name } ?: ports.find { it.isInUse }) }
+        val byName = ports.associateBy { it.name.removeSurrounding("\"") } // a name is a literal
+        val (percepts, more) = rows.state(now) { name -> isSilent(byName[name] ?: ports.find { it.isInUse }) }
         return SensorState(
             frameAgeMs = rows.newestNanos?.let { ms(now - it) },
             handedOverAgeMs = last?.let { ms(now - it.nanos) },
@@ -97,5 +125,6 @@ internal class StateComposer(private val agent: ObservedAgent, private val recor
 
     private companion object {
         const val MAX_RULES = 50
+        val COURSES_NANOS: Long = TimeUnit.SECONDS.toNanos(1)
     }
 }

@@ -6,28 +6,26 @@ import java.io.IOException
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.URI
+import java.util.concurrent.Semaphore
+import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Serves one agent's view to browsers on this computer.
+ * Serves the views of agents to browsers on this computer.
  *
  * The port is taken when this is made. [start] is to be called by a daemon thread, since the server's own takes after it.
  *
- * @param agent its name, for the threads'
+ * @param name for the threads' names
  * @param port 0 to 65535; 0: any that is free
- * @param routes responds to all requests but those for the stream of states
- * @param pages what is published there is streamed
  * @param nanos a clock in ns that never goes back
  * @throws IOException if the port cannot be had
  */
-internal class ViewServer(
-    agent: String,
-    port: Int,
-    private val routes: Routes,
-    private val pages: Broadcast,
-    nanos: () -> Long = System::nanoTime,
-) {
+internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::nanoTime) {
+    /** What it serves. */
+    val site = Site()
+    private val seats = Semaphore(MAX_PAGES)
+    private val isStarted = AtomicBoolean()
     private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), port), 0)
-    private val threads = RequestThreads(agent, nanos)
+    private val threads = RequestThreads(name, nanos)
 
     init {
         server.executor = threads
@@ -37,14 +35,16 @@ internal class ViewServer(
     /** Where browsers find it. */
     val address: URI = URI("http://127.0.0.1:${server.address.port}/")
 
-    /** Begins to serve. */
-    fun start() = server.start()
-
-    /** Ends all connections and threads. */
-    fun stop() {
-        server.stop(0)
-        threads.stop()
+    /** Begins to serve, unless it has begun. */
+    fun start() {
+        if (!isStarted.getAndSet(true)) server.start()
     }
+
+    /** Gives the port back and ends all connections. Waits for nothing. Called once. */
+    fun closePort() = server.stop(0)
+
+    /** Ends all threads, after [closePort]. */
+    fun endThreads() = threads.stop()
 
     /** Closes the connections of clients that have been waited for too long: see [RequestThreads.interruptStalled]. */
     fun closeStalled() = threads.interruptStalled()
@@ -54,36 +54,42 @@ internal class ViewServer(
         val uri = exchange.requestURI
         val body = exchange.requestBody.readNBytes(Routes.MAX_BYTES + 1)
         threads.stopWaiting()
-        val request = Request(exchange.requestMethod, uri.path.orEmpty(), uri.rawQuery, headers.getFirst("Content-Type"), body)
+        val found = site.find(uri.rawPath.orEmpty())
+        val request = Request(exchange.requestMethod, found.path, uri.rawQuery, headers.getFirst("Content-Type"), body)
         val (host, origin, fetchSite) = listOf("Host", "Origin", "Sec-Fetch-Site").map(headers::getFirst)
         val refusal = RequestGate.refusal(host, origin, fetchSite, isPage = request.path == "/")
         when {
             refusal != null -> exchange.respond(HttpResponse.message(403, refusal))
-            request.path != EVENTS -> exchange.respond(routes.respond(request))
+            found.page == null -> exchange.respond(site.respond(request))
+            request.path != EVENTS -> exchange.respond(found.page.routes.respond(request))
             request.method != "GET" -> exchange.respond(HttpResponse.wrongMethod("GET"))
-            else -> stream(exchange)
+            !seats.tryAcquire() -> exchange.respond(HttpResponse.message(503, "too many pages are open; close one and load this one again"))
+            else -> try {
+                stream(exchange, found.page.states)
+            } finally {
+                seats.release()
+            }
         }
     }
 
-    private fun stream(exchange: HttpExchange) {
+    private fun stream(exchange: HttpExchange, states: Broadcast) {
         fun write(text: String) = threads.waiting {
             exchange.responseBody.write(text.toByteArray())
             exchange.responseBody.flush()
         }
-        val isServed = pages.serve(
+        states.serve(
             begin = {
                 exchange.begin(200, "text/event-stream", 0)
                 write("retry: $RETRY_MS\n\n")
             },
             send = { json -> write(if (json == null) ":\n\n" else "data: $json\n\n") }, // JSON has no line breaks
         )
-        if (isServed) return
-        exchange.respond(HttpResponse.message(503, "too many pages show this agent already; close one and load this one again"))
     }
 
     private fun HttpExchange.respond(response: HttpResponse) = threads.waiting {
+        response.location?.let { responseHeaders.add("Location", it) }
         response.allow?.let { responseHeaders.add("Allow", it) }
-        begin(response.status, response.type, response.body.size.toLong())
+        begin(response.status, response.type, if (response.body.isEmpty()) -1 else response.body.size.toLong())
         responseBody.use { it.write(response.body) } // before what is left of a long request is read
     }
 
@@ -108,6 +114,9 @@ internal class ViewServer(
 
     private companion object {
         const val EVENTS = "/events"
+
+        /** How many pages can watch at once, of all agents together. */
+        const val MAX_PAGES = 12
 
         /** How long a browser whose connection is lost waits before it tries again. */
         const val RETRY_MS = 1000

@@ -7,6 +7,9 @@ import kotlinx.serialization.Serializable
  *
  * @property intervalMs the sensing interval of boards without one of their own
  * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
+ * @property printed what the agent has printed, the latest first
+ * @property courses what the numbers of sensors were during the last minute, by [PerceptState.key]: see [Course.values]; null: as before
+ * @property agents all agents whose views this server has
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
 @Serializable
@@ -26,6 +29,10 @@ internal data class ViewState(
     val commands: CommandsState,
     val rates: Rates?,
     val picture: PictureState?,
+    val intentions: IntentionsState,
+    val printed: List<LineState>,
+    val courses: Map<String, List<List<Double?>>>?,
+    val agents: List<AgentTab>,
 )
 
 /** The active filter. */
@@ -133,6 +140,23 @@ internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: 
 internal data class Belief(val text: String, val sources: List<String>)
 
 /**
+ * What the agent does.
+ *
+ * @property total how many intentions there are, those left out of [intentions] too
+ */
+@Serializable
+internal data class IntentionsState(val total: Int, val intentions: List<IntentionState>)
+
+/**
+ * An agent on this server.
+ *
+ * @property name what it is called, and where its page is: at `/NAME/`
+ * @property silent whether nothing comes from a board that it perceives
+ */
+@Serializable
+internal data class AgentTab(val name: String, val silent: Boolean)
+
+/**
  * The agent's commands, those that have not gone out first, oldest first; then the others, newest first.
  *
  * @property waiting how many have not gone out, those left out of [unfinished] too
@@ -143,6 +167,8 @@ internal data class CommandsState(val waiting: Int, val unfinished: List<Command
 /**
  * A command.
  *
+ * @property number the same as long as it is shown
+ * @property times how many there were that are alike, one after the other; the rest is about the last of them
  * @property state `line`, if it is the next of its port, `waiting`, `done` or `failed`
  * @property ageMs how long ago it was issued
  * @property tookMs how long it took from then until it was done or had failed
@@ -153,6 +179,7 @@ internal data class CommandState(
     val number: Long,
     val port: String,
     val text: String,
+    val times: Int,
     val state: String,
     val ageMs: Long,
     val tookMs: Long?,

@@ -8,6 +8,7 @@ let receivedAt = 0;        // when it came
 let source = null;
 let connection = 'connecting';
 let frozen = null;         // what is shown instead while the page is frozen
+let courses = {};          // of the sensors' numbers, by the sensors' keys
 let filters = null;        // the names of the filters there are
 let waits = false;         // for the answer to a button
 const explained = new Map(); // a percept's key: its text and filter when it was asked about, and why it was kept or dropped
@@ -43,6 +44,7 @@ const CONNECTIONS = {
   full: ['too many pages', 'bad'],
   ended: ['ended', ''],
 };
+const INTENTIONS = { running: 'good', waiting: '', suspended: 'warn' };
 const PORTS = { on: 'good', off: 'bad', timeout: 'warn' };
 
 // --- elements ---
@@ -90,6 +92,8 @@ function button(name, pressed) {
   return made;
 }
 
+const times = count => count > 1 ? ` ×${count}` : '';
+const inOrder = new Intl.Collator('en', { numeric: true }).compare;
 const joined = (...parts) => parts.filter(Boolean).join(' · ');
 
 // --- parts of the page ---
@@ -109,12 +113,12 @@ function showFigures(shown, since) {
   const figures = [
     ['newest message', age(plus(sensors.frameAgeMs))],
     ['last perception', age(plus(sensors.handedOverAgeMs))],
-    ['its delay', age(sensors.delayMs)],
+    ['its delay', age(sensors.delayMs), 'How old that message was when the agent perceived it'],
     ['messages', rate(rates?.frames)],
     ['perceptions', rate(rates?.handOvers)],
     ['commands', rate(rates?.commands)],
     ['cycles', rate(rates?.cycles)],
-    ['belief picture', age(plus(beliefs.ageMs))],
+    ['belief picture', age(plus(beliefs.ageMs)), 'How old the beliefs and intentions below are'],
     ...(shown.skewMs === null ? [] : [['skew of the boards', age(shown.skewMs)]]),
     ['interval', shown.intervalMs === 0 ? 'none' : age(shown.intervalMs)],
     ['policy', shown.policy],
@@ -124,7 +128,10 @@ function showFigures(shown, since) {
     pair.append(element('dt'), element('dd'));
     text(pair.children[0], name);
     return pair;
-  }, (pair, [, value]) => text(pair.children[1], value));
+  }, (pair, [, value, title]) => {
+    text(pair.children[1], value);
+    pair.title = title || '';
+  });
 }
 
 function showFilters(shown) {
@@ -166,14 +173,17 @@ function showPorts(shown, since) {
   ), 'The agent has asked for no port.');
 }
 
-/** Why the sensors show the past although the agent perceives; empty if they do not. */
+/** Why sensors show the past although the agent perceives, a line for each board; empty if they do not. */
 function silence(shown) {
   if (!shown.perceiving) return '';
   const used = shown.ports.filter(port => port.perceived);
-  const port = (used.length ? used : shown.ports).find(port => port.status !== 'on' || port.stale);
-  if (!port) return '';
-  const words = { off: 'is off', timeout: 'does not answer' }[port.status] || 'is silent';
-  return `The port ${port.name} ${words}${port.reason ? `: ${port.reason}` : ''}. ${used.length > 1 ? 'Its sensors' : 'The sensors'} show what came before.`;
+  const silent = (used.length ? used : shown.ports).filter(port => port.status !== 'on' || port.stale);
+  return silent.map(port => {
+    const words = { off: 'is off', timeout: 'does not answer' }[port.status] || 'is silent';
+    const whose = used.length > 1 ? 'Its sensors' : 'The sensors';
+    const reason = port.reason ? `: ${port.reason}` : '';
+    return `The port ${port.name} ${words}${reason}${/[.?!]$/.test(reason) ? '' : '.'} ${whose} show what came before.`;
+  }).join('\n');
 }
 
 function perceptRow({ key }) {
@@ -182,7 +192,9 @@ function perceptRow({ key }) {
     show();
   });
   label.title = 'Why?';
-  return row(label);
+  const made = row(label);
+  made.append(element('span', 'course'));
+  return made;
 }
 
 function showSensors(shown, since) {
@@ -196,7 +208,8 @@ function showSensors(shown, since) {
     const [words, kind] = FATES[percept.fate] || [percept.fate, ''];
     const why = explained.get(percept.key)?.why;
     const isOld = shown.perceiving && percept.silent;
-    line.className = percept.fate === 'kept' && !isOld ? '' : 'off';
+    line.className = `sensor ${percept.fate === 'kept' && !isOld ? '' : 'off'}`;
+    showCourse(line.children[4], (frozen ? frozen.courses : courses)[percept.key]);
     line.children[0].dataset.percept = percept.text;
     fill(line, percept.board ? `${percept.board}::${percept.text}` : percept.text, words, isOld ? '' : kind, age(percept.ageMs + since), why);
     line.children[0].setAttribute('aria-expanded', String(Boolean(why)));
@@ -208,7 +221,7 @@ function showSensors(shown, since) {
 function showBeliefs(shown) {
   const { beliefs, total } = shown.beliefs;
   const order = belief => (belief.sources.includes('percept') ? '1' : '0') + belief.text;
-  const sorted = [...beliefs].sort((a, b) => order(a) < order(b) ? -1 : 1);
+  const sorted = [...beliefs].sort((a, b) => inOrder(order(a), order(b)));
   text($('beliefs-count'), total ? `${total}` : '');
   text($('beliefs-words'), total > beliefs.length ? `${total - beliefs.length} more are not shown.` : '');
   rows($('beliefs'), sorted.map((belief, i) => [String(i), belief]), ([key]) => key, () => row(), (line, [, { text, sources }]) => fill(
@@ -223,9 +236,44 @@ function showCommands(shown, since) {
   const ports = new Set(shown.ports.map(port => port.name)).size;
   rows($('commands'), [...unfinished, ...finished], command => String(command.number), () => row(), (line, command) => {
     const [words, kind] = STATES[command.state] || [command.state, ''];
-    fill(line, command.text, command.tookMs === null ? words : `${words} in ${age(command.tookMs)}`, kind,
+    fill(line, command.text + times(command.times), command.tookMs === null ? words : `${words} in ${age(command.tookMs)}`, kind,
       age(command.ageMs + since), joined(ports > 1 && command.port, command.error));
   }, 'The agent has given no command.');
+}
+
+const place = plan => plan.file ? `${plan.file}:${plan.line}` : 'no file';
+
+function showIntentions({ intentions: { total, intentions } }) {
+  text($('intentions-count'), total ? `${total}` : '');
+  text($('intentions-words'), total > intentions.length ? `${total - intentions.length} more are not shown.` : '');
+  rows($('intentions'), intentions, intention => String(intention.id), () => row(), (line, { state, waitsFor, plans, more }) => fill(
+    line, plans[0]?.trigger ?? '', state, INTENTIONS[state] || '', '',
+    joined(
+      waitsFor && `waits for ${waitsFor}`, plans[0] && place(plans[0]),
+      ...plans.slice(1).map(plan => `for ${plan.trigger} ${place(plan)}`), more && `${more} more plans`,
+    ),
+  ), 'The agent intends nothing.');
+}
+
+function showPrinted({ printed }, since) {
+  rows($('printed'), printed, line => String(line.number), () => row(), (line, { text: words, times: count, warning, ageMs }) => {
+    fill(line, words + times(count), warning ? 'warning' : '', 'warn', age(ageMs + since));
+    line.children[1].hidden = !warning;
+  }, 'The agent has printed nothing.');
+}
+
+function showAgents({ agent, agents }) {
+  $('agents').hidden = agents.length < 2;
+  if (agents.length < 2) return;
+  rows($('agents'), agents, ({ name }) => name, ({ name }) => {
+    const link = element('a');
+    link.href = `../${encodeURIComponent(name)}/`;
+    return link;
+  }, (link, { name, silent }) => {
+    text(link, silent ? `${name}: board silent` : name);
+    link.className = silent ? 'silent' : '';
+    if (name === agent) link.setAttribute('aria-current', 'page'); else link.removeAttribute('aria-current');
+  });
 }
 
 function showHead(shown) {
@@ -236,6 +284,7 @@ function showHead(shown) {
   $('percepts').title = shown.perceiving ? 'The agent stops perceiving its board and goes on acting on what it believes'
     : 'The agent perceives its board again';
   disable($('percepts'));
+  disable($('send-button'));
 }
 
 function disable(button) { button.disabled = waits || connection !== 'live' || Boolean(state?.ended); }
@@ -275,6 +324,9 @@ function show() {
   showSensors(shown, since);
   showBeliefs(shown);
   showCommands(shown, since);
+  showIntentions(shown);
+  showPrinted(shown, since);
+  showAgents(shown);
 }
 
 // --- what the agent is asked ---
@@ -298,6 +350,19 @@ async function order(path, body) {
   } finally {
     waits = false;
     show();
+  }
+}
+
+/** Has the agent send what stands in the field, and shows the outcome under it. */
+async function send() {
+  const command = $('command').value.trim();
+  if (!command) return;
+  const answer = (words, name) => { $('sent').className = `soft ${name}`; text($('sent'), words); };
+  answer(`${command}: sent`, '');
+  try {
+    answer((await ask('command', { command })).message, '');
+  } catch (trouble) {
+    answer(trouble.message, 'failed');
   }
 }
 
@@ -345,6 +410,7 @@ function connect() {
     const isNew = connection !== 'live';
     state = JSON.parse(event.data);
     receivedAt = performance.now();
+    if (state.courses) courses = state.courses;
     connection = state.ended ? 'ended' : 'live';
     if (isNew && !state.ended) {
       explained.clear();
@@ -367,11 +433,16 @@ function showFreeze() {
 }
 
 $('freeze').addEventListener('click', () => {
-  frozen = frozen || !state ? null : { state, since: connection === 'live' ? performance.now() - receivedAt : 0 };
+  frozen = frozen || !state ? null : { state, courses, since: connection === 'live' ? performance.now() - receivedAt : 0 };
   showFreeze();
   show();
 });
 $('percepts').addEventListener('click', () => order('percepts', { open: !(frozen ? frozen.state : state).perceiving }));
+
+$('send').addEventListener('submit', event => {
+  event.preventDefault();
+  if (!$('send-button').disabled) send();
+});
 
 // A page that nobody sees does not keep the agent busy, nor one of the few connections that a browser has for one address.
 document.addEventListener('visibilitychange', () => {

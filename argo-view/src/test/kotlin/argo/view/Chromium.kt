@@ -31,6 +31,15 @@ internal class Chromium private constructor(private val driver: ChromeDriver, pr
     /** Presses the button that says [words]. */
     fun press(words: String) = driver.findElement(By.xpath("//button[normalize-space()=\"$words\"]")).click()
 
+    /** Follows the link that says [words]. */
+    fun follow(words: String) = driver.findElement(By.linkText(words)).click()
+
+    /** Puts [words] into the field that [selector] finds. */
+    fun enter(selector: String, words: String) = driver.findElement(By.cssSelector(selector)).run {
+        clear()
+        sendKeys(words)
+    }
+
     /** Presses keys. */
     fun type(keys: CharSequence) = driver.switchTo().activeElement().sendKeys(keys)
 
@@ -55,9 +64,9 @@ internal class Chromium private constructor(private val driver: ChromeDriver, pr
         }
     }
 
-    /** Writes what is seen to a file of the build, for a person to look at. */
-    fun picture(name: String) {
-        val folder = Files.createDirectories(Path.of("target", "view"))
+    /** Writes what is seen to a file of the build, or in [folder], for a person to look at. */
+    fun picture(name: String, folder: Path = Path.of("target", "view")) {
+        Files.createDirectories(folder)
         Files.write(folder.resolve("$name.png"), driver.getScreenshotAs(OutputType.BYTES))
     }
 

@@ -55,6 +55,32 @@ class CommandRecordSpec : FunSpec({
         }
     }
 
+    test("equal commands with the same end, one after the other, are one with a count and the last one's times") {
+        val record = record()
+        fun end(text: String, failure: CommandFailure? = null) {
+            val command = record.issue("left", text)
+            now += 5_000_000
+            record.ended(command, failure, now)
+        }
+        end("front")
+        repeat(12) { end("stop") }
+        val first = record.state(now).finished.first()
+        listOf(first.text, first.times, first.tookMs, first.ageMs) shouldBe listOf("stop", 12, 5L, 5L)
+        end("stop", CableOut)
+        end("stop")
+        record.state(now).finished.map { it.text to it.times } shouldBe listOf("stop" to 1, "stop" to 1, "stop" to 12, "front" to 1)
+        record.state(now).finished[2].number shouldBe first.number
+    }
+
+    test("equal commands that wait are one with a count, and that on the line is not among them") {
+        val record = record()
+        repeat(4) { record.issue("left", "stop") }
+        record.issue("left", "front")
+        record.state(0).unfinished.map { Triple(it.text, it.state, it.times) } shouldBe
+            listOf(Triple("stop", "line", 1), Triple("stop", "waiting", 3), Triple("front", "waiting", 1))
+        record.state(0).waiting shouldBe 5
+    }
+
     test("a command longer than any page wants is cut") {
         val record = record()
         record.issue("left", "x".repeat(100_000))

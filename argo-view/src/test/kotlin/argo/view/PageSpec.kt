@@ -2,6 +2,7 @@ package argo.view
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -189,6 +190,41 @@ class PageSpec : FunSpec({
         }
     }
 
+    test("a command is sent by hand, and equal ones are counted").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);") { _, board ->
+            repeat(3) { round ->
+                enter("#command", "stop")
+                type(Keys.ENTER)
+                await { text("#sent") == "stop: done" && board.received().count { it == "stop" } == round + 1 }
+            }
+            await { texts("#commands .text").first() == "stop ×3" }
+            enter("#command", "speed(")
+            press("Send")
+            await { text("#sent").startsWith("speed(: wrong_arguments: 'speed(' is not a literal that Jason can read") }
+            board.received().count { "speed" in it } shouldBe 0
+        }
+    }
+
+    test("another page in the browser can send no command").config(enabledOrReasonIf = browser) {
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient().whenAsked("getPercepts").answer("dist(f,38);")
+            ViewedMas().use { mas ->
+                mas.file("front.xml", FRONT)
+                mas.agent("bob", AGENT)
+                eventually({ board.received() }) { "hello" in board.received() }
+                val view = mas.viewOf("bob")
+                OtherSite("$ATTACK('${view.resolve("command")}')").use { other ->
+                    Chromium.open(other.address).use { page ->
+                        page.await { run("return document.title === 'all tried'") }
+                    }
+                }
+                view.post("command", """{"command":"last"}""").statusCode() shouldBe 200
+                board.received().last { it != "getPercepts" } shouldBe "last"
+                board.received() shouldNotContain "stop"
+            }
+        }
+    }
+
     test("nothing moves for those who want nothing to move").config(enabledOrReasonIf = browser) {
         shown("dist(f,38);") { _, _ ->
             val duration = "return getComputedStyle(document.getElementById('freeze')).transitionDuration"
@@ -227,6 +263,32 @@ class PageSpec : FunSpec({
 })
 
 private infix fun List<String>.shouldContainText(part: String) = joinToString("\n") shouldContain part
+
+/** Sends the command `stop` to an address in all ways that a page of another origin has, and then puts it into its title. */
+private const val ATTACK = """
+    (async address => {
+        const body = JSON.stringify({ command: 'stop' });
+        const form = document.body.appendChild(document.createElement('form'));
+        const frame = document.body.appendChild(document.createElement('iframe'));
+        Object.assign(frame, { name: 'frame' });
+        Object.assign(form, { action: address, method: 'POST', enctype: 'text/plain', target: 'frame' });
+        const field = form.appendChild(document.createElement('input'));
+        Object.assign(field, { name: '{"command":"stop","x":"', value: '"}' });
+        const loaded = new Promise(done => { // a browser may keep silent about a frame that was refused
+            frame.addEventListener('load', done);
+            setTimeout(done, 1000);
+        });
+        form.submit();
+        await Promise.allSettled([
+            loaded,
+            fetch(address, { method: 'POST', mode: 'no-cors', body }),
+            fetch(address, { method: 'POST', mode: 'no-cors', body, headers: { 'Content-Type': 'text/plain' } }),
+            fetch(address, { method: 'POST', body, headers: { 'Content-Type': 'application/json' } }),
+            fetch(address, { method: 'POST', body: new Blob([body], { type: 'application/json' }), credentials: 'include' }),
+        ]);
+        navigator.sendBeacon(address, new Blob([body], { type: 'application/json' }));
+        document.title = 'all tried';
+    })"""
 
 /** Words whose contrast with what is behind them is less than WCAG 2.2 asks for at level AA, 4.5 : 1. */
 private const val FAINT = """

@@ -40,6 +40,14 @@ class PerceptRowsSpec : FunSpec({
         rows.texts(11_000) shouldBe listOf("b(2)")
     }
 
+    test("the sensors of a board that is silent stay, however long it is, until it is not perceived any more") {
+        val rows = PerceptRows()
+        rows.add(frame(listOf("a(1)", "b(1)"), atMs = 0), isAlone = true)
+        rows.add(frame(listOf("b(2)"), atMs = 11_000), isAlone = true)
+        rows.state(60_000 * MS) { true }.first.map { it.text to it.silent } shouldBe listOf("b(2)" to true)
+        rows.state(60_000 * MS) { false }.first shouldBe emptyList()
+    }
+
     test("boards that are perceived together have rows each, and those of a silent one are known") {
         val rows = PerceptRows()
         rows.add(frame(listOf("dist(1)"), port = "left"), isAlone = false)
@@ -65,6 +73,14 @@ class PerceptRowsSpec : FunSpec({
         rows.add(frame(listOf("light1(5)", "light2(6)"), atMs = 0), isAlone = true)
         rows.add(frame(listOf("light2(7)"), atMs = 10), isAlone = true)
         rows.texts(10) shouldBe listOf("light1(5)", "light2(7)")
+    }
+
+    test("the numbers of a sensor have a course, also when they come in another order; a sensor without a number has none") {
+        val rows = PerceptRows()
+        rows.add(frame(listOf("pos(1,-2.5)", "lamp(on)")), isAlone = true)
+        rows.add(frame(listOf("lamp(on)", "pos(3,4e1)"), atMs = 1000), isAlone = true)
+        rows.courses(1000 * MS).values.single().map { it.filterNotNull() } shouldBe listOf(listOf(1.0, 3.0), listOf(-2.5, 40.0))
+        rows.courses(1000 * MS).keys.single() shouldBe rows.state(1000 * MS) { false }.first.first().key
     }
 
     test("however much a board says, few rows are kept") {

@@ -13,19 +13,19 @@ class SlowRequestSpec : FunSpec({
 
     listOf(
         "a header" to "GET / HT",
-        "a body" to "POST /filter HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\nContent-Length: 100\r\n\r\n{",
+        "a body" to "POST /bob/filter HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\nContent-Length: 100\r\n\r\n{",
     ).forEach { (what, begin) ->
         test("requests with $what that does not end do not keep pages out for good, and are given up sooner while others wait") {
             val now = AtomicLong()
             val agent = "slow-${what.length}"
-            val server = ViewServer(agent, 0, Routes(Nobody), Broadcast(4), now::get)
+            val server = ViewServer(agent, 0, now::get).apply { site.add(AgentPage(Nobody)) }
             thread(isDaemon = true) { server.start() }.join()
             val unfinished = List(24) { Socket(server.address.host, server.address.port) }
             unfinished.forEach { it.getOutputStream().write(begin.toByteArray()) }
             try {
                 eventually({ "${threads(agent)} threads" }) { threads(agent) == unfinished.size }
                 now.set(RequestThreads.MAX_WAIT_NANOS / 5)
-                val page = CompletableFuture.supplyAsync { server.address.get("/").statusCode() }
+                val page = CompletableFuture.supplyAsync { server.address.get("/bob/").statusCode() }
                 eventually({ "no page" }) {
                     server.closeStalled()
                     page.isDone
@@ -33,7 +33,8 @@ class SlowRequestSpec : FunSpec({
                 page.get() shouldBe 200
             } finally {
                 unfinished.forEach(Socket::close)
-                server.stop()
+                server.closePort()
+                server.endThreads()
             }
         }
     }

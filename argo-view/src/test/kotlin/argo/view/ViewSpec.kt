@@ -1,7 +1,10 @@
 package argo.view
 
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
@@ -116,10 +119,10 @@ class ViewSpec : FunSpec({
         watched { mas, _, address ->
             Watcher(address).use { watcher ->
                 watcher.await { it.filter?.name == "front" }
-                address.post("/filter", """{"name":null}""").statusCode() shouldBe 200
+                address.post("filter", """{"name":null}""").statusCode() shouldBe 200
                 watcher.await { it.filter == null && it.sensors.percepts.all { p -> p.fate == "kept" } && it.sensors.percepts.size == 3 }
                 eventually({ mas.beliefs("bob") }) { "dist(b,90)" in mas.beliefs("bob") }
-                address.post("/filter", """{"name":"front"}""").statusCode() shouldBe 200
+                address.post("filter", """{"name":"front"}""").statusCode() shouldBe 200
                 eventually({ mas.beliefs("bob") }) { "dist(b,90)" !in mas.beliefs("bob") }
             }
         }
@@ -129,19 +132,19 @@ class ViewSpec : FunSpec({
         watched { _, _, address ->
             Watcher(address).use { watcher ->
                 watcher.await { it.filter?.name == "front" }
-                with(address.get("/filters").body()) {
+                with(address.get("filters").body()) {
                     this shouldContain "\"front\""
                     this shouldContain "\"wrong\""
                 }
-                with(address.post("/filter", """{"name":"elsewhere"}""")) {
+                with(address.post("filter", """{"name":"elsewhere"}""")) {
                     statusCode() shouldBe 404
                     body() shouldContain "There is no filter 'elsewhere'"
                 }
-                with(address.post("/filter", """{"name":"wrong"}""")) {
+                with(address.post("filter", """{"name":"wrong"}""")) {
                     statusCode() shouldBe 422
                     body() shouldContain "predicate"
                 }
-                address.post("/filter", """{"name":"../front"}""").statusCode() shouldBe 404
+                address.post("filter", """{"name":"../front"}""").statusCode() shouldBe 404
                 watcher.await { it.filter != null }.filter.shouldNotBeNull().name shouldBe "front"
             }
         }
@@ -151,9 +154,9 @@ class ViewSpec : FunSpec({
         watched { _, _, address ->
             Watcher(address).use { watcher ->
                 watcher.await { it.sensors.percepts.isNotEmpty() }
-                address.post("/percepts", """{"open":false}""").statusCode() shouldBe 200
+                address.post("percepts", """{"open":false}""").statusCode() shouldBe 200
                 watcher.await { !it.perceiving }
-                address.post("/percepts", """{"open":true}""").statusCode() shouldBe 200
+                address.post("percepts", """{"open":true}""").statusCode() shouldBe 200
                 val frames = watcher.await { it.perceiving }.sensors.frameAgeMs.shouldNotBeNull()
                 watcher.await { it.sensors.frameAgeMs.shouldNotBeNull() < frames + 1000 }
             }
@@ -163,11 +166,11 @@ class ViewSpec : FunSpec({
     test("why a percept is kept or dropped is told on demand") {
         watched { _, _, address ->
             Watcher(address).use { it.await { state -> state.filter != null } }
-            address.get("/explain?percept=dist(b,90)").body() shouldContain "dist(b,90) is dropped by filter front: rule 1 meets it"
-            address.get("/explain?percept=light(4)").body() shouldContain "is kept by filter front"
-            address.get("/explain?percept=%22").body() shouldContain "not a percept"
+            address.get("explain?percept=dist(b,90)").body() shouldContain "dist(b,90) is dropped by filter front: rule 1 meets it"
+            address.get("explain?percept=light(4)").body() shouldContain "is kept by filter front"
+            address.get("explain?percept=%22").body() shouldContain "not a percept"
             address.raw("GET /explain?percept=%zz HTTP/1.1", "Host: ${address.authority}") shouldContain "400"
-            address.get("/explain").statusCode() shouldBe 400
+            address.get("explain").statusCode() shouldBe 400
         }
     }
 
@@ -184,48 +187,152 @@ class ViewSpec : FunSpec({
         watched { _, _, address ->
             Watcher(address).use { watcher ->
                 watcher.await { it.filter?.name == "front" }
-                address.post("/filter", """{"name":null}""", "Origin" to "http://robot.example").statusCode() shouldBe 403
-                address.post("/filter", """{"name":null}""", "Origin" to "null").statusCode() shouldBe 403
-                address.post("/filter", """{"name":null}""", "Sec-Fetch-Site" to "cross-site").statusCode() shouldBe 403
-                address.post("/filter", """{"name":null}""", "Content-Type" to "text/plain").statusCode() shouldBe 415
+                address.post("filter", """{"name":null}""", "Origin" to "http://robot.example").statusCode() shouldBe 403
+                address.post("filter", """{"name":null}""", "Origin" to "null").statusCode() shouldBe 403
+                address.post("filter", """{"name":null}""", "Sec-Fetch-Site" to "cross-site").statusCode() shouldBe 403
+                address.post("filter", """{"name":null}""", "Content-Type" to "text/plain").statusCode() shouldBe 415
                 val json = arrayOf("Content-Type: application/json", "Content-Length: 13", "", """{"name":null}""")
-                address.raw("POST /filter HTTP/1.1", "Host: robot.example:${address.port}", *json) shouldContain "403"
-                address.raw("GET /events HTTP/1.1", "Host: robot.example:${address.port}") shouldContain "403"
+                address.raw("POST ${address.path}filter HTTP/1.1", "Host: robot.example:${address.port}", *json) shouldContain "403"
+                address.raw("GET ${address.path}events HTTP/1.1", "Host: robot.example:${address.port}") shouldContain "403"
                 address.raw("GET / HTTP/1.1", "Host: robot.example") shouldContain "403"
-                address.raw("GET / HTTP/1.1", "Host: localhost:${address.port}") shouldContain "200"
+                address.raw("GET ${address.path} HTTP/1.1", "Host: localhost:${address.port}") shouldContain "200"
                 watcher.await { true }.filter.shouldNotBeNull().name shouldBe "front"
-                address.post("/filter", """{"name":null}""", "Origin" to "http://${address.authority}").statusCode() shouldBe 200
+                address.post("filter", """{"name":null}""", "Origin" to "http://${address.authority}").statusCode() shouldBe 200
             }
         }
     }
 
     test("what nobody can mean is refused with the reason") {
         watched { _, _, address ->
-            address.get("/nothing").statusCode() shouldBe 404
-            address.get("/../view.js").statusCode() shouldBe 404
-            address.get("/filter").statusCode() shouldBe 405
-            address.post("/filters", "{}").statusCode() shouldBe 405
-            address.post("/", "{}").statusCode() shouldBe 405
-            address.post("/events", "{}").statusCode() shouldBe 405
-            address.post("/filter", "x").statusCode() shouldBe 400
-            address.post("/filter", "{}").statusCode() shouldBe 400
-            address.post("/percepts", """{"open":"perhaps"}""").statusCode() shouldBe 400
-            address.post("/filter", "\"" + "x".repeat(20_000) + "\"").statusCode() shouldBe 413
+            address.get("nothing").statusCode() shouldBe 404
+            address.raw("GET /bob/../view.js HTTP/1.1", "Host: ${address.authority}") shouldContain "404"
+            address.get("filter").statusCode() shouldBe 405
+            address.post("filters", "{}").statusCode() shouldBe 405
+            address.post("", "{}").statusCode() shouldBe 405
+            address.post("events", "{}").statusCode() shouldBe 405
+            address.post("filter", "x").statusCode() shouldBe 400
+            address.post("filter", "{}").statusCode() shouldBe 400
+            address.post("percepts", """{"open":"perhaps"}""").statusCode() shouldBe 400
+            address.post("filter", "\"" + "x".repeat(20_000) + "\"").statusCode() shouldBe 413
         }
     }
 
     test("the page needs nothing from anywhere else, and no browser puts it into another page") {
         watched { _, _, address ->
-            for (path in listOf("/", "/view.css", "/view.js")) {
+            for (path in listOf("", "/view.css", "/view.js", "/course.js")) {
                 val answer = address.get(path)
                 answer.statusCode() shouldBe 200
-                answer.body() shouldNotContain "//www"
+                answer.body().replace("http://www.w3.org/2000/svg", "") shouldNotContain "//www" // the name of a namespace loads nothing
                 answer.body() shouldNotContain "https:"
                 val policy = answer.headers().firstValue("Content-Security-Policy").get()
                 policy shouldContain "default-src 'none'"
                 policy shouldContain "frame-ancestors 'none'"
                 policy shouldNotContain "unsafe"
             }
+        }
+    }
+
+    test("a page is told of intentions with their plans and what they wait for, and of what is printed") {
+        val program = """
+            !start.
+            +!start <- .print("on my way"); !rest(9).
+            +!rest(N)
+              <- .wait(600000).
+            +!other <- .suspend.
+        """.trimIndent()
+        watched(program) { mas, _, address ->
+            Watcher(address).use { watcher ->
+                val state = watcher.await { it.intentions.intentions.any { one -> one.state == "waiting" } && it.printed.isNotEmpty() }
+                with(state.intentions.intentions.single()) {
+                    waitsFor shouldBe ".wait(600000)"
+                    plans shouldBe listOf(PlanState("+!rest(9)", "bob.asl", 3), PlanState("+!start", "bob.asl", 2))
+                }
+                state.printed.map { it.text } shouldBe listOf("on my way")
+                mas.achieve("bob", "other")
+                val both = watcher.await { it.intentions.total == 2 && it.intentions.intentions.any { one -> one.state == "suspended" } }
+                both.intentions.intentions.last().plans.map { it.trigger } shouldBe listOf("+!other")
+                mas.achieve("bob", "unknown")
+                watcher.await { it.printed.any { line -> line.warning && "unknown" in line.text } }
+            }
+        }
+    }
+
+    test("a page that is opened later is told the course of each number meanwhile") {
+        watched { mas, _, address ->
+            eventually({ mas.beliefs("bob") }) { "light(4)" in mas.beliefs("bob") }
+            Thread.sleep(1200) // the course has a value for each half second
+            Watcher(address).use { watcher ->
+                val courses = watcher.await { it.courses != null }.courses.shouldNotBeNull()
+                courses.values.map { it.single().last { value -> value != null } } shouldBe listOf(38.0, 90.0, 4.0)
+                courses.values.first().single().count { it != null } shouldBeGreaterThan 1
+            }
+        }
+    }
+
+    test("a command by hand goes to the board, and its outcome is the response") {
+        watched { _, board, address ->
+            Watcher(address).use { watcher ->
+                watcher.await { it.commands.finished.isNotEmpty() }
+                with(address.post("command", """{"command":"speed(12)"}""")) { statusCode() to body() } shouldBe
+                    (200 to """{"message":"speed(12): done"}""")
+                board.received() shouldContain "speed(12)"
+                watcher.await { state -> state.commands.finished.first().run { text == "speed(12)" && this.state == "done" } }
+                with(address.post("command", """{"command":"speed("}""")) {
+                    statusCode() shouldBe 422
+                    body() shouldContain "wrong_arguments"
+                }
+                address.post("command", """{"command":7}""").statusCode() shouldBe 400
+                address.get("command").statusCode() shouldBe 405
+            }
+        }
+    }
+
+    test("other pages, and who does not send JSON, cannot have a command sent") {
+        watched { _, board, address ->
+            val stop = """{"command":"stop"}"""
+            address.post("command", stop, "Origin" to "http://robot.example").statusCode() shouldBe 403
+            address.post("command", stop, "Origin" to "null").statusCode() shouldBe 403
+            address.post("command", stop, "Sec-Fetch-Site" to "same-site").statusCode() shouldBe 403
+            address.post("command", stop, "Content-Type" to "text/plain").statusCode() shouldBe 415
+            val head = arrayOf("Content-Type: application/json", "Content-Length: ${stop.length}", "", stop)
+            address.raw("POST ${address.path}command HTTP/1.1", "Host: robot.example", *head) shouldContain "403"
+            address.post("command", """{"command":"last"}""").statusCode() shouldBe 200
+            board.received() shouldNotContain "stop"
+        }
+    }
+
+    test("agents with the same port share it, each with a page of its own that names the others") {
+        FakeBoard.plugIn("robot").use { board ->
+            board.lenient()
+            ViewedMas().use { mas ->
+                val port = ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { it.localPort }
+                mas.agent("ann", "likes(tea).", view = "$port")
+                mas.agent("bob", "likes(milk).", view = "$port")
+                val (ann, bob) = listOf("ann", "bob").map(mas::viewOf)
+                listOf(ann.path, bob.path, "${ann.port}", "${bob.port}") shouldBe listOf("/ann/", "/bob/", "$port", "$port")
+                Watcher(bob).use { watcher ->
+                    val state = watcher.await { it.agents.size == 2 && it.beliefs.beliefs.isNotEmpty() }
+                    state.agent shouldBe "bob"
+                    state.agents.map { it.name } shouldBe listOf("ann", "bob")
+                    state.beliefs.beliefs.map { it.text } shouldBe listOf("likes(milk)")
+                    with(bob.get("/")) { statusCode() to headers().firstValue("Location").get() } shouldBe (303 to "/ann/")
+                    mas.kill("ann")
+                    watcher.await { it.agents.size == 1 }
+                    bob.get("/ann/").statusCode() shouldBe 404
+                    bob.get("").statusCode() shouldBe 200
+                }
+                mas.kill("bob")
+                eventually(::viewThreads) { viewThreads().isEmpty() }
+                ServerSocket(port, 1, InetAddress.getByName("127.0.0.1")).close()
+            }
+        }
+    }
+
+    test("an agent with any name has a page") {
+        ViewedMas().use { mas ->
+            mas.agent("a b/ü+%", "likes(tea).")
+            val address = mas.agentView("a b/ü+%").address
+            Watcher(address).use { it.await { state -> state.agent == "a b/ü+%" } }
         }
     }
 
@@ -244,7 +351,7 @@ class ViewSpec : FunSpec({
             Socket().use {
                 it.receiveBufferSize = 1024
                 it.connect(InetSocketAddress("127.0.0.1", address.port))
-                it.getOutputStream().write("GET /events HTTP/1.1\r\nHost: ${address.authority}\r\n\r\n".toByteArray())
+                it.getOutputStream().write("GET ${address.path}events HTTP/1.1\r\nHost: ${address.authority}\r\n\r\n".toByteArray())
                 val frames = AtomicInteger()
                 board.whenAsked("getPercepts").answer { "light(${frames.incrementAndGet()});" + FILLING }
                 Watcher(address).use { watcher ->
@@ -305,9 +412,9 @@ class ViewSpec : FunSpec({
     test("more pages than there is room for are told so") {
         watched { _, _, address ->
             val watchers = (1..12).map { Watcher(address).apply { await { true } } }
-            address.get("/events").statusCode() shouldBe 503
+            address.get("events").statusCode() shouldBe 503
             watchers.forEach(Watcher::close)
-            eventually({ "no room" }) { "200" in address.raw("GET /events HTTP/1.1", "Host: ${address.authority}") }
+            eventually({ "no room" }) { "200" in address.raw("GET ${address.path}events HTTP/1.1", "Host: ${address.authority}") }
         }
     }
 

@@ -41,7 +41,7 @@ internal class ViewedMas : AutoCloseable {
 
     /** Starts an agent with [program] whose option `argo_view` is [view]. */
     fun agent(name: String, program: String, view: String = "0") {
-        val source = directory.resolve("$name.asl").apply { writeText(program) }
+        val source = directory.resolve("${name.replace(Regex("\\W"), "_")}.asl").apply { writeText(program) }
         val settings = Settings().apply { setOptions(hashMapOf<String, Any>("argo_view" to view)) }
         val services = RuntimeServicesFactory.get()
         services.startAgent(services.createAgent(name, source.toString(), null, listOf("argo.Arch"), null, settings, null))
@@ -74,7 +74,7 @@ internal class ViewedMas : AutoCloseable {
 
     /** Where the view of agent [name] is, by the log. */
     fun viewOf(name: String): URI {
-        val line = Regex("the live view of $name is at (http://127\\.0\\.0\\.1:\\d+/)").find(log)
+        val line = Regex("the live view of $name is at (http://127\\.0\\.0\\.1:\\d+/\\S+/)").find(log)
         return URI(checkNotNull(line) { log }.groupValues[1])
     }
 

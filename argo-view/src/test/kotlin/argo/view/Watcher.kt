@@ -19,7 +19,7 @@ internal class Watcher(address: URI) : AutoCloseable {
 
     private val reader = thread(isDaemon = true, name = "watcher") {
         try {
-            stream.getOutputStream().write("GET /events HTTP/1.0\r\nHost: ${address.authority}\r\n\r\n".toByteArray())
+            stream.getOutputStream().write("GET ${address.rawPath}events HTTP/1.0\r\nHost: ${address.authority}\r\n\r\n".toByteArray())
             stream.getInputStream().bufferedReader().forEachLine(::read)
         } catch (_: java.io.IOException) {
             // the test closes it
@@ -58,9 +58,9 @@ private fun Thread.join(limit: java.time.Duration): Boolean {
     return !isAlive
 }
 
-private val client: HttpClient = HttpClient.newHttpClient()
+private val client: HttpClient = HttpClient.newHttpClient() // follows no redirects
 
-/** The answer to GET [path]. */
+/** The answer to GET [path], which is that of a page if it begins without a slash. */
 internal fun URI.get(path: String): HttpResponse<String> =
     client.send(HttpRequest.newBuilder(resolve(path)).build(), HttpResponse.BodyHandlers.ofString())
 

@@ -58,8 +58,8 @@ class LiveViewSpec : FunSpec({
     }
 })
 
-private fun addressOf(line: String) = URI(checkNotNull(Regex("http://127\\.0\\.0\\.1:\\d+/").find(line)) { line }.value)
+private fun addressOf(line: String) = URI(checkNotNull(Regex("http://127\\.0\\.0\\.1:\\d+/robot/").find(line)) { line }.value)
 
 /** What a page is told, to its end. */
 private fun watch(address: URI): Stream<String> =
-    HttpClient.newHttpClient().send(HttpRequest.newBuilder(address.resolve("/events")).build(), HttpResponse.BodyHandlers.ofLines()).body()
+    HttpClient.newHttpClient().send(HttpRequest.newBuilder(address.resolve("events")).build(), HttpResponse.BodyHandlers.ofLines()).body()

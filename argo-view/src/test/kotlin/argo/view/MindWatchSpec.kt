@@ -13,15 +13,15 @@ import java.util.logging.Logger
 
 private const val MS = 1_000_000L
 
-class BeliefWatchSpec : FunSpec({
+class MindWatchSpec : FunSpec({
     var now = 0L
     val log = Logger.getLogger("argo.view.test").apply { useParentHandlers = false }
-    fun watch(base: BeliefBase) = BeliefWatch({ base }, log) { now }.also { now = 0 }
+    fun watch(base: BeliefBase) = MindWatch({ Mind.of(base) }, log) { now }.also { now = 0 }
     fun base(vararg beliefs: String) = DefaultBeliefBase().apply { beliefs.forEach { add(parseLiteral(it)) } }
 
     test("nobody looks: nothing is read") {
         var reads = 0
-        val watch = BeliefWatch({ reads++; base() }, log) { now }
+        val watch = MindWatch({ reads++; Mind.of(base()) }, log) { now }
         repeat(100) { watch.cycleFinished() }
         reads shouldBe 0
     }
@@ -33,17 +33,17 @@ class BeliefWatchSpec : FunSpec({
         val watch = watch(base)
         watch.isWatched = true
         watch.cycleFinished()
-        val picture = watch.newest.shouldNotBeNull()
-        picture.total shouldBe 4
-        picture.beliefs.map { it.text to it.sources.toSet() }.shouldContainExactlyInAnyOrder(
+        val mind = watch.newest.shouldNotBeNull().mind
+        mind.believed shouldBe 4
+        mind.beliefs.map { it.text to it.sources.toSet() }.shouldContainExactlyInAnyOrder(
             "dist(f,38)" to setOf("percept"), "status(front)" to setOf("self"), "go" to setOf("bob", "self"),
             "near(X) :- (dist(f,X) & (X < 40))" to emptySet(),
         )
     }
 
-    test("ten pictures are taken in a second, however many cycles there are") {
+    test("the watch looks ten times in a second, however many cycles there are") {
         var reads = 0
-        val watch = BeliefWatch({ reads++; base() }, log) { now }.apply { isWatched = true }
+        val watch = MindWatch({ reads++; Mind.of(base()) }, log) { now }.apply { isWatched = true }
         now = 0
         repeat(1000) { watch.cycleFinished(); now += MS }
         reads shouldBe 10
@@ -70,13 +70,13 @@ class BeliefWatchSpec : FunSpec({
         })
         watch.isWatched = true
         watch.cycleFinished()
-        val picture = watch.newest.shouldNotBeNull()
-        picture.total shouldBe 20_000
-        picture.beliefs.size shouldBeLessThan 400
+        val mind = watch.newest.shouldNotBeNull().mind
+        mind.believed shouldBe 20_000
+        mind.beliefs.size shouldBeLessThan 400
     }
 
     test("a belief base that cannot be read costs the agent nothing") {
-        val watch = BeliefWatch({ throw ConcurrentModificationException() }, log) { now }.apply { isWatched = true }
+        val watch = MindWatch({ throw ConcurrentModificationException() }, log) { now }.apply { isWatched = true }
         watch.cycleFinished()
         watch.newest shouldBe null
     }

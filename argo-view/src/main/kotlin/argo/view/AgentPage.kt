@@ -1,0 +1,20 @@
+package argo.view
+
+import argo.observing.ObservedAgent
+import java.net.URLEncoder
+
+/**
+ * The page of one agent.
+ *
+ * @property routes respond to what it asks
+ * @property states are streamed to it
+ */
+internal class AgentPage(val agent: ObservedAgent, val routes: Routes, val states: Broadcast) {
+    constructor(agent: ObservedAgent) : this(agent, Routes(agent), Broadcast())
+
+    /** Where it is on its server, such as `/bob/`. */
+    val path: String = "/${URLEncoder.encode(agent.name, Charsets.UTF_8).replace("+", "%20")}/"
+
+    /** What pages of other agents show of it. */
+    fun tab() = AgentTab(agent.name, agent.isPerceiving && agent.ports().any { it.isPerceived && (it.isStale || it.status != "on") })
+}

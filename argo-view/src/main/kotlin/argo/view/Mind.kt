@@ -1,0 +1,50 @@
+package argo.view
+
+import argo.observing.ObservedAgent
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+import jason.bb.BeliefBase
+
+/**
+ * What an agent believes and intends at one moment.
+ *
+ * @property believed how many beliefs there are in all, without those that Jason hides itself
+ * @property intended how many intentions there are in all
+ */
+internal class Mind(
+    val believed: Int,
+    val beliefs: List<Belief>,
+    val intended: Int = 0,
+    val intentions: List<IntentionState> = emptyList(),
+) {
+    companion object {
+        private val HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector") // Jason's own rules
+        private const val MAX_OF_A_KIND = 150
+        private const val MAX_LOOKED_AT = 5000
+        private const val MAX_INTENTIONS = 30
+
+        /** The mind of [agent]. For the agent's thread only. */
+        fun of(agent: ObservedAgent): Mind {
+            val believed = of(agent.beliefs)
+            val circumstance = agent.circumstance
+            val intentions = circumstance.allIntentions.asSequence().take(MAX_LOOKED_AT).filterNot { it.isFinished }.distinctBy { it.id }
+                .sortedBy { it.id }.toList()
+            val shown = intentions.take(MAX_INTENTIONS).map { intentionState(it, circumstance.getPendingIntentionKey(it)) }
+            return Mind(believed.believed, believed.beliefs, intentions.size, shown)
+        }
+
+        /** What is in [base] alone. */
+        fun of(base: BeliefBase): Mind {
+            val perceived = base.percepts.asSequence().take(MAX_OF_A_KIND)
+            val (hidden, others) = base.asSequence().take(MAX_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }
+                .partition { it.hasAnnot(HIDDEN) }
+            return Mind(base.size() - hidden.size, (others.take(MAX_OF_A_KIND) + perceived).map(::belief))
+        }
+
+        private fun belief(literal: Literal): Belief {
+            val sources = literal.sources.map { "$it" }
+            val bare = literal.copy().apply { delSources() }
+            return Belief(shown("$bare"), sources)
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package argo.view
+
+import java.net.URLDecoder
+import java.util.concurrent.CopyOnWriteArrayList
+
+/** The pages of all agents on one server, and where everything is. Safe for use by several threads. */
+internal class Site {
+    private val pages = CopyOnWriteArrayList<AgentPage>()
+
+    /** Whether no agent has a page. */
+    val isEmpty: Boolean get() = pages.isEmpty()
+
+    /** Adds [page], in front of those of agents of the same name that are about to end. */
+    fun add(page: AgentPage) = pages.add(0, page)
+
+    /** Removes [page]. */
+    fun remove(page: AgentPage) = pages.remove(page)
+
+    /** All agents in the order of their names, [MAX_TABS] at most. */
+    fun tabs(): List<AgentTab> = pages.distinctBy { it.path }.sortedBy { it.agent.name }.take(MAX_TABS).map { it.tab() }
+
+    /** Who responds to a request for [path], still encoded: a page's resource, or one that all pages share. */
+    fun find(path: String): Found {
+        val parts = path.split('/').drop(1) // of the nothing before the first slash
+        val name = parts.takeIf { it.size == 2 }?.let { decoded(it[0]) }
+        val page = pages.find { it.agent.name == name } ?: return Found(null, path)
+        return Found(page, "/${parts[1]}")
+    }
+
+    /** The response to [request] for what belongs to no agent. */
+    fun respond(request: Request): HttpResponse {
+        val respond = when (request.path) {
+            "/" -> ::toFirst
+            "/view.css" -> ({ file("view.css", "text/css") })
+            "/view.js" -> ({ file("view.js", "text/javascript") })
+            "/course.js" -> ({ file("course.js", "text/javascript") })
+            else -> return HttpResponse.message(404, "there is nothing at ${shown(request.path)}")
+        }
+        return if (request.method == "GET") respond() else HttpResponse.wrongMethod("GET")
+    }
+
+    private fun toFirst(): HttpResponse = pages.minByOrNull { it.agent.name }?.let { HttpResponse.seeOther(it.path) }
+        ?: HttpResponse.message(404, "no agent has a view here any more")
+
+    private fun decoded(name: String) = try {
+        URLDecoder.decode(name.replace("+", "%2B"), Charsets.UTF_8)
+    } catch (_: IllegalArgumentException) {
+        null
+    }
+
+    /**
+     * @property page the agent's; null: [path] is of no agent
+     * @property path within the page, such as `/events`, or else within the site
+     */
+    class Found(val page: AgentPage?, val path: String)
+
+    companion object {
+        private const val MAX_TABS = 200
+
+        /** The resource [name] of this module. */
+        fun file(name: String, type: String) =
+            HttpResponse(200, type, checkNotNull(Site::class.java.getResource(name)) { "the resource $name is missing" }.readBytes())
+    }
+}

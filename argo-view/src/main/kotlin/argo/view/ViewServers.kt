@@ -1,0 +1,31 @@
+package argo.view
+
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * The servers of this program, one for each port that agents ask for: agents that ask for the same one share it, on purpose, so that all
+ * of a system are on one page. Also for 0, any port that is free. Safe for use by several threads.
+ */
+internal object ViewServers {
+    private val lock = ReentrantLock()
+    private val servers = HashMap<Int, ViewServer>()
+
+    /**
+     * Puts [page] on the server for [port].
+     *
+     * @throws java.io.IOException if the port cannot be had
+     */
+    fun join(port: Int, page: AgentPage): ViewServer = lock.withLock {
+        servers.getOrPut(port) { ViewServer("$port", port) }.also { it.site.add(page) }
+    }
+
+    /** Takes [page] off [server], which was joined for [port]; the last one ends it. */
+    fun leave(port: Int, server: ViewServer, page: AgentPage) {
+        val isLast = lock.withLock {
+            server.site.remove(page)
+            server.site.isEmpty.also { if (it && servers.remove(port, server)) server.closePort() }
+        }
+        if (isLast) server.endThreads()
+    }
+}
