@@ -114,10 +114,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.checkMail()
     }
 
-    override fun canSleep(): Boolean = super.canSleep() && !io.hasNews() && !environment.isWaiting()
+    override fun canSleep(): Boolean = super.canSleep() && !io.hasNews() && !environment.isWaiting() && waker.maySleep()
 
     override fun reasoningCycleFinished() {
         observing.cycleFinished()
+        if (ts.c.isAtomicIntentionSuspended) waker.sleepsUnasked()
         super.reasoningCycleFinished()
     }
 

@@ -6,8 +6,9 @@ import java.util.concurrent.atomic.AtomicLong
 /**
  * Wakes an agent that sleeps or is about to.
  *
- * Jason's wake-up is lost when it comes between an agent's decision to sleep and its sleep, which then lasts up to a second.
- * So it is repeated, ever more slowly, until the agent has seen what it was woken for.
+ * Jason's wake-up is lost when it comes between an agent's decision to sleep and its sleep, which then lasts up to a second. An agent that
+ * asks [maySleep] does not fall asleep when it has been woken before. One that has decided and does not sleep yet, or does not ask, is woken
+ * again, ever more slowly, until it has seen what it was woken for.
  */
 internal class Waker(private val arch: AgArch, private val platform: Platform = Platform.system) {
     private val nextWake = AtomicLong(Long.MAX_VALUE)
@@ -15,12 +16,46 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var perceivedMs = Long.MIN_VALUE
 
-    /** Wakes the agent now and again until [seen]; [seen] is asked by other threads. */
+    /** Whether the agent was woken since it began to perceive. Written before [sleeper] is read, and read after that is written. */
+    @Volatile
+    private var isWoken = false
+
+    /** The thread that was allowed to sleep since the agent began to perceive. */
+    @Volatile
+    private var sleeper: Thread? = null
+
+    @Volatile
+    private var perceiver: Thread? = null
+
+    /** Whether the thread that perceives is the one that sleeps; not known before it asks. Jason has agents of three threads too. */
+    @Volatile
+    private var isOneThread: Boolean? = null
+
+    /** Wakes the agent now and, if that may be in vain, again until [seen]; [seen] is asked by other threads. */
     fun wake(seen: () -> Boolean) = wake(FIRST_REPEAT_MS, seen)
 
-    /** The agent begins to perceive, and so has seen what [wakeIn] woke it for. Called by its thread. */
+    /** The agent begins to perceive, and so sees what it was woken for. Called by its thread. */
     fun perceives() {
         perceivedMs = platform.nowMs()
+        perceiver = Thread.currentThread()
+        sleeper = null
+        isWoken = false
+    }
+
+    /** Whether the agent was not woken since it began to perceive. Called by its thread, last of all, when it decides about its sleep. */
+    fun maySleep(): Boolean {
+        val thread = Thread.currentThread()
+        if (isOneThread != false) isOneThread = thread === perceiver
+        sleeper = thread
+        if (isOneThread == false || !isWoken) return true
+        sleeper = null
+        return false
+    }
+
+    /** The agent falls asleep without asking [maySleep]: an atomic plan waits for something. Called by its thread at the end of a cycle. */
+    fun sleepsUnasked() {
+        sleeper = Thread.currentThread()
+        if (isWoken) wake(FIRST_REPEAT_MS) { !isWoken }
     }
 
     /** Wakes the agent in [delayMs] ms to perceive, unless it will be woken earlier anyway. */
@@ -36,11 +71,16 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
 
     private fun wake(repeatMs: Long, seen: () -> Boolean) {
         if (!arch.isRunning) return
+        isWoken = true
+        val isInVain = mayBeInVain()
         arch.firstAgArch.wakeUpSense()
         arch.firstAgArch.wakeUpDeliberate()
         arch.firstAgArch.wake() // JADE's architecture knows this call alone
-        if (repeatMs <= LAST_REPEAT_MS) platform.later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
+        if (isInVain && repeatMs <= LAST_REPEAT_MS) platform.later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
     }
+
+    /** Whether the agent may be about to sleep; a thread that waits with a time limit sleeps. */
+    private fun mayBeInVain() = isOneThread != true || sleeper.let { it != null && it.state != Thread.State.TIMED_WAITING }
 
     private companion object {
         const val FIRST_REPEAT_MS = 1L

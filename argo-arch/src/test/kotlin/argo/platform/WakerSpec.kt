@@ -4,25 +4,96 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
 import jason.architecture.AgArch
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
+
+/** Counts how often it is woken. */
+private class Sleeper : AgArch() {
+    @Volatile
+    var wakes = 0
+
+    override fun wakeUpSense() {
+        wakes++
+    }
+}
 
 class WakerSpec : FunSpec({
-    test("an agent that is to perceive later is woken again and again until it does, since it may fall asleep just then") {
+    test("an agent that may fall asleep just when it is to perceive is woken again and again until it does") {
         val time = TestTime()
-        var wakes = 0
-        val agent = object : AgArch() {
-            override fun wakeUpSense() {
-                wakes++
-            }
-        }
+        val agent = Sleeper()
         val waker = Waker(agent, time)
         waker.perceives()
         waker.wakeIn(100)
+        waker.maySleep() shouldBe true // and does not sleep yet
         repeat(4) { time.step() } // after 100 ms, and 1, 2 and 4 ms later
         time.nowMs() shouldBe 107
-        wakes shouldBe 4
+        agent.wakes shouldBe 4
         waker.perceives()
         while (!time.isIdle()) time.step()
-        wakes shouldBe 4
+        agent.wakes shouldBe 4
+    }
+
+    test("an agent that is woken while a cycle runs does not fall asleep behind it, and is woken once") {
+        val time = TestTime()
+        val agent = Sleeper()
+        val waker = Waker(agent, time)
+        waker.perceives()
+        waker.maySleep() shouldBe true
+        waker.perceives()
+        waker.wake { false }
+        time.isIdle() shouldBe true
+        agent.wakes shouldBe 1
+        waker.maySleep() shouldBe false
+        waker.perceives()
+        waker.maySleep() shouldBe true
+    }
+
+    test("an agent that sleeps is woken once") {
+        val time = TestTime()
+        val agent = Sleeper()
+        val waker = Waker(agent, time)
+        val slept = CountDownLatch(1)
+        val thread = thread {
+            waker.perceives()
+            waker.maySleep()
+            slept.await(60, TimeUnit.SECONDS)
+        }
+        while (thread.state != Thread.State.TIMED_WAITING) Thread.onSpinWait()
+        waker.wake { false }
+        time.isIdle() shouldBe true
+        agent.wakes shouldBe 1
+        slept.countDown()
+    }
+
+    test("an agent that another thread lets sleep than the one that perceives is woken again and again") {
+        val time = TestTime()
+        val agent = Sleeper()
+        val waker = Waker(agent, time)
+        waker.perceives()
+        thread { waker.maySleep() }.join()
+        waker.maySleep() shouldBe true
+        waker.perceives()
+        waker.wake { false }
+        time.isIdle() shouldBe false
+        waker.maySleep() shouldBe true
+    }
+
+    test("an agent that falls asleep unasked, as an atomic plan waits, is woken again and again") {
+        val time = TestTime()
+        val agent = Sleeper()
+        val waker = Waker(agent, time)
+        waker.perceives()
+        waker.maySleep() shouldBe true
+        waker.perceives()
+        waker.wake { false }
+        time.isIdle() shouldBe true
+        waker.sleepsUnasked()
+        repeat(2) { time.step() } // 1 and 2 ms later
+        agent.wakes shouldBe 4
+        waker.perceives()
+        while (!time.isIdle()) time.step()
+        agent.wakes shouldBe 4
     }
 
     test("an agent that never perceives is not woken for ever") {
