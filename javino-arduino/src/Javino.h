@@ -21,283 +21,7 @@
 #ifndef JAVINO_H
 #define JAVINO_H
 
-#include <Arduino.h>
-
-#include "JavinoActions.h"
-#include "JavinoArguments.h"
-#include "javino_board.h"
-#include "javino_rules.h"
-
-#ifndef JAVINO_BYTES
-#if defined(RAMEND) && RAMEND < 0x0900
-/* 2 KiB of RAM: room for the longest frame received and, besides a request, for an answer of 255 bytes. */
-#define JAVINO_BYTES 368
-#else
-#define JAVINO_BYTES 640
-#endif
-#endif
-
-/** An action whose outcome is reported later, see JavinoBoard::later(). */
-typedef javino_later JavinoLater;
-
-/**
- * A board on a line. Use Javino, or JavinoSized for another amount of memory.
- *
- * Nothing is called from an interrupt, and nothing waits but a write to a line whose buffer is full; what
- * arrives meanwhile is kept.
- */
-class JavinoBoard {
-public:
-  /** Called to write percepts, or when the link is lost. */
-  typedef void (*Callback)();
-
-  /**
-   * Opens the line, if the board's stream is a port that can be, and begins the conversation.
-   *
-   * @param baud  9600 and 115200 are common; the far end must use the same
-   */
-  void start(unsigned long baud = 9600) {
-    /* Serial by name, so that the compiler works out its settings for a constant rate. */
-    if (begin_)
-      begin_(stream_, baud);
-    else
-      Serial.begin(baud);
-    javino_link_timeout(&board_.link, JAVINO_TIMEOUT_MS(baud));
-  }
-
-  /** Takes what has arrived. run() and availableMsg() do so too, so a sketch without serialEvent() works. */
-  void readSerial() { receive(); }
-
-  /** @name Callbacks */
-  ///@{
-
-  /**
-   * Handles what has arrived: answers requests for percepts, carries out actions, reports a lost link. An
-   * action that the board does not know is refused or, in version 1, ignored. Call it in every loop().
-   *
-   * Within a callback it only takes what has arrived, so that nothing is lost in a callback that takes long; requests
-   * and actions wait until the callback has returned, `stop` too. See later().
-   */
-  void run();
-
-  /** Has percepts written by this function whenever they are asked for. It calls percept() or addPercept(). */
-  void perceive(Callback write) { perceive_ = write; }
-
-  /** `act["ledOn"] = ledOn;` has the function called for the action of exactly this text. */
-  JavinoActions act;
-
-  /**
-   * Has the function called for an action, with its arguments.
-   *
-   * @param name       the functor, which is not copied
-   * @param function   `void`; or `bool`, where false refuses the action because of its arguments; or without
-   *                   parameters, and then an action with arguments is refused
-   * @param arguments  how many it takes: with another number the action is refused and the function not called
-   * @return false if there is no memory left for it
-   */
-  bool onAction(const char *name, void (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
-    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments, arguments);
-  }
-  bool onAction(const char *name, bool (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
-    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::askWithArguments, arguments);
-  }
-  bool onAction(const char *name, Callback function) { return act.add(name, function); }
-
-  /**
-   * Within an action's function: its outcome is reported later, with done(). The function returns at once, what it
-   * returns is of no account, and the board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the
-   * outcome. Until then no other action of version 2 is carried out, not an urgent one either; what must be stopped on the
-   * way had better be reported as carried out when it begins, and its end with a percept.
-   *
-   * @return what to hand to done(). In version 1, which has no outcomes, a value with which that does nothing
-   */
-  JavinoLater later() { return javino_link_later(&board_.link); }
-
-  /**
-   * Reports the outcome of an action of which later() was called.
-   *
-   * @param carried_out  false if it could not be carried out
-   * @return whether it was reported; not if the computer has begun anew since: then nobody waits for this one
-   */
-  bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
-
-  /**
-   * Has the function called when nothing valid has arrived for so long, so that motors stop when the computer
-   * has died. Called once, and again only after something has arrived. What has arrived while loop() was busy counts
-   * as having come at the beginning of that time. A loop() that never returns is a watchdog's to notice.
-   *
-   * @param ms  milliseconds; 0: never
-   */
-  void onLinkLost(unsigned long ms, Callback function) {
-    silence_ms_ = ms;
-    lost_ = function;
-    supervise_ = ms && function ? supervise : NULL;
-    javino_link_supervise(&board_.link, millis());
-  }
-
-  /**
-   * Has the board watch critical rules itself, which the computer sets: a reflex is carried out within a run(), at once when
-   * a rule begins to be met. The function given to perceive() is called up to every 5 ms for the percepts that the rules name, which
-   * wants() tells; so it should read no sensor that is not wanted. Actions that are a reflex are called within percept().
-   *
-   * Call it in setup(), before anything arrives. A sketch that does not is spared the code.
-   *
-   * @param bytes  of the board's memory for the rules; one takes some 20
-   * @return false if there is too little memory, something has arrived, or version 2 is left out
-   */
-  bool watchRules(uint8_t bytes = 96) {
-#ifdef JAVINO_VERSION_1_ONLY
-    (void)bytes;
-    return false;
-#else
-    rules_ = rules;
-    free_ = stream_.availableForWrite();
-    return javino_rules_init(&board_, bytes, react, isFree);
-#endif
-  }
-  ///@}
-
-  /** @name Percepts */
-  ///@{
-
-  /**
-   * Writes one percept of the answer: `percept("dist", "front", 30)` is dist(front,30).
-   *
-   * @param functor  an atom, with a ~ before it where the percept is negated
-   * @param terms    whole numbers; numbers with decimals, of which two are written; true and false; text,
-   *                 which becomes an atom where it is one and otherwise a string
-   * @return false if it will not be sent, being longer than a frame, or because the memory is full and nobody
-   *         has asked
-   */
-  template <typename... Terms> bool percept(const char *functor, Terms... terms) {
-    if (!javino_percept_begin(&board_, functor))
-      return true;
-    char before = '(';
-    const bool each[] = {true, (javino_percept_put(&board_, before), before = ',', term(terms), true)...};
-    (void)each;
-    if (before == ',')
-      javino_percept_put(&board_, ')');
-    return javino_percept_end(&board_);
-  }
-
-  /** Writes one percept as it is, without the `;` after it. @return as percept() */
-  bool addPercept(const char *text);
-  bool addPercept(const String &text) { return addPercept(text.c_str()); }
-  bool addPercept(const __FlashStringHelper *text);
-
-  /** Whether the request in hand asks for percepts of this functor; spares reading a sensor. */
-  bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
-
-  /** Sends the percepts as the answer. run() does so by itself after perceive()'s function. */
-  void sendPercepts() { javino_board_answer(&board_); }
-
-  /** Forgets the percepts that have been written. */
-  void clearPercepts() { javino_board_clear(&board_); }
-  ///@}
-
-  /** @name Messages one by one, in place of run() */
-  ///@{
-
-  /** Looks for the next message. The one before is over: an action counts as carried out. Within a callback as run(). */
-  bool availableMsg();
-
-  /** The message's text: an action, or getPercepts for a request. Empty if there is none. Uses the heap. */
-  String getMsg() const;
-
-  /** Whether the message asks for percepts. */
-  bool requestPercepts() const { return board_.link.event == JAVINO_REQUEST; }
-
-  /** Whether the message is the action of this text. */
-  bool requestAction(const char *text) const;
-  bool requestAction(const String &text) const { return requestAction(text.c_str()); }
-
-  /** Refuses the message: the action is unknown or malformed. */
-  void refuse() { javino_link_finish(&board_.link, false); }
-
-  /**
-   * Sends a message, at once or as an answer: percepts, each with a `;` after it. It goes out as it is, whatever
-   * functors the request names.
-   *
-   * @return false if a percept in it is longer than version 1 can send
-   */
-  bool sendMsg(const char *text) { return javino_board_send(&board_, text, strlen(text)); }
-  bool sendMsg(const String &text) { return javino_board_send(&board_, text.c_str(), text.length()); }
-  ///@}
-
-  /** @name As earlier libraries spelt them */
-  ///@{
-  bool availablemsg() { return availableMsg(); }
-  String getmsg() const { return getMsg(); }
-  bool sendmsg(const String &text) { return sendMsg(text); }
-  ///@}
-
-protected:
-  typedef void (*Begin)(Stream &port, unsigned long baud);
-
-  /* For the compiler alone, which asks for it in `Javino javino = Javino();` and then copies nothing. */
-  JavinoBoard(const JavinoBoard &);
-
-  /** A board on this stream, which begin opens; null: it is Serial. The memory is aligned for pointers. */
-  JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size);
-
-  template <typename Port> static void begin(Stream &port, unsigned long baud) {
-    static_cast<Port &>(port).begin(baud);
-  }
-
-  /** For a stream that is open. */
-  static void open(Stream &, unsigned long) {}
-
-private:
-  JavinoBoard &operator=(const JavinoBoard &);
-
-  static void write(void *board, uint8_t byte);
-  static void supervise(JavinoBoard &board);
-  static bool rules(JavinoBoard &board, bool action);
-  static void look(void *board);
-  static bool react(void *board, const char *text, uint8_t length);
-  static bool isFree(void *board);
-
-  /** Takes what has arrived. @return when, by the core's clock */
-  uint16_t receive();
-
-  void next();
-  void handle();
-  bool carryOutAction();
-
-  void term(bool value) { javino_percept_text(&board_, value ? "true" : "false"); }
-  void term(char value);
-  void term(signed char value) { term(static_cast<long>(value)); }
-  void term(unsigned char value) { term(static_cast<unsigned long>(value)); }
-  void term(short value) { term(static_cast<long>(value)); }
-  void term(unsigned short value) { term(static_cast<unsigned long>(value)); }
-  void term(int value) { term(static_cast<long>(value)); }
-  void term(unsigned int value) { term(static_cast<unsigned long>(value)); }
-  void term(long value) {
-    javino_percept_number(&board_, value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value), value < 0);
-  }
-  void term(unsigned long value) { javino_percept_number(&board_, static_cast<uint32_t>(value), false); }
-  void term(double value);
-  void term(float value) { term(static_cast<double>(value)); }
-  void term(const char *value) { javino_percept_term(&board_, value); }
-  void term(char *value) { javino_percept_term(&board_, value); }
-  void term(const __FlashStringHelper *value) { term(String(value)); }
-  /* Any other pointer would be a truth value. */
-  template <typename Other> void term(Other *) = delete;
-  void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
-
-  Stream &stream_;
-  Begin begin_;
-  Callback perceive_;
-  void (*supervise_)(JavinoBoard &); /* A sketch that does not supervise its link is spared the code. */
-  Callback lost_;                    /* Set together with supervise_, and so is the time. */
-  unsigned long silence_ms_;
-  bool (*rules_)(JavinoBoard &, bool action); /* Handles the action in hand if it sets a rule, or looks at the rules. */
-  int free_;                                  /* What the port takes when all before has left. */
-  bool waiting_; /* The action in hand waits for what follows it. */
-  bool busy_;    /* run() or availableMsg() is under way. */
-  bool mute_;    /* The port takes nothing more of this message. */
-  javino_board board_;
-};
+#include "JavinoBoard.h"
 
 /**
  * A board with this many bytes of memory, for what arrives, for an answer and for the actions' table. At least
@@ -308,13 +32,36 @@ public:
   /** On Serial. */
   JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
-  /** On a port that start() opens, such as Serial1 or a SoftwareSerial. */
-  template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, begin<Port>, memory_, USED) {}
+  /**
+   * On a port that start() opens, such as Serial1 or a SoftwareSerial, or on a stream that the sketch opens since it has no rate, such as a
+   * WiFiClient or a BluetoothSerial.
+   */
+  template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
-  /** On a stream that the sketch opens. */
-  explicit JavinoSized(Stream &stream) : JavinoBoard(stream, open, memory_, USED) {}
+  /**
+   * Opens the line, if the board's stream is a port that can be, and begins the conversation.
+   *
+   * @param baud  9600 and 115200 are common; the far end must use the same
+   */
+  void start(unsigned long baud = 9600) {
+    /* Serial by name, so that the compiler works out its settings for a constant rate. */
+    if (open_)
+      open_(stream_, baud);
+    else
+      Serial.begin(baud);
+    setTimeLimit(JAVINO_TIMEOUT_MS(baud));
+  }
+
+  /** As start(), under the name that other libraries have for it. */
+  void begin(unsigned long baud = 9600) { start(baud); }
 
 private:
+  template <typename Port> static void open(Stream &port, unsigned long baud) { open(static_cast<Port &>(port), baud, 0); }
+
+  /* The first where it compiles. */
+  template <typename Port> static auto open(Port &port, unsigned long baud, int) -> decltype(port.begin(baud), void()) { port.begin(baud); }
+  template <typename Port> static void open(Port &, unsigned long, long) {}
+
   static_assert(Bytes >= JAVINO_MEMORY_MIN, "JavinoSized: too few bytes");
   /* The actions' table is at the end. */
   static const uint16_t USED = Bytes / sizeof(void *) * sizeof(void *);

@@ -58,7 +58,14 @@ public:
   virtual ~Stream() {}
   virtual int available() = 0;
   virtual int read() = 0;
+  virtual int peek() = 0;
   virtual size_t write(uint8_t byte) = 0;
+  virtual size_t write(const uint8_t *bytes, size_t n) {
+    size_t written = 0;
+    while (written < n && write(bytes[written]))
+      written++;
+    return written;
+  }
   virtual int availableForWrite() { return 0; }
 };
 
@@ -74,7 +81,11 @@ public:
   bool takes = true;
   int refused = 0;
 
+  /** How many writes there have been. */
+  int writes = 0;
+
   void begin(unsigned long rate) { baud = rate; }
+  template <typename Value> void println(const Value &) {}
   void receive(const std::string &bytes) { in.insert(in.end(), bytes.begin(), bytes.end()); }
   std::string sent() { std::string bytes; bytes.swap(out); return bytes; }
 
@@ -86,11 +97,18 @@ public:
     in.pop_front();
     return byte;
   }
+  int peek() override { return in.empty() ? -1 : in.front(); }
+  size_t write(const uint8_t *bytes, size_t n) override {
+    size_t written = Stream::write(bytes, n);
+    writes -= static_cast<int>(written) - 1;
+    return written;
+  }
   size_t write(uint8_t byte) override {
     if (!takes) {
       refused++;
       return 0;
     }
+    writes++;
     out += static_cast<char>(byte);
     if (!meanwhile.empty()) {
       in.push_back(meanwhile.front());
@@ -100,7 +118,9 @@ public:
   }
 };
 
+#ifndef STUB_WITHOUT_SERIAL
 extern FakeSerial Serial;
+#endif
 extern unsigned long stub_millis;
 extern int stub_pins[32];
 

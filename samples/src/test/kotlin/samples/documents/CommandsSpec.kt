@@ -65,6 +65,7 @@ private val NOT_TRIED = mapOf(
     "sudo usermod" to "changes the machine",
     "lsusb" to "is the system's",
     "ssh" to "needs another computer",
+    "./split " to "is run by javino-arduino/check",
     "cc " to "is run by FirmwareSnippetsSpec",
     "riscv64-unknown-elf-gcc" to "is for a microcontroller of the reader's; the Makefile's rules are the same",
     "qemu-system-riscv32" to "runs the reader's own program",

@@ -1,14 +1,14 @@
 #ifdef ARDUINO /* elsewhere the core in C is all there is */
 
-#include "Javino.h"
+#include "JavinoBoard.h"
 
 #include "javino_literal.h"
 
 /** Messages that one run() handles, so that a flood cannot keep the sketch from the rest of its loop(). */
 static const uint8_t MESSAGES_PER_RUN = 8;
 
-JavinoBoard::JavinoBoard(Stream &stream, Begin begin, void *memory, uint16_t size)
-    : act(&board_), stream_(stream), begin_(begin), perceive_(NULL), supervise_(NULL), rules_(NULL), waiting_(false), busy_(false),
+JavinoBoard::JavinoBoard(Stream &stream, Open open, void *memory, uint16_t size)
+    : act(&board_), stream_(stream), open_(open), perceive_(NULL), supervise_(NULL), rules_(NULL), waiting_(false), busy_(false),
       mute_(false) {
   javino_board_init(&board_, memory, size, write, this);
   act.begin();

@@ -1,0 +1,155 @@
+/**
+ * @file
+ * A board on a network or on Bluetooth: on any Stream that the sketch opens, exchanges and loses, such as a WiFiClient, an EthernetClient or
+ * a BluetoothSerial. No Serial is needed.
+ *
+ *     #include <JavinoNetwork.h>
+ *
+ *     WiFiServer server(4000);
+ *     WiFiClient client;
+ *     JavinoNetwork javino;
+ *
+ *     void loop() {
+ *       WiFiClient next = server.accept();
+ *       if (next) {
+ *         client = next;
+ *         javino.setStream(client);
+ *       }
+ *       javino.run();
+ *     }
+ *
+ * Everything of JavinoBoard is here too. What a run() writes goes out in one write, so that a frame is not a packet for each byte.
+ */
+#ifndef JAVINO_NETWORK_H
+#define JAVINO_NETWORK_H
+
+#include "JavinoBoard.h"
+
+/** Bytes that are gathered for one write; longer answers take more than one. Of TCP over Ethernet a packet holds 1,460. */
+#ifndef JAVINO_GATHERED_BYTES
+#define JAVINO_GATHERED_BYTES 300
+#endif
+
+/** For JavinoNetworkSized: gathers what is written to a stream, which may change and be none. */
+class JavinoGathering : public Stream {
+public:
+  JavinoGathering() : to_(NULL), length_(0) {}
+
+  /** Forgets what was gathered for the stream before. */
+  void setStream(Stream *stream) {
+    to_ = stream;
+    length_ = 0;
+  }
+
+  bool isOn(const Stream *stream) const { return to_ == stream; }
+
+  /** Writes what was gathered. What the stream does not take is dropped: nobody is there any more. */
+  void send() {
+    size_t sent = 0;
+    while (to_ && sent < length_) {
+      size_t n = to_->write(bytes_ + sent, length_ - sent);
+      if (n == 0)
+        break;
+      sent += n;
+    }
+    length_ = 0;
+  }
+
+  int available() { return to_ ? to_->available() : 0; }
+  int read() { return to_ ? to_->read() : -1; }
+  int peek() { return to_ ? to_->peek() : -1; }
+  void flush() { send(); }
+  size_t write(uint8_t byte) {
+    if (!to_)
+      return 0;
+    if (length_ == sizeof bytes_)
+      send();
+    bytes_[length_++] = byte;
+    return 1;
+  }
+
+private:
+  Stream *to_;
+  size_t length_;
+  uint8_t bytes_[JAVINO_GATHERED_BYTES];
+};
+
+/** For JavinoNetworkSized: constructed before the board that refers to it. */
+struct JavinoGatheringHolder {
+  JavinoGathering gathering_;
+};
+
+/** A board on streams, with this many bytes of memory, as JavinoSized has them. */
+template <uint16_t Bytes> class JavinoNetworkSized : private JavinoGatheringHolder, public JavinoBoard {
+public:
+  /** On no stream until setStream(). */
+  JavinoNetworkSized() : JavinoBoard(gathering_, NULL, memory_, USED) { begin(); }
+
+  /** On this stream, which lasts as long as it is used. */
+  explicit JavinoNetworkSized(Stream &stream) : JavinoBoard(gathering_, NULL, memory_, USED) {
+    begin();
+    setStream(stream);
+  }
+
+  /** Sets the time limit within a message to 2 s, as networks need it. The constructor does so too; see setTimeLimit(). */
+  void begin() { setTimeLimit(2000); }
+
+  /**
+   * Uses this stream from now on, such as the connection of a computer that has come. What came through the one before and is not a whole
+   * message is forgotten. A command that a computer repeats through the new one, since its outcome was lost, is still carried out once.
+   * Not within a callback.
+   *
+   * @param stream  open; it lasts until another one is set
+   */
+  void setStream(Stream &stream) {
+    gathering_.setStream(&stream);
+    forgetPart();
+  }
+
+  /** Uses no stream any more. A lost link is still noticed in run(). */
+  void removeStream() { gathering_.setStream(NULL); }
+
+  /** Whether a stream has been set. */
+  bool hasStream() const { return !gathering_.isOn(NULL); }
+
+  /** @name As in JavinoBoard; what was written goes out. */
+  ///@{
+  void run() {
+    JavinoBoard::run();
+    gathering_.send();
+  }
+  bool availableMsg() {
+    bool found = JavinoBoard::availableMsg();
+    gathering_.send();
+    return found;
+  }
+  void sendPercepts() {
+    JavinoBoard::sendPercepts();
+    gathering_.send();
+  }
+  template <typename Text> bool sendMsg(const Text &text) {
+    bool sent = JavinoBoard::sendMsg(text);
+    gathering_.send();
+    return sent;
+  }
+  bool done(JavinoLater later, bool carried_out = true) {
+    bool reported = JavinoBoard::done(later, carried_out);
+    gathering_.send();
+    return reported;
+  }
+  ///@}
+
+private:
+  static_assert(Bytes >= JAVINO_MEMORY_MIN, "JavinoNetworkSized: too few bytes");
+  static const uint16_t USED = Bytes / sizeof(void *) * sizeof(void *);
+  alignas(void *) uint8_t memory_[Bytes];
+};
+
+/** A board on streams. */
+class JavinoNetwork : public JavinoNetworkSized<JAVINO_BYTES> {
+public:
+  JavinoNetwork() {}
+  explicit JavinoNetwork(Stream &stream) : JavinoNetworkSized<JAVINO_BYTES>(stream) {}
+};
+
+#endif
