@@ -33,13 +33,15 @@ internal class ExpectedAnswer {
         expectedNanos = null
     }
 
-    /** Whether the answer is expected by now or within [GRACE_MS], and is not that much late. */
-    fun isNear(nowNanos: Long): Boolean = expectedNanos?.let { it - nowNanos in -GRACE_NANOS..GRACE_NANOS } == true
+    /** Whether the answer is expected within [SOON_NANOS], or is late by [LATE_NANOS] at most. */
+    fun isNear(nowNanos: Long): Boolean = expectedNanos?.let { it - nowNanos in -LATE_NANOS..SOON_NANOS } == true
 
     companion object {
-        /** How long a snapshot waits for the answer of another board, in ms. */
-        const val GRACE_MS = 2L
-        val GRACE_NANOS = TimeUnit.MILLISECONDS.toNanos(GRACE_MS)
+        /** How long a snapshot waits for an answer that is not due yet: each wait delays what has come. */
+        val SOON_NANOS = TimeUnit.MILLISECONDS.toNanos(2)
+
+        /** How long it waits for one that is late, which is seldom: eight boards on two processors answer some milliseconds apart. */
+        val LATE_NANOS = TimeUnit.MILLISECONDS.toNanos(5)
         private const val WEIGHT = 8
     }
 }

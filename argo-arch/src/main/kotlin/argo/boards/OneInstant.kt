@@ -29,6 +29,6 @@ internal class OneInstant(private val platform: Platform) {
 
     companion object {
         /** The longest that a snapshot waits, in ns. */
-        val MAX_NANOS = 2 * ExpectedAnswer.GRACE_NANOS
+        val MAX_NANOS = ExpectedAnswer.SOON_NANOS + ExpectedAnswer.LATE_NANOS
     }
 }
