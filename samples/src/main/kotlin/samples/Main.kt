@@ -12,6 +12,7 @@ import samples.experiment.ExperimentCommand
 import samples.fleet.FleetCommand
 import samples.lamp.BlinkCommand
 import samples.lamp.TwoBoardsCommand
+import samples.turtle.TurtleCommand
 import samples.typedfilters.TypedFiltersCommand
 import kotlin.system.exitProcess
 
@@ -43,7 +44,7 @@ private fun commandLine(command: Any, name: String) =
     description = ["Jason agents that drive boards through ARGO."],
     subcommands = [
         CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, ThreeBoardsCommand::class,
-        TypedFiltersCommand::class, FleetCommand::class,
+        TurtleCommand::class, TypedFiltersCommand::class, FleetCommand::class,
     ],
 )
 private class Samples : Runnable {

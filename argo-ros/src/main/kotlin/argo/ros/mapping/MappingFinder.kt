@@ -6,19 +6,19 @@ import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
 import java.nio.file.Path
 
-private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*")
+private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
 
 /** What mappings end with. */
 internal const val SUFFIX = ".ros.yaml"
 
 /**
- * Reads the mapping [name] anew, from [directory] or, if there is none, from the class path.
+ * Reads the mapping [name], which may hold folders, anew from [directory] or, if there is none, from the class path.
  *
  * @throws MappingException if it is refused, or not found
  */
 internal fun findMapping(name: String, directory: Path = Path.of("").toAbsolutePath()): Mapping {
     val fileName = "$name$SUFFIX"
-    if (!NAME.matches(name)) throw notRead(fileName, "'$name' is no name of a mapping: letters, digits, '_', '-' and '.'")
+    if (!NAME.matches(name)) throw notRead(fileName, "'$name' is no name of a mapping: letters, digits, '_', '-' and '.', and '/' behind folders")
     val file = directory.resolve(fileName)
     if (Files.isRegularFile(file)) {
         val text = try {

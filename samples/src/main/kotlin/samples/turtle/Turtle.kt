@@ -1,0 +1,39 @@
+package samples.turtle
+
+import java.util.concurrent.TimeUnit
+
+/**
+ * A robot that drives straight at a wall. Safe for use by several threads.
+ *
+ * @param nanos the time
+ */
+internal class Turtle(private val nanos: () -> Long) {
+    private var metres = 0.0
+    private var metresPerSecond = 0.0
+    private var sinceNanos = nanos()
+
+    /** How far it is from its dock, in m; at the wall it stays. */
+    @get:Synchronized
+    val position: Double
+        get() = (metres + metresPerSecond * (nanos() - sinceNanos) / TimeUnit.SECONDS.toNanos(1)).coerceIn(0.0, WALL)
+
+    /** How far it is from the wall, in m. */
+    val range: Double get() = WALL - position
+
+    /** Whether it drives. */
+    @get:Synchronized
+    val isDriving: Boolean get() = metresPerSecond != 0.0
+
+    /** Drives at this speed from now on; backwards if it is negative. */
+    @Synchronized
+    fun drive(metresPerSecond: Double) {
+        metres = position
+        sinceNanos = nanos()
+        this.metresPerSecond = metresPerSecond
+    }
+
+    companion object {
+        /** Where the wall is, in m from the dock. */
+        const val WALL = 1.5
+    }
+}

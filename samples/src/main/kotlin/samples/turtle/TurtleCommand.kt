@@ -1,0 +1,33 @@
+package samples.turtle
+
+import jason.asSyntax.ASSyntax.createLiteral
+import jason.asSyntax.ASSyntax.createString
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+import samples.project.SampleProject
+import samples.project.SystemRun
+import java.util.concurrent.Callable
+
+/** `turtle`: a robot that speaks ROS. */
+@Command(
+    name = "turtle",
+    description = ["A robot that speaks ROS drives at a wall, stops before it, and goes home to its dock."],
+    sortOptions = false,
+)
+internal class TurtleCommand : Callable<Int> {
+    @Option(
+        names = ["--port"], paramLabel = "port",
+        description = ["a robot behind rosbridge_server, such as ros://192.168.1.20:9090#turtle (default: one that is simulated)"],
+    )
+    private var port: String? = null
+
+    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    private var help = false
+
+    override fun call(): Int = port?.let(::run) ?: TurtleBridge(Turtle(System::nanoTime)).use { run("${it.port}#turtle/turtle") }
+
+    private fun run(port: String): Int {
+        val project = SampleProject("turtle").apply { believe("turtle", createLiteral("board", createString(port))) }
+        return SystemRun(project).toItsEnd()
+    }
+}
