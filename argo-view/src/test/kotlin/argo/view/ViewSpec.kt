@@ -258,9 +258,9 @@ class ViewSpec : FunSpec({
     }
 
     test("a page that is opened later is told the course of each number meanwhile") {
-        watched { mas, _, address ->
-            eventually({ mas.beliefs("bob") }) { "light(4)" in mas.beliefs("bob") }
-            Thread.sleep(1200) // the course has a value for each half second
+        watched { _, board, address ->
+            fun messages() = board.received().count { it == "getPercepts" }
+            eventually(::messages) { messages() > 60 } // 20 ms each, so the course has values of two half seconds at least
             Watcher(address).use { watcher ->
                 val courses = watcher.await { it.courses != null }.courses.shouldNotBeNull()
                 courses.values.map { it.single().last { value -> value != null } } shouldBe listOf(38.0, 90.0, 4.0)
