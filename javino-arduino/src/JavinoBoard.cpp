@@ -166,6 +166,44 @@ void JavinoBoard::term(char value) {
   term(text);
 }
 
+/** Writes at least so many digits, with zeros before them. */
+static void putDigits(javino_board *board, uint64_t number, uint8_t least) {
+  char digits[20];
+  uint8_t n = 0;
+  for (; number || n < least; number /= 10)
+    digits[n++] = static_cast<char>('0' + number % 10);
+  while (n)
+    javino_percept_put(board, digits[--n]);
+}
+
+void JavinoBoard::longTerm(uint64_t magnitude, bool negative) {
+  if (negative)
+    javino_percept_put(&board_, '-');
+  putDigits(&board_, magnitude, 1);
+}
+
+void JavinoBoard::term(const JavinoDecimals &number) {
+  uint8_t digits = number.digits < 1 ? 1 : number.digits > 9 ? 9 : number.digits;
+  uint32_t parts = 1; /* of a whole */
+  for (uint8_t i = 0; i < digits; i++)
+    parts *= 10;
+  bool negative = number.value < 0;
+  double magnitude = negative ? -number.value : number.value;
+  if (!(magnitude < 4294967040.0)) { /* nor is what is no number */
+    term(number.value);
+    return;
+  }
+  uint32_t whole = static_cast<uint32_t>(magnitude);
+  uint32_t decimals = static_cast<uint32_t>((magnitude - whole) * parts + 0.5);
+  if (decimals >= parts) {
+    whole++;
+    decimals -= parts;
+  }
+  javino_percept_number(&board_, whole, negative && (whole || decimals));
+  javino_percept_put(&board_, '.');
+  putDigits(&board_, decimals, digits);
+}
+
 void JavinoBoard::term(double value) {
   if (value != value) {
     term("nan");

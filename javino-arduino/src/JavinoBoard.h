@@ -21,6 +21,25 @@
 #endif
 #endif
 
+/** The library's version: 0.1.0 is 100, 1.2.3 is 10203. */
+#define JAVINO_LIBRARY_VERSION 100
+
+/** A number with so many decimals, see decimals(). */
+struct JavinoDecimals {
+  double value;
+  uint8_t digits;
+};
+
+/**
+ * In a percept, a number with more or fewer than two decimals: `percept("gps", decimals(48.137154, 6))` is gps(48.137154).
+ *
+ * @param digits  decimals, 1 to 9; on AVR a number has some seven digits in all
+ */
+inline JavinoDecimals decimals(double value, uint8_t digits) {
+  JavinoDecimals number = {value, digits};
+  return number;
+}
+
 /** An action whose outcome is reported later, see JavinoBoard::later(). */
 typedef javino_later JavinoLater;
 
@@ -141,8 +160,8 @@ public:
    * Writes one percept of the answer: `percept("dist", "front", 30)` is dist(front,30).
    *
    * @param functor  an atom, with a ~ before it where the percept is negated
-   * @param terms    whole numbers; numbers with decimals, of which two are written; true and false; text,
-   *                 which becomes an atom where it is one and otherwise a string
+   * @param terms    whole numbers, of 64 bits too; numbers with decimals, of which two are written, or as many as decimals() has; true
+   *                 and false; text, which becomes an atom where it is one and otherwise a string
    * @return false if it will not be sent, being longer than a frame, or because the memory is full and nobody
    *         has asked
    */
@@ -258,6 +277,10 @@ private:
     javino_percept_number(&board_, value < 0 ? 0 - static_cast<uint32_t>(value) : static_cast<uint32_t>(value), value < 0);
   }
   void term(unsigned long value) { javino_percept_number(&board_, static_cast<uint32_t>(value), false); }
+  void term(long long value) { longTerm(value < 0 ? 0 - static_cast<uint64_t>(value) : static_cast<uint64_t>(value), value < 0); }
+  void term(unsigned long long value) { longTerm(value, false); }
+  void longTerm(uint64_t magnitude, bool negative);
+  void term(const JavinoDecimals &number);
   void term(double value);
   void term(float value) { term(static_cast<double>(value)); }
   void term(const char *value) { javino_percept_term(&board_, value); }

@@ -50,6 +50,8 @@ def all_manifests_agree():
     check(f'version: "{found["version"]}"' in component, "idf_component.yml has another version")
     check(manifest["homepage"] == found["url"] and f"url: {found['url']}" in component, "the urls differ")
     check(manifest["license"] == found["license"] == "Apache-2.0", "the licences differ")
+    major, minor, patch = map(int, found["version"].split("."))
+    check(f"#define JAVINO_LIBRARY_VERSION {major * 10000 + minor * 100 + patch}\n" in text("src/JavinoBoard.h"), "the macro differs")
     for field in ("description", "keywords", "authors", "frameworks", "platforms", "headers"):
         check(manifest.get(field), f"library.json has no {field}")
     for name in manifest["export"]["include"]:
@@ -96,6 +98,8 @@ def public_members(source):
                     types.add(kind[2])
                 elif head.startswith("typedef") and not stack:
                     types.add(re.findall(r"\w+", head)[-1])
+                elif head.startswith("inline") and not stack:
+                    members.add(re.match(r"[^(]*?(\w+)\s*\(", head)[1])
                 elif stack and not kind and not head.startswith(("typedef", "friend", "static", "using")):
                     call = re.match(r"[^(]*?(\w+)\s*\(", head)
                     name = call[1] if call else (re.findall(r"\w+", head.split("=")[0]) or [None])[-1]

@@ -539,6 +539,21 @@ TEST_CASE("a port that takes nothing is asked once for each message") {
   CHECK(board.run(frame1("getPercepts")) == frame1(""));
 }
 
+TEST_CASE("percepts have as many decimals as are asked for, and whole numbers of 64 bits") {
+  static Board *of;
+  Board board;
+  of = &board;
+  board.javino.perceive([] {
+    of->javino.percept("gps", decimals(48.137154, 6), decimals(-0.5, 1), decimals(-0.04, 1));
+    of->javino.percept("round", decimals(9.9999, 3), decimals(0.0009765625, 9), decimals(1.05, 0), decimals(4294967039.0, 1));
+    of->javino.percept("none", decimals(0.0 / 0.0, 3), decimals(-1e30, 3));
+    of->javino.percept("long", 9223372036854775807LL, -9223372036854775807LL - 1, 18446744073709551615ULL, 0LL);
+  });
+  CHECK(board.run(frame1("getPercepts")) ==
+        frame1("gps(48.137154,-0.5,0.0);round(10.000,0.000976563,1.1,4294967039.0);none(nan,negative_infinity);"
+               "long(9223372036854775807,-9223372036854775808,18446744073709551615,0);"));
+}
+
 TEST_CASE("numbers with decimals are read, and nothing else") {
   auto decimal = [](const std::string &text) {
     const std::string literal = "f(" + text + ")";
