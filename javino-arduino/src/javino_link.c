@@ -155,7 +155,7 @@ static javino_event next_command(javino_link *l)
                 break;
         }
         frame[JAVINO_LENGTH_AT] = left - length;
-        if (frame[JAVINO_NUMBER_AT]++ != l->due || l->flags)
+        if (frame[JAVINO_NUMBER_AT]++ != l->due || l->flags) // carried out before, or out of order
             continue;
         l->text = (const char *)p;
         l->length = length;

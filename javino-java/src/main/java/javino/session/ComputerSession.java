@@ -42,7 +42,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private final SessionListener<C> listener;
     private final Nonces nonces;
     private final Window<C> window = new Window<>();
-    private final Retransmission timeout = new Retransmission();
+    private final RetransmissionTime timeout = new RetransmissionTime();
     private final Requests requests;
     private final Vocabulary vocabulary = new Vocabulary();
 
