@@ -99,6 +99,24 @@ class SeveralBoardsSpec : FunSpec({
                 bob.hears("user", "achieve", "left::report").shouldBelieve("left::reported(9) & not right::reported(_)")
             }
         }
+
+        test("waits for a percept of its board, or the event of one") {
+            project.file("wheels.asl", """
+                +!rest <- .wait(::touch(F)); +touched(F).
+                +!stay <- .wait({+::touch(F)}); +felt(F).
+            """)
+            project.agent("""
+                { include("wheels.asl", left) }
+                { include("wheels.asl", right) }
+                $leftAndRight
+            """).use { bob ->
+                for (goal in listOf("left::rest", "left::stay")) bob.hears("user", "achieve", goal)
+                bob.right().shows("touch(1)")
+                bob.shouldBelieve("right::touch(1)").shouldNotBelieve("left::touched(_) | left::felt(_)", during = 100.milliseconds)
+                bob.left().shows("touch(2)")
+                bob.shouldBelieve("left::touched(2) & left::felt(2)")
+            }
+        }
     }
 
     context("each board") {
