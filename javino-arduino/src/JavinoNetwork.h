@@ -1,7 +1,7 @@
 /**
  * @file
- * A board on a network or on Bluetooth: on any Stream that the sketch opens, exchanges and loses, such as a WiFiClient, an EthernetClient or
- * a BluetoothSerial. No Serial is needed.
+ * A board on a network or on Bluetooth: on any Stream that the sketch opens, exchanges and loses, such as a WiFiClient, an
+ * EthernetClient or a BluetoothSerial. No Serial is needed.
  *
  *     #include <JavinoNetwork.h>
  *

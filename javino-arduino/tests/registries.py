@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the Arduino Library Manager, PlatformIO and the ESP component registry read of this folder: their rules, as far as files show them."""
+"""What the Arduino Library Manager, PlatformIO and the ESP component registry read of this folder, by their rules."""
 import json
 import pathlib
 import re
@@ -83,7 +83,8 @@ def public_members(source):
     """Names of the public functions and objects of the classes in a header, and of its classes and types."""
     members, types, classes, stack, statement = set(), set(), set(), [], ""
     is_public = lambda: all(kind == "class public" for kind in stack)
-    for token in re.findall(r"\b(?:public|private|protected):|[{};]|(?:(?!\b(?:public|private|protected):)[^{};])+", without_comments(source)):
+    access = r"\b(?:public|private|protected):"
+    for token in re.findall(rf"{access}|[{{}};]|(?:(?!{access})[^{{}};])+", without_comments(source)):
         if token in ("public:", "private:", "protected:"):
             if stack:
                 stack[-1] = "class " + token[:-1]
