@@ -19,6 +19,7 @@ fun main(args: Array<String>) {
         "bounds" -> if (!bounds()) exitProcess(1)
         "faults" -> if (!faults()) exitProcess(1)
         "boards" -> if (!boards(File(args.getOrElse(1) { "boards.txt" }))) exitProcess(1)
+        "tls" -> tls()
         "soak" -> if (!soak()) exitProcess(1)
         Crowd.NAME -> Crowd().run()
         BoardsCourse.NAME -> BoardsCourse(args[1].toInt(), args[2].toInt()).run()
@@ -26,7 +27,7 @@ fun main(args: Array<String>) {
         BoardHost.NAME -> hostBoards(args.drop(1))
         LATENCY_COURSE -> latencyCourse(args[1])
         else -> {
-            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak")
+            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls")
             exitProcess(2)
         }
     }

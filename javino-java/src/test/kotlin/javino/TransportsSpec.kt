@@ -58,7 +58,7 @@ class TransportsSpec : FunSpec({
         val refusal = shouldThrow<NoSuchPortException> { Transports.open("warp:9", line) }
         refusal.port() shouldBe "warp:9"
         refusal.message shouldContain "\"warp\""
-        refusal.message shouldContain "serial, usb, tcp, sim"
+        refusal.message shouldContain "serial, usb, tcp, tls, sim"
     }
 
     test("where no provider at all is found, the hint is to the jar that lost its services") {

@@ -25,7 +25,7 @@ record TcpAddress(String host, int number) {
         Matcher form = FORM.matcher(address);
         if (!form.matches()) {
             throw malformed(
-                    port, "that is no host's name; an IPv6 address is written in brackets, as tcp://[fe80::1]:4000");
+                    port, "that is no host's name; an IPv6 address is written in brackets, as //[fe80::1]:4000");
         }
         String host = form.group(1) != null ? form.group(1) : form.group(2);
         String number = form.group(3);
@@ -43,10 +43,11 @@ record TcpAddress(String host, int number) {
     }
 
     private static NoSuchPortException malformed(String port, String why) {
+        String scheme = port.startsWith("tls") ? "tls" : "tcp";
         return new NoSuchPortException(
                 port,
-                "\"" + port + "\" names no port: " + why
-                        + " (a port on the network is tcp://HOST:PORT, as tcp://192.168.1.20:4000)");
+                "\"" + port + "\" names no port: " + why + " (a port on the network is " + scheme + "://HOST:PORT, as "
+                        + scheme + "://192.168.1.20:4000)");
     }
 
     /** The same for all spellings of one place; the host is not looked up. */

@@ -10,7 +10,7 @@ import javino.LineSettings;
 import javino.PortGoneException;
 
 /** A TCP connection to a board on the network, or to a serial server with a board behind it. */
-final class TcpTransport extends DriverTransport {
+class TcpTransport extends DriverTransport {
     private static final System.Logger LOG = System.getLogger(TcpTransport.class.getName());
     /** How long one read of the socket waits, which no interrupt ends. */
     private static final int MAX_SLICE_MILLIS = 100;
@@ -22,9 +22,19 @@ final class TcpTransport extends DriverTransport {
 
     /** A transport over a connected socket, which becomes its own. */
     TcpTransport(Socket socket, String name, LineSettings line) throws IOException {
+        this(socket, socket.getInputStream(), name, line);
+    }
+
+    /** The same, with the socket's input where that is read in another way. */
+    TcpTransport(Socket socket, InputStream in, String name, LineSettings line) {
         super(name, line);
         this.socket = socket;
-        in = socket.getInputStream();
+        this.in = in;
+    }
+
+    /** Whether what has arrived and what the input says is available are the same; else only a read can tell. */
+    boolean isInputPlain() {
+        return true;
     }
 
     @Override
@@ -40,7 +50,7 @@ final class TcpTransport extends DriverTransport {
     @Override
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortGoneException {
         try {
-            if (nanos <= 0 && in.available() == 0) {
+            if (nanos <= 0 && isInputPlain() && in.available() == 0) {
                 return 0;
             }
             socket.setSoTimeout(
@@ -73,7 +83,8 @@ final class TcpTransport extends DriverTransport {
         return "the connection broke"; // known better by then
     }
 
-    private static String broken(IOException e) {
+    /** Why the connection is lost. */
+    String broken(IOException e) {
         return "the connection broke (" + e.getMessage() + ")";
     }
 
@@ -82,7 +93,7 @@ final class TcpTransport extends DriverTransport {
         try (socket) {
             if (!isLost()) {
                 socket.shutdownOutput();
-                drain();
+                drain(socket, in);
             }
         } catch (IOException e) {
             LOG.log(System.Logger.Level.DEBUG, "port " + name() + " was lost while it was closed", e);
@@ -90,7 +101,7 @@ final class TcpTransport extends DriverTransport {
     }
 
     /** A connection that is closed with bytes unread is reset, and the far end may lose what it was sent last. */
-    private void drain() throws IOException {
+    static void drain(Socket socket, InputStream in) throws IOException {
         socket.setSoTimeout(1);
         int drained = 0;
         while (drained < DRAIN_BYTES && in.available() > 0) {

@@ -1,0 +1,114 @@
+package javino.tcp;
+
+import java.net.Socket;
+import java.security.GeneralSecurityException;
+import java.security.MessageDigest;
+import java.security.cert.CertificateException;
+import java.security.cert.CertificateExpiredException;
+import java.security.cert.CertificateNotYetValidException;
+import java.security.cert.X509Certificate;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.Date;
+import java.util.HexFormat;
+import java.util.Optional;
+import javax.net.ssl.SSLEngine;
+import javax.net.ssl.X509ExtendedTrustManager;
+
+/**
+ * Trusts the board that shows one certificate, whoever issued it and whatever name is in it; as long as none is known, the first. The
+ * messages of its exceptions are for a person.
+ */
+final class PinnedBoard extends X509ExtendedTrustManager {
+    private final Optional<X509Certificate> expected;
+    private final Date now;
+    private final String file;
+    private X509Certificate shown;
+
+    /**
+     * @param expected the certificate that the board has to show
+     * @param file where it is or will be kept, for messages
+     * @param now the time at which it has to be valid
+     */
+    PinnedBoard(Optional<X509Certificate> expected, String file, Date now) {
+        this.expected = expected;
+        this.file = file;
+        this.now = now;
+    }
+
+    /** The certificate that was shown and is trusted; null before. */
+    X509Certificate shown() {
+        return shown;
+    }
+
+    private void check(X509Certificate[] chain) throws CertificateException {
+        X509Certificate found = chain[0];
+        if (expected.isPresent() && !expected.get().equals(found)) {
+            throw new CertificateException("the board shows another certificate than the one in " + file + ": expected "
+                    + fingerprint(expected.get()) + ", found " + fingerprint(found)
+                    + ". Was the board exchanged, or its certificate renewed? Then delete that file, or put the new certificate there."
+                    + " If not, somebody is between this computer and the board, or this is not your board");
+        }
+        try {
+            found.checkValidity(now);
+        } catch (CertificateExpiredException e) {
+            throw new CertificateException("the board's certificate (" + fingerprint(found) + ") expired on "
+                    + day(found.getNotAfter()) + ", and this computer's clock says " + day(now)
+                    + ". Put a new one on the board, and delete " + file + ", or put it there");
+        } catch (CertificateNotYetValidException e) {
+            throw new CertificateException(
+                    "the board's certificate (" + fingerprint(found) + ") is valid from " + day(found.getNotBefore())
+                            + " on, and this computer's clock says " + day(now) + ". Set the clock that is wrong");
+        }
+        shown = found;
+    }
+
+    private static LocalDate day(Date date) {
+        return LocalDate.ofInstant(date.toInstant(), ZoneOffset.UTC);
+    }
+
+    /** The certificate's SHA-256, as {@code openssl x509 -fingerprint -sha256} prints it. */
+    static String fingerprint(X509Certificate certificate) {
+        try {
+            byte[] digest = MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded());
+            return "SHA-256 " + HexFormat.ofDelimiter(":").withUpperCase().formatHex(digest);
+        } catch (GeneralSecurityException e) {
+            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate came in this form
+        }
+    }
+
+    @Override
+    public void checkServerTrusted(X509Certificate[] chain, String type, Socket socket) throws CertificateException {
+        check(chain);
+    }
+
+    @Override
+    public void checkServerTrusted(X509Certificate[] chain, String type, SSLEngine engine) throws CertificateException {
+        check(chain);
+    }
+
+    @Override
+    public void checkServerTrusted(X509Certificate[] chain, String type) throws CertificateException {
+        check(chain);
+    }
+
+    @Override
+    public void checkClientTrusted(X509Certificate[] chain, String type, Socket socket) {
+        throw new UnsupportedOperationException("for the end that connects alone");
+    }
+
+    @Override
+    public void checkClientTrusted(X509Certificate[] chain, String type, SSLEngine engine) {
+        throw new UnsupportedOperationException("for the end that connects alone");
+    }
+
+    @Override
+    public void checkClientTrusted(X509Certificate[] chain, String type) {
+        throw new UnsupportedOperationException("for the end that connects alone");
+    }
+
+    @Override
+    public X509Certificate[] getAcceptedIssuers() {
+        return new X509Certificate[0];
+    }
+}

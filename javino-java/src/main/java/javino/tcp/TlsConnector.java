@@ -1,0 +1,157 @@
+package javino.tcp;
+
+import java.io.IOException;
+import java.io.PushbackInputStream;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.security.GeneralSecurityException;
+import java.util.Date;
+import java.util.concurrent.ExecutionException;
+import javax.net.ssl.KeyManager;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLException;
+import javax.net.ssl.SSLSocket;
+import javax.net.ssl.TrustManager;
+import javino.LineSettings;
+import javino.PortException;
+import javino.PortFaultException;
+import javino.PortInterruptedException;
+
+/** Makes a TLS connection of a TCP connection: checks the board's certificate, and shows the computer's own where the board asks for it. */
+final class TlsConnector {
+    private static final System.Logger LOG = System.getLogger(TlsConnector.class.getName());
+    /** In TLS 1.3 a board refuses the computer's certificate only after the handshake: how long its refusal is waited for. */
+    private static final int REFUSAL_MILLIS = 300;
+
+    private final String port;
+    private final TcpAddress address;
+    private final TlsFolder folder;
+    private final PinnedBoard board;
+    private final OwnCertificate own;
+    private final SSLContext context;
+
+    private TlsConnector(String port, TcpAddress address, TlsFolder folder)
+            throws IOException, GeneralSecurityException {
+        this.port = port;
+        this.address = address;
+        this.folder = folder;
+        board = new PinnedBoard(folder.boardAt(address), folder.fileOf(address).toString(), new Date());
+        own = new OwnCertificate(folder.computer());
+        context = SSLContext.getInstance("TLS");
+        context.init(new KeyManager[] {own}, new TrustManager[] {board}, null);
+    }
+
+    /**
+     * @param port as it was given, for messages
+     * @param folder with the certificates; that of a board not known before is added
+     * @throws PortException of the kind that says why there is no connection, or why the other end is not trusted
+     */
+    static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line)
+            throws PortException {
+        try {
+            TlsConnector connector = new TlsConnector(port, address, folder); // before a board is bothered
+            Socket plain = TcpConnector.connect(port, address);
+            try {
+                return connector.secure(plain, line);
+            } catch (IOException | GeneralSecurityException | InterruptedException e) {
+                plain.close();
+                throw e;
+            }
+        } catch (PortException e) {
+            throw e;
+        } catch (IOException | GeneralSecurityException e) {
+            throw new PortFaultException(port, "port " + port + " cannot be opened: " + e.getMessage(), e);
+        } catch (InterruptedException e) {
+            throw PortInterruptedException.remarking(port);
+        }
+    }
+
+    private TlsTransport secure(Socket plain, LineSettings line)
+            throws IOException, GeneralSecurityException, InterruptedException {
+        plain.setSoTimeout(TcpConnector.LIMIT_MILLIS);
+        SSLSocket socket =
+                (SSLSocket) context.getSocketFactory().createSocket(plain, address.host(), address.number(), true);
+        try {
+            BlockingCall.start("greet " + address, () -> {
+                        socket.startHandshake();
+                        return socket;
+                    })
+                    .get();
+        } catch (ExecutionException e) {
+            throw refusal(e.getCause());
+        }
+        PushbackInputStream in = new PushbackInputStream(socket.getInputStream());
+        if (own.isAskedFor()) {
+            awaitRefusal(socket, in);
+        }
+        if (folder.boardAt(address).isEmpty()) {
+            folder.keep(address, board.shown());
+            LOG.log(
+                    System.Logger.Level.INFO,
+                    "port " + port + ": this is the first connection to the board, so its certificate, "
+                            + PinnedBoard.fingerprint(board.shown()) + ", is kept in " + folder.fileOf(address)
+                            + ", and no other one will be accepted");
+        }
+        return new TlsTransport(socket, in, plain, port, line, this::broken);
+    }
+
+    private void awaitRefusal(SSLSocket socket, PushbackInputStream in) throws IOException {
+        socket.setSoTimeout(REFUSAL_MILLIS);
+        try {
+            int first = in.read();
+            if (first < 0) {
+                throw new IOException(refusedByBoard("it closed the connection"));
+            }
+            in.unread(first);
+        } catch (SocketTimeoutException e) {
+            // it has nothing against the certificate, or the lack of one
+        } catch (SSLException e) {
+            throw refusal(e);
+        }
+    }
+
+    /** Why the handshake failed, in words for a person. */
+    private IOException refusal(Throwable cause) {
+        for (Throwable each = cause; each != null; each = each.getCause()) {
+            if (each instanceof java.security.cert.CertificateException) {
+                return new IOException(each.getMessage(), cause);
+            }
+        }
+        if (cause instanceof SocketTimeoutException) {
+            return new IOException(
+                    address + " did not begin TLS within " + TcpConnector.LIMIT_MILLIS + " ms; is " + plainPort()
+                            + " meant?",
+                    cause);
+        }
+        if (own.isAskedFor()) {
+            return new IOException(refusedByBoard(String.valueOf(cause.getMessage())), cause);
+        }
+        if (board.shown() == null) {
+            return new IOException(
+                    address + " does not answer as TLS does (" + cause.getMessage() + "); is " + plainPort()
+                            + " meant?",
+                    cause);
+        }
+        return new IOException("the TLS handshake with " + address + " failed: " + cause.getMessage(), cause);
+    }
+
+    private String plainPort() {
+        return "tcp:" + address.canonical() + ", without TLS,";
+    }
+
+    private String refusedByBoard(String reason) {
+        return own.isPresent()
+                ? "the board does not accept this computer's certificate, " + folder.computerFile() + " (" + reason
+                        + "); make that one known to the board, or put one there that it knows"
+                : "the board asks for a certificate of this computer (" + reason
+                        + "), and there is none; put one that the board knows into " + folder.computerFile()
+                        + ", and its key beside it into computer.key";
+    }
+
+    /** Why a connection was lost later. */
+    private String broken(IOException e) {
+        return e instanceof SSLException && own.isAskedFor()
+                ? refusedByBoard(e.getMessage())
+                : "the connection broke (" + e.getMessage() + ")";
+    }
+}

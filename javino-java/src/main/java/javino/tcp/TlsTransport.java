@@ -1,0 +1,69 @@
+package javino.tcp;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import javax.net.ssl.SSLSocket;
+import javino.LineSettings;
+
+/** A TLS connection to a board on the network. */
+final class TlsTransport extends TcpTransport {
+    /** How long the far end is told that the connection ends, where it does not read. */
+    private static final int FAREWELL_MILLIS = 100;
+
+    private final SSLSocket socket;
+    private final Socket plain;
+    private final Function<IOException, String> broken;
+
+    /**
+     * @param socket a socket whose handshake is done, over {@code plain}; both become this transport's own
+     * @param in the socket's input
+     * @param broken why the connection is lost, by what a read or a write has thrown
+     */
+    TlsTransport(
+            SSLSocket socket,
+            InputStream in,
+            Socket plain,
+            String name,
+            LineSettings line,
+            Function<IOException, String> broken) {
+        super(socket, in, name, line);
+        this.socket = socket;
+        this.plain = plain;
+        this.broken = broken;
+    }
+
+    @Override
+    boolean isInputPlain() {
+        return false; // what has arrived may be encrypted still
+    }
+
+    @Override
+    String broken(IOException e) {
+        return broken.apply(e);
+    }
+
+    /** A write that waits holds a lock of the TLS socket, which closing needs; closing the socket beneath ends it. */
+    @Override
+    protected void closeDriver() {
+        try (plain) {
+            if (!isLost()) {
+                BlockingCall.start("close " + name(), () -> {
+                            socket.shutdownOutput();
+                            return null;
+                        })
+                        .get(FAREWELL_MILLIS, TimeUnit.MILLISECONDS);
+                drain(plain, plain.getInputStream());
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (IOException | ExecutionException | TimeoutException e) {
+            System.getLogger(TlsTransport.class.getName())
+                    .log(System.Logger.Level.DEBUG, "port " + name() + " was closed without a farewell", e);
+        }
+    }
+}

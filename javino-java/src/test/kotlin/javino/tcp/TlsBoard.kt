@@ -1,0 +1,120 @@
+package javino.tcp
+
+import javino.LineSettings
+import java.io.InputStream
+import java.net.InetAddress
+import java.net.ServerSocket
+import java.net.Socket
+import java.nio.file.Files
+import java.nio.file.Path
+import java.security.KeyStore
+import java.security.cert.X509Certificate
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+import javax.net.ssl.KeyManagerFactory
+import javax.net.ssl.SSLContext
+import javax.net.ssl.SSLSocket
+import javax.net.ssl.TrustManagerFactory
+import kotlin.concurrent.thread
+import kotlin.io.path.writeText
+
+/** A certificate with its key, which `keytool` makes. It is valid for [days] days from [start] on, counted from now as in `-10d`. */
+internal class TestCertificate(name: String, start: String = "-1d", days: Int = 30, algorithm: String = "EC") {
+    val store: KeyStore = Files.createTempDirectory("argo-tls").resolve("store.p12").let { file ->
+        val keytool = Path.of(System.getProperty("java.home"), "bin", "keytool")
+        val made = ProcessBuilder(
+            "$keytool", "-genkeypair", "-alias", "own", "-keyalg", algorithm, "-dname", "CN=$name", "-startdate", start,
+            "-validity", "$days", "-storetype", "PKCS12", "-keystore", "$file", "-storepass", String(PASSWORD),
+        ).redirectErrorStream(true).start()
+        val said = made.inputReader().readText()
+        check(made.waitFor() == 0) { said }
+        KeyStore.getInstance("PKCS12").apply { Files.newInputStream(file).use { load(it, PASSWORD) } }
+    }
+    val certificate get() = store.getCertificate("own") as X509Certificate
+
+    /** Writes the certificate and, if there is a place for it, the key. */
+    fun write(crt: Path, key: Path? = null) {
+        crt.writeText(TlsFolder.pem("CERTIFICATE", certificate.encoded))
+        key?.writeText(TlsFolder.pem("PRIVATE KEY", store.getKey("own", PASSWORD).encoded))
+    }
+
+    companion object {
+        val PASSWORD = "secret".toCharArray()
+
+        /** One that several tests use. */
+        val BOARD by lazy { TestCertificate("board") }
+    }
+}
+
+/** A board on the loopback address that speaks TLS with the certificate [own], and asks for that of [computer] if there is one. */
+internal class TlsBoard(own: TestCertificate, private val computer: TestCertificate? = null) : AutoCloseable {
+    private val server = ServerSocket(0, 5, InetAddress.getLoopbackAddress()).apply { receiveBufferSize = 4096 }
+    private val context = SSLContext.getInstance("TLS").apply {
+        val keys = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm())
+        keys.init(own.store, TestCertificate.PASSWORD)
+        val trusted = computer?.let {
+            val known = KeyStore.getInstance("PKCS12").apply { load(null, null); setCertificateEntry("computer", it.certificate) }
+            TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm()).apply { init(known) }.trustManagers
+        }
+        init(keys.keyManagers, trusted, null)
+    }
+    val number: Int = server.localPort
+    val port: String = "tls://127.0.0.1:$number"
+
+    /** Accepts the next connection, on a thread of its own; [between] stands between the line and TLS. */
+    fun accept(breaks: Boolean = false, between: (Socket) -> Socket = { it }): CompletableFuture<TlsTransport> {
+        val accepted = CompletableFuture<TlsTransport>()
+        thread(isDaemon = true) {
+            runCatching {
+                val plain = between(server.accept())
+                if (breaks) plain.setSoLinger(true, 0)
+                val tls = context.socketFactory.createSocket(plain, "127.0.0.1", number, true) as SSLSocket
+                tls.useClientMode = false
+                if (computer != null) tls.needClientAuth = true
+                tls.startHandshake()
+                TlsTransport(tls, tls.inputStream, plain, "the board's end", LineSettings.defaults()) { "broken: ${it.message}" }
+            }.fold(accepted::complete, accepted::completeExceptionally)
+        }
+        return accepted
+    }
+
+    override fun close() = server.close()
+}
+
+/** The far end's transport, within 20 s. */
+internal fun CompletableFuture<TlsTransport>.end(): TlsTransport = get(20, TimeUnit.SECONDS)
+
+/** Sends what is written byte by byte with a pause after each, so that no record of TLS arrives at once. */
+internal class DrippingSocket(private val socket: Socket, private val pauseMillis: Long) : Socket() {
+    /** Whether it drips. */
+    @Volatile
+    var drips = false
+
+    override fun getInputStream(): InputStream = socket.getInputStream()
+
+    override fun getOutputStream() = object : java.io.OutputStream() {
+        override fun write(b: Int) = write(byteArrayOf(b.toByte()))
+
+        override fun write(b: ByteArray, off: Int, len: Int) {
+            if (!drips) return socket.getOutputStream().write(b, off, len)
+            for (i in off until off + len) {
+                socket.getOutputStream().write(b, i, 1)
+                TimeUnit.MILLISECONDS.sleep(pauseMillis)
+            }
+        }
+    }
+
+    override fun isConnected() = true
+
+    override fun setSoTimeout(timeout: Int) = socket.setSoTimeout(timeout)
+
+    override fun getSoTimeout() = socket.soTimeout
+
+    override fun getSoLinger() = socket.soLinger
+
+    override fun getInetAddress(): InetAddress = socket.inetAddress
+
+    override fun getPort() = socket.port
+
+    override fun close() = socket.close()
+}
