@@ -2,10 +2,15 @@ package samples.experiment
 
 import argo.tools.command.refuse
 import argo.tools.command.requireWithin
+import javino.Link
+import javino.LinkSettings
+import javino.PerceptsRequest
+import javino.PortException
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
+import samples.experiment.report.Provenance
 import samples.experiment.report.writeReport
 import samples.project.Logs
 import samples.project.Progress
@@ -15,6 +20,7 @@ import java.io.PrintStream
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
+import java.time.Instant
 import java.util.concurrent.Callable
 import kotlin.random.Random
 
@@ -87,7 +93,19 @@ internal class ExperimentCommand : Callable<Int> {
 
     override fun call(): Int {
         val conditions = conditions()
+        port?.let(::tryRobot)
         return Archive(out).use { make(it, conditions) }
+    }
+
+    /** Asks the robot on [port] for its percepts, before a person moves it: a wrong port is refused at once. */
+    private fun tryRobot(port: String) {
+        val answer = try {
+            Link.open(port, LinkSettings.defaults(), "the experiment").use { it.request(PerceptsRequest.ALL, ANSWER_LIMIT_MS).text() }
+        } catch (silent: PortException) {
+            spec.refuse("--port: ${silent.message}")
+        }
+        println("the robot on $port answers: $answer")
+        if (FRONT !in answer) println("it shows no $FRONT…), the front distance that the agent stops by, in its first message")
     }
 
     private fun make(archive: Archive, conditions: List<Condition>): Int {
@@ -116,7 +134,7 @@ internal class ExperimentCommand : Callable<Int> {
     private fun make(archive: Archive, settings: Settings, conditions: List<Condition>, workers: Int): Int {
         val finished = Experiment(archive, settings, workers).run(trials(settings, conditions)) ?: return INTERRUPTED
         val failed = finished.filter { it.result.outcome == Outcome.FAILED }
-        val page = writeReport(archive.directory, settings, archive.finished(), machine(workers))
+        val page = writeReport(archive.directory, settings, archive.finished(), Provenance(build(), Instant.now(), machine(workers)))
         println("report: $page")
         failed.forEach { println("${it.trial.id} failed: ${it.result.reason}") }
         return if (failed.isEmpty()) 0 else 1
@@ -164,7 +182,13 @@ internal class ExperimentCommand : Callable<Int> {
         listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
             .let { "At most $workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
 
+    /** The property `argo.build` is set where there is no jar. */
+    private fun build(): String =
+        System.getProperty("argo.build") ?: javaClass.`package`.implementationVersion ?: "of an unknown version"
+
     private companion object {
+        const val FRONT = "dist(f,"
+        const val ANSWER_LIMIT_MS = 500
         const val INTERRUPTED = 130
         const val MAX_JOBS = 256
         const val MAX_SLOWDOWN = 1000.0

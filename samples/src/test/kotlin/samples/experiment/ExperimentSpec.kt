@@ -52,6 +52,7 @@ class ExperimentSpec : FunSpec({
         arrayOf("--slowdown", "0.5") to "--slowdown is from 1 to 1000, not 0.5",
         arrayOf("--slowdown", "NaN") to "--slowdown is from 1 to 1000, not NaN",
         arrayOf("--port", " ") to "--port names no port",
+        arrayOf("--port", "sim:nowhere", "--condition", "b") to "--port: there is no simulated board sim:nowhere",
         arrayOf("--port", "ttyACM0", "--scaling") to "--scaling is for simulated robots",
         arrayOf("--port", "ttyACM0", "--slowdown", "3") to "--slowdown is for simulated robots",
         arrayOf("--port", "ttyACM0", "--jobs", "3") to "--jobs is for simulated robots",

@@ -8,10 +8,12 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
 import samples.experiment.analysis.Response
 import samples.experiment.analysis.Source
 import samples.experiment.analysis.analysis
 import samples.experiment.report.Finding
+import samples.experiment.report.Provenance
 import samples.experiment.report.Scaling
 import samples.experiment.report.fate
 import samples.experiment.report.median
@@ -19,6 +21,7 @@ import samples.experiment.report.promise
 import samples.experiment.report.publishedClaims
 import samples.experiment.report.writeReport
 import java.io.ByteArrayInputStream
+import java.time.Instant
 import javax.imageio.ImageIO
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
@@ -37,13 +40,15 @@ private fun pattern(trial: Trial): Entry.Result = when {
 
 private fun made(vararg conditions: Condition) = conditions.flatMap { Plan.FULL.trials(it) }.map { Finished(it, pattern(it)) }
 
+private val MADE = Provenance("0.1.0, commit abc", Instant.parse("2026-11-22T10:15:30Z"), "a machine")
+
 class ReportSpec : FunSpec({
     val settings = SETTINGS.copy(plan = Plan.FULL)
 
     test("the page is whole: it asks nothing of the network and shows each figure in light and dark") {
         val directory = tempdir().toPath()
         val scaled = Plan.FULL.scaling(Condition.DEFAULTS).map { Finished(it, pattern(it)) }
-        val page = writeReport(directory, settings, made(Condition.PUBLISHED, Condition.DEFAULTS) + scaled, "a machine").readText()
+        val page = writeReport(directory, settings, made(Condition.PUBLISHED, Condition.DEFAULTS) + scaled, MADE).readText()
         page shouldNotContain Regex("""(src|href|srcset)="(?!data:)""")
         Regex("<img ").findAll(page).count() shouldBe 4
         Regex("prefers-color-scheme: dark\\)\" srcset=\"data:image/svg").findAll(page).count() shouldBe 4
@@ -52,9 +57,45 @@ class ReportSpec : FunSpec({
         page shouldContain "a machine"
     }
 
+    test("the report says by what and when it was made, and numbers its figures and tables") {
+        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.DEFAULTS), MADE).readText()
+        page shouldContain "Made with ARGO 0.1.0, commit abc on 2026-11-22T10:15:00Z."
+        Regex("<caption>Table (\\d+)\\.").findAll(page).map { it.groupValues[1].toInt() }.toList() shouldBe (1..7).toList()
+        Regex("<figcaption>Figure (\\d+)\\.").findAll(page).map { it.groupValues[1].toInt() }.toList() shouldBe (1..3).toList()
+        page shouldContain "The shares of Table 3."
+    }
+
+    test("shares of runs and medians have their intervals, and few runs have none") {
+        val page = writeReport(tempdir().toPath(), settings, made(Condition.DEFAULTS), MADE).readText()
+        page shouldContain "<td class=\"n\">81</td><td class=\"n\">100 (95 to 100)</td>"
+        page shouldContain "<td class=\"n\">0.42</td><td class=\"n\">0.41 to 0.43</td><td class=\"n\">0.41</td>"
+        val few = made(Condition.DEFAULTS).take(5)
+        writeReport(tempdir().toPath(), settings, few, MADE).readText() shouldContain "<td class=\"n\">0.42</td><td class=\"n\">–</td>"
+    }
+
+    test("all runs are in one file of comma-separated values, each in a line, reasons in quotes") {
+        val directory = tempdir().toPath()
+        val runs = made(Condition.DEFAULTS)
+        val failed = runs.last().let { it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "port \"x\", gone")) }
+        writeReport(directory, settings, runs.dropLast(1) + failed, MADE)
+        val lines = directory.resolve("runs.csv").readText().split("\r\n").dropLast(1)
+        lines.size shouldBe 1 + runs.size
+        lines.first() shouldStartWith "run,condition,filter,limit_cm,interval_ms,replication,"
+        lines.single { it.startsWith("b-none-40-20-1,") } shouldBe "b-none-40-20-1,b,none,40,20,1,9600,12,stopped,410.0,35.0,2,4,0.0,"
+        lines.single { "failed" in it } shouldContain ",\"port \"\"x\"\", gone\""
+    }
+
+    test("a shorter plan says what it leaves out, and what is not tested") {
+        val runs = Plan.QUICK.trials(Condition.PUBLISHED).map { Finished(it, pattern(it)) }
+        val page = writeReport(tempdir().toPath(), SETTINGS.copy(plan = Plan.QUICK), runs, MADE).readText()
+        page shouldContain "It leaves out the limit of 40 cm, the interval of 35 ms, 1 of 3 replications."
+        page shouldContain "<span class=\"not-tested\">not tested</span>"
+        writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED), MADE).readText() shouldNotContain "It leaves out"
+    }
+
     test("each figure is there as SVG and as PNG") {
         val directory = tempdir().toPath()
-        writeReport(directory, settings, made(Condition.PUBLISHED), "a machine")
+        writeReport(directory, settings, made(Condition.PUBLISHED), MADE)
         val files = directory.resolve("figures").listDirectoryEntries()
         files.map { it.name } shouldContainExactlyInAnyOrder listOf("distances", "times", "shares").flatMap { listOf("$it.svg", "$it.png") }
         files.filter { it.name.endsWith("png") }.forEach { ImageIO.read(ByteArrayInputStream(it.readBytes())).width shouldBe 1920 }
@@ -62,20 +103,20 @@ class ReportSpec : FunSpec({
     }
 
     test("all conditions are in one report, each with its figures and its promise") {
-        val page = writeReport(tempdir().toPath(), settings, made(*Condition.entries.toTypedArray()), "a machine").readText()
+        val page = writeReport(tempdir().toPath(), settings, made(*Condition.entries.toTypedArray()), MADE).readText()
         Condition.entries.forEach { page shouldContain "<th scope=\"row\">(${it.letter}) ${it.title}</th>" }
         page shouldContain "<th scope=\"col\" class=\"n\">(d)</th>"
         page shouldContain "(d) version 2, reflex on the board: every run stops"
     }
 
     test("without any run there is a page that says so") {
-        writeReport(tempdir().toPath(), settings, emptyList(), "a machine").readText() shouldContain "There are no runs yet"
+        writeReport(tempdir().toPath(), settings, emptyList(), MADE).readText() shouldContain "There are no runs yet"
     }
 
     test("a run that failed is named with its reason and not counted") {
         val runs = made(Condition.PUBLISHED)
         val failed = runs.first().let { it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "port <x> is gone")) }
-        val page = writeReport(tempdir().toPath(), settings, runs.drop(1) + failed, "a machine").readText()
+        val page = writeReport(tempdir().toPath(), settings, runs.drop(1) + failed, MADE).readText()
         page shouldContain "port &lt;x&gt; is gone"
         page shouldContain "Not all runs of a condition are made"
     }
@@ -117,7 +158,7 @@ class ReportSpec : FunSpec({
     }
 
     test("a real robot is not described as a simulated one") {
-        val page = writeReport(tempdir().toPath(), settings.copy(port = "tty<0>"), made(Condition.DEFAULTS), "a machine").readText()
+        val page = writeReport(tempdir().toPath(), settings.copy(port = "tty<0>"), made(Condition.DEFAULTS), MADE).readText()
         page shouldContain "a real one, on the port <code>tty&lt;0&gt;</code>"
         page shouldNotContain "All 12 readings change"
         page shouldNotContain "is slowed"
@@ -130,7 +171,7 @@ class ReportSpec : FunSpec({
             val left = runs.map {
                 if (it.trial.view == lost) it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "lost")) else it
             }
-            val page = writeReport(tempdir().toPath(), settings, left, "a machine").readText()
+            val page = writeReport(tempdir().toPath(), settings, left, MADE).readText()
             page shouldContain "54 runs have failed"
             page.replace(Regex("base64,[^\"]*"), "") shouldNotContain "NaN"
         }
@@ -150,9 +191,9 @@ class ReportSpec : FunSpec({
         val runs = bauds.map { Trial(Condition.DEFAULTS, View.NONE, 80, 20, 1, it, 48) }.map { trial ->
             Finished(trial, if (trial.baud == 38_400) stopped().copy(outcome = Outcome.COLLIDED) else stopped(responseMs = 500.0))
         }
-        Scaling(runs).table() shouldContain "<td class=\"n\">0.50</td><td class=\"n\">wall</td><td class=\"n\">0.50</td><td " +
+        Scaling(runs).table("Table 9") shouldContain "<td class=\"n\">0.50</td><td class=\"n\">wall</td><td class=\"n\">0.50</td><td " +
             "class=\"n\">0.50</td><td class=\"n\">115200 baud</td>"
-        Scaling(runs.take(2)).table() shouldContain "<td class=\"n\">none</td><td class=\"n\">–</td>"
+        Scaling(runs.take(2)).table("Table 9") shouldContain "<td class=\"n\">none</td><td class=\"n\">–</td>"
     }
 
     test("the median of an even number of runs is between the two in the middle") {

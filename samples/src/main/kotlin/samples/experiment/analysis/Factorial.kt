@@ -3,6 +3,7 @@ package samples.experiment.analysis
 import org.apache.commons.math3.distribution.TDistribution
 import kotlin.math.abs
 import kotlin.math.sqrt
+import kotlin.random.Random
 
 /**
  * Which of three factors a sum of squares or an effect belongs to: [SIZE] of them, the main ones, the interactions of two, that of all
@@ -114,6 +115,17 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
         val freedom = source.factors.fold(1) { n, f -> n * (sizes[f] - 1) }
         val deviation = sqrt(error / errorFreedom * freedom / count)
         return TDistribution(errorFreedom.toDouble()).inverseCumulativeProbability((1 + confidence) / 2) * deviation
+    }
+
+    /**
+     * The same experiment with other errors: each response is the mean of its cell and an error drawn from those of all runs. The errors are
+     * scaled to the variance that the responses have, since their own mean takes a part of it. With one replication there are none.
+     */
+    fun resampled(random: Random): Factorial {
+        val scale = sqrt(replications / (replications - 1.0))
+        val errors = cells.flatMap { cell -> at(cell).average().let { mean -> at(cell).map { (it - mean) * scale } } }
+        fun resampled(cell: List<Double>) = cell.average().let { mean -> cell.map { mean + errors.random(random) } }
+        return Factorial(responses.map { b -> b.map { c -> c.map(::resampled) } })
     }
 
     private companion object {

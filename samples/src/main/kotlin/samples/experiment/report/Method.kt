@@ -13,10 +13,10 @@ import samples.experiment.exchangeNanos
  *
  * @param runs those that are counted
  * @param failed those that are not
- * @param machine what they were made on, in words
+ * @param made what they were made by and on
  */
-internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, machine: String): String =
-    ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, machine))
+internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
+    ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))
         .joinToString("\n", "<h2>How it was made</h2>\n<ul>\n", "\n</ul>") { (what, how) -> "<li><strong>$what</strong>: $how</li>" }
 
 private val AGENT = "Agent" to "the published one, plan for plan: <code>samples/experiment/robot.asl</code>. (a): " +
@@ -62,10 +62,11 @@ private fun real(port: String): List<Pair<String, String>> = listOf(
     "Computer" to "this one; reasoning is not slowed.",
 )
 
-private fun common(settings: Settings, failed: List<Finished>, machine: String): List<Pair<String, String>> = listOf(
-    "Order" to "random, all conditions mixed, seed ${settings.seed}: the same seed gives the same order. ${escaped(machine)}",
-    "Records" to "<code>runs/*.jsonl</code>, one file a run: ${if (settings.port == null) "each frame, each command and " else ""}each " +
-        "change of the believed front distance with its time." +
+private fun common(settings: Settings, failed: List<Finished>, made: Provenance): List<Pair<String, String>> = listOf(
+    "Order" to "random, all conditions mixed, seed ${settings.seed}: the same seed gives the same order. ${escaped(made.machine)}",
+    "Program" to "ARGO ${escaped(made.build)}. The report is of ${made.at}.",
+    "Records" to "<code>runs.csv</code>, a line for each run, and <code>runs/*.jsonl</code>, one file a run: " +
+        "${if (settings.port == null) "each frame, each command and " else ""}each change of the believed front distance with its time." +
         if (failed.isEmpty()) "" else " ${failed.size} runs have failed and are left out: " +
             escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
 )

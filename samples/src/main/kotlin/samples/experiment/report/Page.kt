@@ -30,7 +30,8 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 td.n, th.n { text-align: right; } td { white-space: nowrap; } thead th { background: var(--tint); } tbody th { font-weight: inherit; }
 .found { color: var(--yes); font-weight: 600; } .in-part { color: var(--partly); font-weight: 600; }
-.not-found { color: var(--no); font-weight: 600; }
+.not-found { color: var(--no); font-weight: 600; } .not-tested { color: var(--soft); font-weight: 600; }
+caption { caption-side: top; text-align: left; color: var(--soft); font-size: .9rem; padding-bottom: .3rem; }
 section.claim { border-left: 3px solid var(--line); padding: .1rem 0 .1rem 1rem; margin: 1rem 0; } section.claim p { margin: .3rem 0; }
 details { margin: .8rem 0; } summary { cursor: pointer; } code { background: var(--tint); padding: .1rem .3rem; overflow-wrap: anywhere; }
 </style>
@@ -41,8 +42,8 @@ $body
 </html>
 """
 
-/** A table with [heads]; cells of all columns but the first [words] are numbers. */
-internal fun table(heads: List<String>, rows: List<List<String>>, words: Int = 1): String {
+/** A table with [heads], and a [caption] above it; cells of all columns but the first [words] are numbers. */
+internal fun table(caption: String, heads: List<String>, rows: List<List<String>>, words: Int = 1): String {
     fun cell(tag: String, scope: String, index: Int, text: String) =
         "<$tag$scope${if (index >= words) " class=\"n\"" else ""}>${escaped(text)}</$tag>"
     val head = heads.mapIndexed { i, text -> cell("th", " scope=\"col\"", i, text) }.joinToString("")
@@ -51,5 +52,5 @@ internal fun table(heads: List<String>, rows: List<List<String>>, words: Int = 1
             .joinToString("") + "</tr>"
     }
     return "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"table\">" +
-        "<table>\n<thead><tr>$head</tr></thead>\n<tbody>\n$lines\n</tbody>\n</table></div>\n"
+        "<table>\n<caption>${escaped(caption)}</caption>\n<thead><tr>$head</tr></thead>\n<tbody>\n$lines\n</tbody>\n</table></div>\n"
 }

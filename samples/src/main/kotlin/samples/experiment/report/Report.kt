@@ -4,35 +4,42 @@ import org.jetbrains.letsPlot.intern.Plot
 import samples.experiment.Condition
 import samples.experiment.Finished
 import samples.experiment.Outcome
+import samples.experiment.Plan
 import samples.experiment.Settings
 import samples.experiment.View
+import samples.experiment.analysis.CONFIDENCE
 import samples.experiment.analysis.Factorial
+import samples.experiment.analysis.Interval
 import samples.experiment.analysis.Published
 import samples.experiment.analysis.Response
+import samples.experiment.analysis.ShareIntervals
 import samples.experiment.analysis.Source
 import samples.experiment.analysis.analysis
+import samples.experiment.analysis.medianInterval
+import samples.experiment.analysis.proportionInterval
 import samples.experiment.analysis.words
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64
+import kotlin.random.Random
 
 /**
- * Writes the report on the [finished] runs as one page, `report.html`, and its figures as SVG and PNG in `figures/`.
+ * Writes the report on the [finished] runs as one page, `report.html`, its figures as SVG and PNG in `figures/`, and all runs as `runs.csv`.
  *
- * @param machine what they were made on, in words
  * @return where the page is
  */
-internal fun writeReport(directory: Path, settings: Settings, finished: List<Finished>, machine: String): Path {
+internal fun writeReport(directory: Path, settings: Settings, finished: List<Finished>, made: Provenance): Path {
     Files.createDirectories(directory.resolve("figures"))
+    Files.writeString(directory.resolve("runs.csv"), csv(finished))
     val page = directory.resolve("report.html")
-    Files.writeString(page, page("The collision experiment", Report(directory.resolve("figures"), settings, finished, machine).body()))
+    Files.writeString(page, page("The collision experiment", Report(directory.resolve("figures"), settings, finished, made).body()))
     return page
 }
 
-private const val CONFIDENCE = 0.95
-
-private class Report(private val figures: Path, private val settings: Settings, finished: List<Finished>, private val machine: String) {
+private class Report(private val figures: Path, private val settings: Settings, finished: List<Finished>, private val made: Provenance) {
     private val plan = settings.plan
+    private var tables = 0
+    private var plots = 0
     private val failed = finished.filter { !it.isMeasured && !it.trial.isScaled }
     private val runs = finished.filter { it.isMeasured && !it.trial.isScaled }.sortedBy { it.trial.condition }
     private val scaled = finished.filter { it.trial.isScaled }
@@ -41,14 +48,15 @@ private class Report(private val figures: Path, private val settings: Settings, 
     }
 
     fun body(): String =
-        listOf(head(), claims(), distances(), times(), allocation(), scaling(), method(settings, runs, failed, machine)).joinToString("\n")
+        listOf(head(), claims(), distances(), times(), allocation(), scaling(), method(settings, runs, failed, made)).joinToString("\n")
 
     private fun head(): String {
         val counts = table(
-            listOf("condition", "runs", "stopped") + View.entries.map(::words),
+            "${nextTable()}. Runs that stopped before the wall, and the share of runs that do, with its 95 % interval (Wilson).",
+            listOf("condition", "runs", "stopped", "share, %") + View.entries.map(::words),
             Condition.entries.filter { condition -> runs.any { it.trial.condition == condition } }.map { condition ->
                 val own = runs.filter { it.trial.condition == condition }
-                listOf("(${condition.letter}) ${condition.title}", "${own.size}", "${stopped(own)}") +
+                listOf("(${condition.letter}) ${condition.title}", "${own.size}", "${stopped(own)}", proportion(own)) +
                     View.entries.map { view -> own.filter { it.trial.view == view }.let { "${stopped(it)} of ${it.size}" } }
             },
         )
@@ -62,8 +70,25 @@ factors, each with its levels:
 the distance limit L (${plan.limits.joinToString()} cm), the perception interval I (${plan.intervals.joinToString()} ms), the filter F
 (none, front side, front distance);
 ${plan.replications} replications of each of the ${plan.limits.size * plan.intervals.size * View.entries.size} combinations.</p>
-<p>Runs that stopped before the wall:</p>
-$counts"""
+<p>${escaped(made.sentence)} All runs are in <code>runs.csv</code>.</p>
+${leftOut()}$counts"""
+    }
+
+    private fun nextTable() = "Table ${++tables}"
+
+    private fun proportion(runs: List<Finished>): String = proportionInterval(stopped(runs), runs.size).let {
+        "${whole(100.0 * stopped(runs) / runs.size)} (${whole(100 * it.low)} to ${whole(100 * it.high)})"
+    }
+
+    /** What a shorter plan than the published one leaves out. */
+    private fun leftOut(): String {
+        val limits = (Plan.FULL.limits - plan.limits.toSet()).map { "the limit of $it cm" }
+        val intervals = (Plan.FULL.intervals - plan.intervals.toSet()).map { "the interval of $it ms" }
+        val fewer = Plan.FULL.replications - plan.replications
+        val missing = limits + intervals + listOfNotNull("$fewer of ${Plan.FULL.replications} replications".takeIf { fewer > 0 })
+        if (missing.isEmpty()) return ""
+        return "<p><strong>This is a shorter plan than the published one.</strong> It leaves out ${missing.joinToString()}. " +
+            "What was published about these is not tested here, and intervals are wider than with all replications.</p>\n"
     }
 
     private fun stopped(runs: List<Finished>) = runs.count { it.result.outcome == Outcome.STOPPED }
@@ -95,7 +120,8 @@ $counts"""
             "Boxes are quartiles of all runs, those at the wall too.",
         "A plot of the response times of all runs, by filter and condition; the table below has their median and range.",
     ) { timesFigure(runs, it) } + table(
-        listOf("condition", "filter", "stopped", "median, s", "least, s", "most, s"),
+        "${nextTable()}. Response times of the runs that stopped: the median with its 95 % interval (order statistics; – for fewer than six).",
+        listOf("condition", "filter", "stopped", "median, s", "95 % interval, s", "least, s", "most, s"),
         Condition.entries.flatMap { condition ->
             View.entries.map { view -> runs.filter { it.trial.condition == condition && it.trial.view == view } }
         }
@@ -105,8 +131,14 @@ $counts"""
 
     private fun timesRow(cell: List<Finished>): List<String> {
         val seconds = cell.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }.sorted()
-        val figures = if (seconds.isEmpty()) listOf("–", "–", "–")
-        else listOf(median(seconds), seconds.first(), seconds.last()).map(::three)
+        val interval = medianInterval(seconds)
+        val decimals = minOf(interval?.decimals ?: UNSURE_DECIMALS, UNSURE_DECIMALS)
+        val figures = if (seconds.isEmpty()) listOf("–", "–", "–", "–")
+        else listOf(
+            rounded(median(seconds), decimals),
+            interval?.let { "${rounded(it.low, decimals)} to ${rounded(it.high, decimals)}" } ?: "–",
+            two(seconds.first()), two(seconds.last()),
+        )
         return listOf(
             cell.first().trial.condition.let { "(${it.letter})" }, words(cell.first().trial.view), "${seconds.size} of ${cell.size}",
         ) + figures
@@ -119,20 +151,23 @@ $counts"""
         return """<h2>Allocation of variation</h2>
 <p>By the method of R. Jain, <em>The Art of Computer Systems Performance Analysis</em>: the share of each factor and interaction in the
 variation of a response, as sums of squares
-of the effects over the total one.</p>
+of the effects over the total one. Their 95 % intervals are percentiles of experiments in which each response is the mean of its
+combination and an error drawn from those of all runs (A. C. Davison and D. V. Hinkley, <em>Bootstrap Methods and their Application</em>,
+1997, section 6.2). A figure has no more digits than its interval leaves a meaning.</p>
 """ + shares(Response.TIME, published = true) +
-            figure("shares", "The shares of the table above.", "A bar chart of the table above.") { sharesFigure(time, it) } +
+            figure("shares", "The shares of Table $tables.", "A bar chart of the table above.") { sharesFigure(time, it) } +
             shares(Response.LEAST_TIME, published = true) + shares(Response.DISTANCE, published = false) + effects(time)
     }
 
     private fun shares(response: Response, published: Boolean): String {
         val columns = analyses.getValue(response)
+        val intervals = columns.mapValues { (_, analysis) -> ShareIntervals.of(analysis, Random(settings.seed)) }
         val rows = Source.entries.map { source ->
             listOf(words(source)) + (if (published) listOf("${Published.percent[source]}") else emptyList()) +
-                columns.values.map { three(100 * it.share(source)) }
+                columns.keys.map { percent(columns.getValue(it).share(source), intervals.getValue(it)[source]) }
         } + listOf(
             listOf("error") + (if (published) listOf("${Published.ERROR_PERCENT}") else emptyList()) +
-                columns.values.map { three(100 * it.errorShare) },
+                columns.keys.map { percent(columns.getValue(it).errorShare, intervals.getValue(it).error) },
         )
         val deviation = listOf(
             listOf("variance") + (if (published) listOf("–") else emptyList()) + columns.values.map { three(it.total / (it.count - 1)) },
@@ -141,6 +176,7 @@ of the effects over the total one.</p>
             "${escaped(response.collisions)}. " +
             "The last row is the variance of what is divided up, in ${response.unit}².</p>\n" +
             table(
+                "${nextTable()}. Allocation of variation of the ${response.title}, in percent, with 95 % intervals.",
                 listOf("share") + (if (published) listOf("published") else emptyList()) + columns.keys.map { "(${it.letter})" },
                 rows + deviation,
             )
@@ -150,18 +186,30 @@ of the effects over the total one.</p>
         val rows = listOf(Source.A, Source.B, Source.C).flatMap { source ->
             analysis.effects(source, CONFIDENCE).map {
                 listOf(
-                    words(source), level(source, it.levels.single()), three(it.value), interval(it.low, it.high),
+                    words(source), level(source, it.levels.single()), rounded(it.value, Interval(it.low, it.high).decimals),
+                    interval(it.low, it.high),
                     if (it.isSignificant) "yes" else "no",
                 )
             }
         }
         "<details><summary>Effects on the response time, (${condition.letter}) ${escaped(condition.title)}: mean " +
             "${three(analysis.mean)} s</summary>\n" +
-            table(listOf("factor", "level", "effect, s", "95 % interval, s", "differs from 0"), rows, words = 2) + "</details>"
+            table(
+                "${nextTable()}. Effects on the response time in condition (${condition.letter}).",
+                listOf("factor", "level", "effect, s", "95 % interval, s", "differs from 0"), rows, words = 2,
+            ) + "</details>"
     }
 
     private fun interval(low: Double, high: Double) =
-        if (low.isInfinite()) "unknown: one replication" else "${three(low)} to ${three(high)}"
+        if (low.isInfinite()) "unknown: one replication"
+        else Interval(low, high).decimals.let { "${rounded(low, it)} to ${rounded(high, it)}" }
+
+    private fun percent(share: Double, interval: Interval?): String {
+        if (interval == null) return "${one(100 * share)} (unknown)"
+        val percents = Interval(100 * interval.low, 100 * interval.high)
+        val decimals = minOf(percents.decimals, SHARE_DECIMALS)
+        return "${rounded(100 * share, decimals)} (${rounded(percents.low, decimals)} to ${rounded(percents.high, decimals)})"
+    }
 
     private fun level(source: Source, level: Int) = when (source) {
         Source.A -> "${plan.limits[level]} cm"
@@ -179,7 +227,7 @@ of the effects over the total one.</p>
             "scaling",
             "Seconds from the limit to the stop. Green: fast. Orange: slow. Red: no stop. ${Scaling.EXPLAINED}",
             "A map of what became of the robot for each number of sensors and each baud rate; the table below says the same.",
-        ) { scalingFigure(all, it) } + "<h3>Where each condition begins to fail</h3>\n" + scaling.table()
+        ) { scalingFigure(all, it) } + "<h3>Where each condition begins to fail</h3>\n" + scaling.table(nextTable())
     }
 
     /**
@@ -194,8 +242,16 @@ of the effects over the total one.</p>
         return """<figure><div class="wide" tabindex="0" role="group" aria-label="figure"><picture>
 <source media="(prefers-color-scheme: dark)" srcset="${data(svg(plot(Shades.DARK)))}">
 <img alt="${escaped(instead)}" src="${data(light)}"></picture></div>
-<figcaption>${escaped(caption)}</figcaption></figure>
+<figcaption>Figure ${++plots}. ${escaped(caption)}</figcaption></figure>
 """
+    }
+
+    private companion object {
+        /** Of a median without an interval: hundredths of a second, a tenth of an exchange. */
+        const val UNSURE_DECIMALS = 2
+
+        /** Of shares that are sure. The published ones have three. */
+        const val SHARE_DECIMALS = 2
     }
 
     private fun data(svg: String) = "data:image/svg+xml;base64," + Base64.getEncoder().encodeToString(svg.toByteArray())

@@ -25,8 +25,9 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
 """
     }
 
-    /** The outcomes as text, and where each condition begins to fail. */
-    fun table(): String = table(
+    /** The outcomes as text in the table that is called [number], and where each condition begins to fail. */
+    fun table(number: String): String = table(
+        "$number. Seconds from the limit to the stop, for each number of sensors and each line.",
         listOf("condition", "filter", "sensors") + bauds.map { "$it baud" } + listOf("stops on all lines from", "exchange there, ms"),
         runs.groupBy { Triple(it.trial.condition, it.trial.view, it.trial.sensors) }
             .toSortedMap(compareBy({ it.first }, { it.second }, { it.third })).values.map(::row),

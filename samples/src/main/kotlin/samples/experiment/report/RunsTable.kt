@@ -1,0 +1,20 @@
+package samples.experiment.report
+
+import samples.experiment.Finished
+
+/** All of [runs] as comma-separated values (RFC 4180), a line for each and the names of the columns in the first. */
+internal fun csv(runs: List<Finished>): String {
+    val heads = "run,condition,filter,limit_cm,interval_ms,replication,baud,sensors,outcome,response_ms,distance_cm,commands,frames," +
+        "late_ms,reason"
+    return (listOf(heads) + runs.sortedBy { it.trial.id }.map(::line)).joinToString("") { "$it\r\n" }
+}
+
+private fun line(run: Finished): String = run.let { (trial, result) ->
+    listOf(
+        trial.id, trial.condition.letter, trial.view.word, trial.limit, trial.interval, trial.replication, trial.baud, trial.sensors,
+        result.outcome.name.lowercase(), result.responseMs, result.distance, result.commands, result.frames, result.lateMs,
+        quoted(result.reason.orEmpty()),
+    ).joinToString(",")
+}
+
+private fun quoted(text: String) = if (text.any { it in ",\"\r\n" }) "\"${text.replace("\"", "\"\"")}\"" else text
