@@ -2,7 +2,7 @@ package argo.acting
 
 import argo.filters.Predicate
 
-/** Whether [name] is an atom without quotes and dots, the same to Jason and to a board: a lower-case letter, then letters, digits and `_`. */
+/** Whether [name] is an atom without quotes and dots, the same to Jason and a board: a lower-case letter, then letters, digits and `_`. */
 internal fun isPlainName(name: String): Boolean = PLAIN.matches(name)
 
 /** Whether a board can name [predicate] too: boards know neither quotes nor namespaces. */

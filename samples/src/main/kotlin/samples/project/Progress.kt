@@ -59,7 +59,7 @@ internal class Progress(private val out: PrintStream, private val inPlace: Boole
         /** Progress on this program's standard output. */
         fun onStandardOutput() = Progress(System.out, isTerminal() && canRewrite(System.getenv()), charset())
 
-        /** Whether the terminal of a program with [environment] can rewrite a line; a log of CI, which keeps all that is printed, cannot. */
+        /** Whether the terminal of a program with [environment] can rewrite a line; a log of CI keeps all that is printed. */
         fun canRewrite(environment: Map<String, String>) = environment["TERM"] != "dumb" && environment["CI"].isNullOrEmpty()
 
         private fun charset(): Charset =

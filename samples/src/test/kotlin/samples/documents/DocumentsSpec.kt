@@ -111,7 +111,8 @@ class DocumentsSpec : FunSpec({
  * programs in `python` that import `javino`, RosDocumentSpec `yaml`.
  */
 private val LANGUAGES = setOf(
-    "agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "java", "python", "text", "yaml",
+    "agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "java", "python", "text",
+    "yaml",
 )
 
 /** Coordinates as Gradle has them. */
