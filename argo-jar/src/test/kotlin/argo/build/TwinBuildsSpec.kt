@@ -39,7 +39,7 @@ class TwinBuildsSpec : FunSpec({
 
     test("both put the same Jason projects and filters on the samples' class path") {
         val (pom, script) = samples
-        val folders = checkNotNull(Regex("projects = listOf\\((.+)\\)").find(script)) { "no list of the Jason projects in the script" }
+        val folders = checkNotNull(Regex("projects = listOf\\(([^)]*)\\)").find(script)) { "no list of the Jason projects in the script" }
         values(pom, "<include>([^<]+)/\\*\\*</include>") shouldBe values(folders.groupValues[1], "\"([^\"]+)\"")
         values(pom, "<directory>([^<]+)</directory><targetPath>filters</targetPath>") shouldBe
             values(script, "from\\(\"([^\"]+)\"\\) \\{ into\\(\"filters\"\\)")

@@ -131,24 +131,24 @@ internal class RosLink private constructor(
     /** Waits for a message of a topic. While there is none, the bridge is asked halfway whether it is there. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         api.renew()
-        return lock.withLock {
-            val start = clock.nanos()
-            val end = start + TimeUnit.MILLISECONDS.toNanos(timeoutMs.toLong())
-            val half = start + (end - start) / 2
-            var isAsked = false
-            while (true) {
-                requireOpen()
-                val now = clock.nanos()
-                if (topics.hasNews(now)) return topics.take(now)
-                if (now - end >= 0) return silence(start, timeoutMs)
-                if (now - half >= 0 && !isAsked) {
-                    isAsked = true
-                    if (aliveNanos - start < 0) socket?.ping()
-                }
-                await(listOfNotNull(if (isAsked) end else half, topics.dueNanos()).minOf { it - now })
+        return lock.withLock { next(timeoutMs) }
+    }
+
+    private fun next(timeoutMs: Int): BoardMessage? {
+        val start = clock.nanos()
+        val end = start + TimeUnit.MILLISECONDS.toNanos(timeoutMs.toLong())
+        val half = start + (end - start) / 2
+        var isAsked = false
+        while (true) {
+            requireOpen()
+            val now = clock.nanos()
+            if (topics.hasNews(now)) return topics.take(now)
+            if (now - end >= 0) return silence(start, timeoutMs)
+            if (now - half >= 0 && !isAsked) {
+                isAsked = true
+                if (aliveNanos - start < 0) socket?.ping()
             }
-            @Suppress("UNREACHABLE_CODE")
-            null
+            await(listOfNotNull(if (isAsked) end else half, topics.dueNanos()).minOf { it - now })
         }
     }
 

@@ -9,7 +9,7 @@ import argo.filters.GroundTerm
  * @param nameOf what a name alone is that stands at a place, as an argument of a literal
  */
 internal class ExpressionReader(private val cursor: Cursor, private val nameOf: (String, Place) -> Expression) {
-    /** Reads an expression. A name alone is a field or a parameter, unless it [is an argument][isArgument]. */
+    /** Reads an expression. A name alone is a field or a parameter; as an argument of a literal, what [nameOf] says. */
     fun read(isArgument: Boolean = false): Expression {
         var left = product(isArgument)
         while (true) {
@@ -35,7 +35,7 @@ internal class ExpressionReader(private val cursor: Cursor, private val nameOf: 
         return arguments
     }
 
-    /** A name that was taken for an atom is a field where it is calculated with. */
+    /** [expression], unless it is an atom or a string. */
     private fun calculable(expression: Expression): Expression =
         if (expression is Expression.Constant && expression.value !is Value.Number) {
             throw cursor.refusal("only numbers and fields can be calculated with, and ${expression.value.asTerm()} is neither")
@@ -59,16 +59,14 @@ internal class ExpressionReader(private val cursor: Cursor, private val nameOf: 
         cursor.take(QUOTED)?.let { return Expression.Constant(Value.Symbol(plain(it))) }
         val place = cursor.place
         val name = cursor.expect(NAME, "a number, a field, an atom or a string")
-        if (cursor.take("(")) return called(name, place)
+        if (cursor.take("(")) return called(name)
         val path = listOf(name) + steps()
         return if (path.size == 1 && isArgument) nameOf(name, place) else Expression.Field(place, path)
     }
 
-    private fun called(name: String, place: Place): Expression {
+    private fun called(name: String): Expression {
         val function = Function.of(name) ?: return Expression.Compound(name, arguments())
-        val arguments = listOf(read()).also { cursor.expect(")", "behind the argument of $name") }
-        if (arguments.size != 1) throw Refusal(place, "$name takes one argument")
-        return Expression.Call(function, arguments.single())
+        return Expression.Call(function, read()).also { cursor.expect(")", "behind the one argument of $name") }
     }
 
     private fun steps(): List<String> {

@@ -18,7 +18,9 @@ internal const val SUFFIX = ".ros.yaml"
  */
 internal fun findMapping(name: String, directory: Path = Path.of("").toAbsolutePath()): Mapping {
     val fileName = "$name$SUFFIX"
-    if (!NAME.matches(name)) throw notRead(fileName, "'$name' is no name of a mapping: letters, digits, '_', '-' and '.', and '/' behind folders")
+    if (!NAME.matches(name)) {
+        throw notRead(fileName, "'$name' is no name of a mapping: letters, digits, '_', '-', '.', and '/' behind folders")
+    }
     val file = directory.resolve(fileName)
     if (Files.isRegularFile(file)) {
         val text = try {
