@@ -35,7 +35,9 @@ private fun terms(depth: Int): Arb<Term> = Arb.int(0..(if (depth == 0) 5 else 8)
     }
 }
 
-private val structures: Arb<Literal> = Arb.bind(Arb.list(terms(2), 0..4), Arb.list(terms(1), 1..2), Arb.boolean()) { terms, inner, positive ->
+private val structures: Arb<Literal> = Arb.bind(
+    Arb.list(terms(2), 0..4), Arb.list(terms(1), 1..2), Arb.boolean(),
+) { terms, inner, positive ->
     ASSyntax.createLiteral(positive, "speed", *terms.toTypedArray(), ASSyntax.createStructure("of", *inner.toTypedArray()))
 }
 

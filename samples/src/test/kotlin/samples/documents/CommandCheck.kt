@@ -30,8 +30,9 @@ class CommandCheck(private val root: Path) {
             "make" -> root.resolve("javino-arduino/Makefile").readText().let { makefile ->
                 rest.firstOrNull { !Regex("(?m)^$it:").containsMatchIn(makefile) }?.let { "the Makefile has no target $it" }
             }
-            "./check", "./package" -> missing(root.resolve("javino-arduino/${words.first()}").takeIf { it.isExecutable() }, words.first())
-                ?: unheardOf(root.resolve("javino-arduino/${words.first()}"), rest)
+            "./check", "./package", "./split" -> root.resolve("javino-arduino/${words.first()}").let { program ->
+                missing(program.takeIf { it.isExecutable() }, words.first()) ?: unheardOf(program, rest)
+            }
             "build/simulator" ->
                 unheardOf(root.resolve("javino-arduino/simulator/main.c"), rest.map { it.trim('[', ']') }.filter { it.startsWith("--") })
             "alias" -> java(rest.single().substringAfter("=").split(" ").drop(1))
