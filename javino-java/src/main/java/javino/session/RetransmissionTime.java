@@ -3,8 +3,8 @@ package javino.session;
 import java.util.concurrent.TimeUnit;
 
 /**
- * When what is out is to be repeated for want of an acknowledgement: twice the smoothed round trip behind its last byte, and later with each
- * repetition in vain. {@link ComputerSession} repeats it, then or when the board shows that it has missed something.
+ * When what is out is to be repeated for want of an acknowledgement: twice the smoothed round trip behind its last byte, and later with
+ * each repetition in vain. {@link ComputerSession} repeats it, then or when the board shows that it has missed something.
  */
 final class RetransmissionTime {
     private static final long MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
