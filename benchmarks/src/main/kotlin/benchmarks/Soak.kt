@@ -45,10 +45,10 @@ class Soak(private val agents: Int, private val seconds: Int) {
                 for (i in 1..agents) mas.start("soak$i", program(i))
                 Thread.sleep(minOf(60, seconds / 3) * 1000L)
                 awaitAtMost(LIMIT_S) { boards.all { it.confirmed >= WARM_UP_ACTIONS } }
-                val heap = usedHeap()
+                val heap = steadyHeap()
                 val threads = Thread.activeCount()
                 Thread.sleep((seconds - minOf(60, seconds / 3)) * 1000L)
-                val heapLate = usedHeap()
+                val heapLate = steadyHeap()
                 val threadsLate = Thread.activeCount()
                 for (i in 1..agents) mas.achieve("soak$i", "end")
                 awaitAtMost(LIMIT_S) { boards.all { it.isSettled() } }
@@ -62,6 +62,12 @@ class Soak(private val agents: Int, private val seconds: Int) {
             for (i in 1..agents) SimulatedBoards.unplug("soak$i")
             ran.heard = { _, _, _ -> }
         }
+    }
+
+    /** What is always in use: while agents act, some 10 MB more are for a moment. */
+    private fun steadyHeap() = (1..HEAP_SAMPLES).minOf {
+        Thread.sleep(HEAP_SAMPLE_MS)
+        usedHeap()
     }
 
     private fun program(i: Int) = """
@@ -131,6 +137,9 @@ class Soak(private val agents: Int, private val seconds: Int) {
         const val WARM_UP_ACTIONS = 50L
         const val MB = 1024 * 1024L
         const val SPARE_HEAP = 8 * MB
+
+        const val HEAP_SAMPLES = 8
+        const val HEAP_SAMPLE_MS = 100L
 
         /** The program's own threads come and go. */
         const val SPARE_THREADS = 2
