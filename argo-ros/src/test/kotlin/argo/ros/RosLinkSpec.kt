@@ -21,6 +21,7 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.maps.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.types.shouldBeInstanceOf
 import javino.ActionFailedException
 import javino.ActionRefusedException
 import javino.ActionUnconfirmedException
@@ -255,7 +256,8 @@ class RosLinkSpec : FunSpec({
             bridge.close()
             shouldThrow<PortGoneException> { repeat(1_000) { link.listen(LIMIT_MS) } }
             link.isOpen shouldBe false
-            sent.outcome.isDone shouldBe true
+            val failure = shouldThrow<ExecutionException> { sent.outcome.get(LIMIT_MS.toLong(), TimeUnit.MILLISECONDS) }
+            failure.cause.shouldBeInstanceOf<PortException>()
             shouldThrow<PortException> { link.sendAndAwait("move(1,1)", SendOptions.defaults()) }
         }
         test("garbage changes nothing") {
