@@ -1,7 +1,6 @@
 package javino.tcp;
 
 import javino.LineSettings;
-import javino.NoSuchPortException;
 import javino.PortException;
 import javino.Transport;
 import javino.TransportProvider;
@@ -26,11 +25,7 @@ public final class TlsTransportProvider implements TransportProvider {
 
     @Override
     public String canonicalAddress(String address) {
-        try {
-            return TcpAddress.of(port(address), address).canonical();
-        } catch (NoSuchPortException e) {
-            return address;
-        }
+        return tcp.canonicalAddress(address);
     }
 
     @Override
