@@ -7,23 +7,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent))
 import javino  # noqa: E402
 from javino.literals import to_bytes  # noqa: E402
-
-
-class Memory:
-    """A line whose far end is the test."""
-
-    def __init__(self):
-        self.arrives, self.sent = b"", b""
-
-    def read(self):
-        data, self.arrives = self.arrives, b""
-        return data
-
-    def write(self, data):
-        self.sent += data
-
-    def wait(self, ms):
-        pass
+from memory import Memory  # noqa: E402
 
 
 class KnowsTexts(javino.Board):

@@ -15,26 +15,10 @@ import tty
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent.parent / "javino-arduino" / "tests" / "e2e"))
-from board import PATIENCE, Line, Session, commands, frame1, frames, kind_of  # noqa: E402
+from board import PATIENCE, FarEnd, Line, Session, commands, frame1, frames, kind_of  # noqa: E402
+from cases import check, damage_one_in_200, equal, texts  # noqa: E402
 
 DAMAGED_SECONDS = 3
-
-
-def check(condition, what):
-    if not condition:
-        raise AssertionError(what)
-
-
-def equal(found, expected):
-    check(found == expected, f"found {found!r}, expected {expected!r}")
-
-
-class FarEnd(Line):
-    """The master of a pseudo-terminal in place of a device."""
-
-    def __init__(self, fd):
-        self.fd = fd
-        self._begin()
 
 
 class Board:
@@ -172,22 +156,6 @@ def garbage_is_survived(python):
         board.carried()
         equal((board.session.send("led"), board.session.refused), (1, False))
         equal(board.next(), "led")
-
-
-def damage_one_in_200(rng, count):
-    def damage(data):
-        damaged = bytearray(data)
-        for i in range(len(damaged)):
-            if rng.randrange(200) == 0:
-                damaged[i] ^= rng.randrange(1, 256)
-                count[0] += 1
-        return bytes(damaged)
-    return damage
-
-
-def texts(rng):
-    while True:
-        yield rng.choice(["led", "ledOn", "stop", f"speed({rng.randrange(10, 251)})"])
 
 
 def version_2_carries_out_every_command_once_on_a_damaged_line(python):

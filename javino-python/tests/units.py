@@ -16,21 +16,7 @@ import javino  # noqa: E402
 from javino.hosts import open_named  # noqa: E402
 from javino.lines import Port  # noqa: E402
 from javino.literals import compare, split, term, value  # noqa: E402
-
-
-class Memory:
-    def __init__(self):
-        self.arrives, self.sent = b"", b""
-
-    def read(self):
-        data, self.arrives = self.arrives, b""
-        return data
-
-    def write(self, data):
-        self.sent += data
-
-    def wait(self, ms):
-        pass
+from memory import Memory  # noqa: E402
 
 
 class Bench:

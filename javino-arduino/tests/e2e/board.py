@@ -120,6 +120,14 @@ class Line:
         raise AssertionError("the board does not answer")
 
 
+class FarEnd(Line):
+    """The master of a pseudo-terminal in place of a device."""
+
+    def __init__(self, fd):
+        self.fd = fd
+        self._begin()
+
+
 class Session:
     """A session of version 2: a computer that has one command row or one request out at a time, and repeats it until it is answered."""
 

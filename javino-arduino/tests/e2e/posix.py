@@ -6,20 +6,8 @@ import subprocess
 import sys
 import tty
 
-from board import Line, Session, frame1
-
-
-class FarEnd(Line):
-    """The master of a pseudo-terminal in place of a device."""
-
-    def __init__(self, fd):
-        self.fd = fd
-        self._begin()
-
-
-def equal(found, expected):
-    if found != expected:
-        raise AssertionError(f"found {found!r}, expected {expected!r}")
+from board import FarEnd, Session, frame1
+from cases import equal
 
 
 def talk(line, program):

@@ -11,15 +11,7 @@ import sys
 import time
 
 from board import Board, Session, commands, frame1, frames, kind_of, version1
-
-
-def check(condition, what):
-    if not condition:
-        raise AssertionError(what)
-
-
-def equal(found, expected):
-    check(found == expected, f"found {found!r}, expected {expected!r}")
+from cases import check, damage_one_in_200, equal, texts
 
 
 def figure(text):
@@ -369,22 +361,6 @@ def carried_out(board):
         else:
             duties.append(duty or board.last_duty)
     return duties
-
-
-def damage_one_in_200(rng, count):
-    def damage(data):
-        damaged = bytearray(data)
-        for i in range(len(damaged)):
-            if rng.randrange(200) == 0:
-                damaged[i] ^= rng.randrange(1, 256)
-                count[0] += 1
-        return bytes(damaged)
-    return damage
-
-
-def texts(rng):
-    while True:
-        yield rng.choice(["led", "ledOn", "stop", f"speed({rng.randrange(10, 251)})"])
 
 
 def on_a_damaged_line(version, run):
