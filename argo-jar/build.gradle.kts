@@ -3,6 +3,7 @@ dependencies {
     runtimeOnly(project(":argo-arch"))
     runtimeOnly(project(":argo-view"))
     runtimeOnly(project(":argo-ros"))
+    runtimeOnly(project(":argo-recording"))
     runtimeOnly(project(":argo-tools"))
     // what packs
     compileOnly(libs.asm.commons)

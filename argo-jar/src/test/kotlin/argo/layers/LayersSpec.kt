@@ -51,7 +51,8 @@ class LayersSpec : FunSpec({
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
             "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.tools", "argo.ros",
-            "argo.ros.bridge", "argo.ros.mapping", "javino", "javino.serial", "javino.tcp", "javino.sim",
+            "argo.ros.bridge", "argo.ros.mapping", "argo.mcap", "argo.recording.storage", "javino", "javino.serial",
+            "javino.tcp", "javino.sim",
         )
     }
 
@@ -116,6 +117,21 @@ class LayersSpec : FunSpec({
         test("are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.ros..").should()
                 .dependOnClassesThat().resideInAPackage("argo.ros..").check(product)
+        }
+    }
+
+    context("recordings") {
+        test("are of a format that knows nothing of the product") {
+            noClasses().that().resideInAPackage("argo.mcap..").should()
+                .dependOnClassesThat(productBut("argo.mcap..").or(packages("jason.."))).check(product)
+        }
+        test("are stored without knowing what they hold") {
+            noClasses().that().resideInAPackage("argo.recording.storage..").should()
+                .dependOnClassesThat(productBut("argo.recording.storage..", "argo.mcap..").or(packages("jason.."))).check(product)
+        }
+        test("do not know how bytes move") {
+            noClasses().that().resideInAPackage("argo.recording..")
+                .should().dependOnClassesThat().resideInAnyPackage("javino.serial..", "javino.tcp..", "javino.sim..").check(product)
         }
     }
 

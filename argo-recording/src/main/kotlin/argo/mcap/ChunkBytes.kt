@@ -1,0 +1,52 @@
+package argo.mcap
+
+import java.util.zip.CRC32
+
+/** Where a message begins in the records of its chunk. */
+internal class IndexEntry(val logTimeNs: Long, val offset: Long)
+
+/** The chunk that is being filled. */
+internal class ChunkBytes {
+    private val index = LinkedHashMap<Int, MutableList<IndexEntry>>()
+
+    val records = RecordBytes(INITIAL_BYTES)
+
+    val size: Int get() = records.size
+
+    /** The channels of its messages. */
+    val channels: Set<Int> get() = index.keys
+
+    /** From the first to the last log time of its messages; null: it has none. */
+    var times: LongRange? = null
+        private set
+
+    /** Where the messages of [channel] are, in the order of their times. */
+    fun entries(channel: Int): List<IndexEntry> = index.getValue(channel).sortedBy { it.logTimeNs }
+
+    fun message(channel: Int, sequence: Long, logTimeNs: Long, publishTimeNs: Long, data: ByteArray) {
+        index.getOrPut(channel) { ArrayList() } += IndexEntry(logTimeNs, size.toLong())
+        times = times.covering(logTimeNs)
+        records.record(Op.MESSAGE) { u16(channel).u32(sequence).u64(logTimeNs).u64(publishTimeNs).bytes(data) }
+    }
+
+    /** All of its record that comes before [records], written into [target]. */
+    fun head(target: RecordBytes): RecordBytes {
+        val head = RecordBytes().u64(times?.first ?: 0).u64(times?.last ?: 0).u64(size.toLong())
+            .u32(CRC32().apply { update(records.array(), 0, size) }.value).text("").u64(size.toLong())
+        return target.clear().u8(Op.CHUNK).u64(head.size + size.toLong()).bytes(head.array(), 0, head.size)
+    }
+
+    fun clear() {
+        index.clear()
+        times = null
+        records.clear()
+    }
+
+    private companion object {
+        const val INITIAL_BYTES = 64 * 1024
+    }
+}
+
+/** From the first to the last of these and [timeNs]. */
+internal fun LongRange?.covering(timeNs: Long): LongRange =
+    if (this == null) timeNs..timeNs else minOf(first, timeNs)..maxOf(last, timeNs)

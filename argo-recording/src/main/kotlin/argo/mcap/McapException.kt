@@ -1,0 +1,6 @@
+package argo.mcap
+
+import java.io.IOException
+
+/** A file cannot be read as MCAP, or holds what this version cannot read. The message is for a person. */
+class McapException(message: String) : IOException(message)

@@ -1,0 +1,76 @@
+package argo.mcap
+
+import java.io.Closeable
+import java.nio.ByteBuffer
+import java.nio.file.Path
+
+/**
+ * Reads a file of MCAP version 0 with uncompressed chunks, also one that was cut off or has damaged parts: it gives what is whole.
+ *
+ * The whole file is looked through once when it is opened, one chunk in memory at a time. For one thread.
+ *
+ * @param path the file; it should not change while it is read
+ * @throws McapException if it is no MCAP file, or of a newer version of the format
+ * @throws java.io.IOException if it cannot be read
+ */
+class McapReader(path: Path) : Closeable {
+    private val input = McapInput(path)
+    private val contents = try {
+        McapScan(input).run()
+    } catch (failure: Throwable) {
+        input.close()
+        throw failure
+    }
+
+    /** The channels, in the order of their first appearance. */
+    val channels: List<McapChannel> get() = contents.channels.values.toList()
+
+    /** The files inside, in their order. Their data is read when it is asked for, while this reader is open. */
+    val attachments: List<McapAttachment> get() = contents.attachments
+
+    /** What was written by [McapWriter.metadata], in its order. */
+    val metadata: List<McapMetadata> get() = contents.metadata
+
+    /** What wrote the file. */
+    val library: String get() = contents.library
+
+    /** The number of messages that can be read. */
+    val messageCount: Long get() = contents.messageCount
+
+    /** The log times of the first and of the last message; null: there is none. */
+    val times: LongRange? get() = contents.times
+
+    /** What of the file cannot be read, for a person: one sentence for each place, of many the first. */
+    val problems: List<String> get() = contents.problems
+
+    /** Whether the file was closed by its writer, and all of it can be read. */
+    val isComplete: Boolean get() = problems.isEmpty()
+
+    /**
+     * The messages in the order in which they were written.
+     *
+     * @param from the first log time in ns
+     * @param until the log time in ns behind the last one
+     * @param topics the channels' topics; null: all
+     * @return read while it is iterated, which throws [McapException] if the file has changed meanwhile
+     */
+    fun messages(from: Long = 0, until: Long = Long.MAX_VALUE, topics: Set<String>? = null): Sequence<McapMessage> {
+        val wanted = contents.channels.filterValues { topics == null || it.topic in topics }
+        return contents.parts.asSequence()
+            .filter { it.times.last >= from && it.times.first < until }
+            .flatMap { part -> messagesOf(input.read(part.at, part.length), wanted) }
+            .filter { it.logTimeNs in from until until }
+    }
+
+    private fun messagesOf(records: ByteBuffer, wanted: Map<Int, McapChannel>): List<McapMessage> = buildList {
+        records.forEachRecord { op, content -> if (op == Op.MESSAGE) content.message(wanted)?.let(::add) }
+    }
+
+    override fun close() = input.close()
+}
+
+/** The message in this record; null: it is of a channel that is not in [channels]. */
+private fun ByteBuffer.message(channels: Map<Int, McapChannel>): McapMessage? {
+    val channel = channels[u16()] ?: return null
+    return McapMessage(channel, u32(), u64(), u64(), bytes(remaining().toLong()))
+}

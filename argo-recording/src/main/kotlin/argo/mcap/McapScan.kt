@@ -1,0 +1,170 @@
+package argo.mcap
+
+import java.nio.ByteBuffer
+import java.util.zip.CRC32
+
+/** A place in the file with whole records of messages, whose log times are in [times]. */
+internal class MessagePart(val at: Long, val length: Long, val times: LongRange)
+
+/** What a file holds, and where. */
+internal class McapContents {
+    val schemas = HashMap<Int, McapSchema>()
+    val channels = LinkedHashMap<Int, McapChannel>()
+    val attachments = ArrayList<McapAttachment>()
+    val metadata = ArrayList<McapMetadata>()
+    val parts = ArrayList<MessagePart>()
+    val problems = ArrayList<String>()
+    var library = ""
+    var messageCount = 0L
+    val times: LongRange? get() = parts.map { it.times }.reduceOrNull { all, next -> all.covering(next.first).covering(next.last) }
+
+    fun problem(text: String) {
+        if (problems.size < MAX_PROBLEMS) problems += text
+    }
+
+    private companion object {
+        const val MAX_PROBLEMS = 100
+    }
+}
+
+/** Looks through a file from its beginning, as far as its records are whole. */
+internal class McapScan(private val input: McapInput) {
+    private val contents = McapContents()
+    private var isDataOver = false
+
+    fun run(): McapContents {
+        checkMagic()
+        var at = MAGIC.size.toLong()
+        while (true) {
+            val length = lengthOf(at)
+            if (length == null) {
+                contents.problem("the file was cut off behind byte $at, or is damaged there; what comes before was read")
+                return contents
+            }
+            val op = input.read(at, 1).get().toInt() and 0xFF
+            try {
+                take(op, at, at + RECORD_HEAD_BYTES, length)
+            } catch (damaged: McapException) {
+                contents.problem("the record at byte $at was left out: ${damaged.message}")
+            }
+            at += RECORD_HEAD_BYTES + length
+            if (op == Op.FOOTER) {
+                if (!isMagic(at)) contents.problem("the end of the file is damaged; what comes before was read")
+                return contents
+            }
+        }
+    }
+
+    private fun checkMagic() {
+        val start = ByteArray(minOf(MAGIC.size.toLong(), input.size).toInt()).also { input.read(0, it.size.toLong()).get(it) }
+        val differing = MAGIC.indices.filter { it >= start.size || start[it] != MAGIC[it] }
+        if (differing == listOf(VERSION_AT)) {
+            val version = Char(start[VERSION_AT].toInt() and 0xFF)
+            throw McapException("${input.path} is of version '$version' of the MCAP format; only version 0 can be read here")
+        }
+        if (differing.isNotEmpty()) throw McapException("${input.path} is no MCAP file: it does not begin as one")
+    }
+
+    private fun isMagic(at: Long) =
+        input.size - at >= MAGIC.size && ByteArray(MAGIC.size).also { input.read(at, it.size.toLong()).get(it) }.contentEquals(MAGIC)
+
+    /** The length of the content of the record at [at]; null: it is not whole. */
+    private fun lengthOf(at: Long): Long? {
+        val rest = input.size - at - RECORD_HEAD_BYTES
+        if (rest < 0) return null
+        return input.read(at + 1, RECORD_HEAD_BYTES - 1L).getLong().takeIf { it in 0..rest }
+    }
+
+    /** Takes the record of kind [op] that begins at [start], with its content at [at]. */
+    private fun take(op: Int, start: Long, at: Long, length: Long) {
+        if (isDataOver) return
+        when (op) {
+            Op.HEADER -> contents.library = input.read(at, length).run { text(); text() }
+            Op.SCHEMA -> schema(input.read(at, length))
+            Op.CHANNEL -> channel(input.read(at, length))
+            Op.MESSAGE -> messages(start, input.read(start, RECORD_HEAD_BYTES + length))
+            Op.CHUNK -> chunk(at, length)
+            Op.ATTACHMENT -> attachment(at, length)
+            Op.METADATA -> input.read(at, length).run { contents.metadata += McapMetadata(text(), map()) }
+            Op.DATA_END -> isDataOver = true
+        }
+    }
+
+    private fun chunk(at: Long, length: Long) {
+        val chunk = input.read(at, length)
+        chunk.u64()
+        chunk.u64()
+        val recordBytes = chunk.u64()
+        val checksum = chunk.u32()
+        val compression = chunk.text()
+        if (compression.isNotEmpty()) throw McapException("it is a chunk compressed by $compression, which cannot be read here")
+        val records = chunk.part(chunk.u64())
+        if (records.remaining().toLong() != recordBytes) throw McapException("its length is damaged")
+        if (checksum != 0L && checksum != checksumOf(records)) throw McapException("it is damaged: its checksum is wrong")
+        messages(at + chunk.position() - records.remaining(), records)
+    }
+
+    /** Takes schemas and channels of [records], which are at [at] in the file, and notes where the messages are. */
+    private fun messages(at: Long, records: ByteBuffer) {
+        val length = records.remaining().toLong()
+        var times: LongRange? = null
+        var count = 0L
+        records.forEachRecord { op, content ->
+            when (op) {
+                Op.SCHEMA -> schema(content)
+                Op.CHANNEL -> channel(content)
+                Op.MESSAGE -> {
+                    times = times.covering(timeOfMessage(content))
+                    count++
+                }
+            }
+        }
+        times?.let { contents.parts += MessagePart(at, length, it) }
+        contents.messageCount += count
+    }
+
+    private fun timeOfMessage(content: ByteBuffer): Long {
+        val channel = content.u16()
+        if (channel !in contents.channels) throw McapException("it has messages of the channel $channel, which the file does not describe")
+        content.u32()
+        val time = content.u64()
+        content.u64()
+        return time
+    }
+
+    private fun schema(content: ByteBuffer) {
+        val schema = McapSchema(content.u16(), content.text(), content.text(), content.text())
+        contents.schemas.putIfAbsent(schema.id, schema)
+    }
+
+    private fun channel(content: ByteBuffer) {
+        val id = content.u16()
+        val schema = contents.schemas[content.u16()]
+        contents.channels.putIfAbsent(id, McapChannel(id, content.text(), schema, content.text(), content.map()))
+    }
+
+    private fun attachment(at: Long, length: Long) {
+        val fixed = length - Int.SIZE_BYTES
+        if (fixed < 0) throw McapException("it is shorter than an attachment")
+        val head = input.read(at, minOf(fixed, MAX_ATTACHMENT_HEAD_BYTES))
+        val time = head.u64()
+        head.u64()
+        val name = head.text()
+        val mediaType = head.text()
+        val dataBytes = head.u64()
+        if (head.position() + dataBytes != fixed) throw McapException("the length of the attachment $name is damaged")
+        val checksum = input.read(at + fixed, Int.SIZE_BYTES.toLong()).u32()
+        if (checksum != 0L && checksum != input.checksum(at, fixed)) {
+            throw McapException("the attachment $name is damaged: its checksum is wrong")
+        }
+        val dataAt = at + head.position()
+        contents.attachments += McapAttachment(name, mediaType, time) { input.read(dataAt, dataBytes).bytes(dataBytes) }
+    }
+
+    private fun checksumOf(bytes: ByteBuffer) = CRC32().apply { update(bytes.duplicate()) }.value
+
+    private companion object {
+        /** Names and types of attachments are shorter. */
+        const val MAX_ATTACHMENT_HEAD_BYTES = 64L * 1024
+    }
+}

@@ -1,0 +1,136 @@
+package argo.mcap
+
+import java.nio.channels.WritableByteChannel
+import java.util.zip.CRC32
+
+/**
+ * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in uncompressed chunks, each with its checksum and an index behind it,
+ * and a summary at the end. What has been written up to the last chunk can be read without the rest.
+ *
+ * For one thread. Each function throws the [java.io.IOException] of the sink; the file is then of no more use than what was whole before.
+ *
+ * @param sink where the file goes, from its first byte on; [close] closes it
+ * @param library what wrote the file, for people
+ * @param chunkBytes the length from which a chunk is ended, without waiting for [flush]
+ */
+class McapWriter(
+    private val sink: WritableByteChannel,
+    library: String = "argo",
+    private val chunkBytes: Int = DEFAULT_CHUNK_BYTES,
+) : AutoCloseable {
+    private val summary = Summary()
+    private val chunk = ChunkBytes()
+    private val record = RecordBytes()
+    private val checksum = CRC32()
+    private var isClosed = false
+
+    private var written = 0L
+
+    /** The length of the file up to the last whole chunk, attachment or other record. What a failed function has written lies behind it. */
+    var wholeBytes = 0L
+        private set
+
+    /** The bytes of messages that wait for the end of their chunk. */
+    val pendingBytes: Int get() = chunk.size
+
+    init {
+        require(chunkBytes > 0) { "a chunk of $chunkBytes bytes" }
+        write(RecordBytes().bytes(MAGIC))
+        write(record.clear().record(Op.HEADER) { text("").text(library) })
+        wholeBytes = written
+    }
+
+    /** Adds a schema of JSON Schema, and returns its number. */
+    fun schema(name: String, jsonSchema: String): Int {
+        val schema = McapSchema(summary.schemas.size + 1, name, "jsonschema", jsonSchema)
+        check(schema.id <= MAX_ID) { "an MCAP file has at most $MAX_ID schemas" }
+        summary.schemas += schema
+        chunk.records.schema(schema)
+        return schema.id
+    }
+
+    /**
+     * Adds a channel of messages in JSON, and returns its number.
+     *
+     * @param schema what [schema] returned
+     */
+    fun channel(topic: String, schema: Int, metadata: Map<String, String> = emptyMap()): Int {
+        require(schema in 1..summary.schemas.size) { "no schema $schema has been written" }
+        val channel = McapChannel(summary.channels.size, topic, summary.schemas[schema - 1], "json", metadata)
+        check(channel.id <= MAX_ID) { "an MCAP file has at most ${MAX_ID + 1} channels" }
+        summary.channels += channel
+        chunk.records.channel(channel)
+        return channel.id
+    }
+
+    /**
+     * Adds a message.
+     *
+     * @param channel what [channel] returned
+     * @param logTimeNs when it was recorded, in ns, not below 0
+     * @param publishTimeNs when it was made, in ns, not below 0
+     */
+    fun message(channel: Int, logTimeNs: Long, publishTimeNs: Long, data: ByteArray) {
+        require(channel in summary.channels.indices) { "no channel $channel has been written" }
+        require(logTimeNs >= 0 && publishTimeNs >= 0) { "a time before 0: $logTimeNs, $publishTimeNs" }
+        chunk.message(channel, summary.count(channel), logTimeNs, publishTimeNs, data)
+        if (chunk.size >= chunkBytes) flush()
+    }
+
+    /** Adds a file. It is written at once, behind the chunk that is ended for it. */
+    fun attachment(name: String, mediaType: String, data: ByteArray, timeNs: Long = 0) {
+        flush()
+        write(record.clear().attachment(name, mediaType, data, timeNs))
+        summary.attachments += AttachmentIndex(wholeBytes, written - wholeBytes, timeNs, data.size.toLong(), name, mediaType)
+        wholeBytes = written
+    }
+
+    /** Adds names and values under [name]. They are written at once, behind the chunk that is ended for them. */
+    fun metadata(name: String, values: Map<String, String>) {
+        flush()
+        write(record.clear().record(Op.METADATA) { text(name).map(values) })
+        summary.metadata += MetadataIndex(wholeBytes, written - wholeBytes, name)
+        wholeBytes = written
+    }
+
+    /** Ends the chunk, so that the sink has all that was added. */
+    fun flush() {
+        if (chunk.size == 0) return
+        write(chunk.head(record))
+        write(chunk.records)
+        val indexAt = written
+        val places = chunk.channels.associateWith { channel ->
+            written.also { write(record.clear().messageIndex(channel, chunk.entries(channel))) }
+        }
+        summary.chunks += ChunkIndex(chunk.times, wholeBytes, indexAt - wholeBytes, places, written - indexAt, chunk.size.toLong())
+        chunk.clear()
+        wholeBytes = written
+    }
+
+    /** Writes the rest and the summary, and closes the sink, also if that fails. May be called twice. */
+    override fun close() {
+        if (isClosed) return
+        isClosed = true
+        sink.use {
+            flush()
+            write(record.clear().record(Op.DATA_END) { u32(checksum.value) })
+            write(summary.bytes(written))
+            write(RecordBytes().bytes(MAGIC))
+            wholeBytes = written
+        }
+    }
+
+    private fun write(bytes: RecordBytes) {
+        checksum.update(bytes.array(), 0, bytes.size)
+        val all = bytes.toRead()
+        while (all.hasRemaining()) sink.write(all)
+        written += bytes.size
+    }
+
+    companion object {
+        /** The length from which a chunk is ended unless another is given. */
+        const val DEFAULT_CHUNK_BYTES = 256 * 1024
+
+        private const val MAX_ID = 0xFFFF
+    }
+}

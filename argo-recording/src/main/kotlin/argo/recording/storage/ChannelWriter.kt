@@ -1,0 +1,17 @@
+package argo.recording.storage
+
+import argo.mcap.McapWriter
+
+/** Writes messages of [RecordChannel]s with [writer], which learns of a channel with its first message. For one thread. */
+internal class ChannelWriter(private val writer: McapWriter) {
+    private val schemas = HashMap<Pair<String, String>, Int>()
+    private val channels = HashMap<RecordChannel, Int>()
+
+    fun message(channel: RecordChannel, timeNs: Long, data: ByteArray) {
+        val number = channels.getOrPut(channel) {
+            val schema = schemas.getOrPut(channel.schemaName to channel.jsonSchema) { writer.schema(channel.schemaName, channel.jsonSchema) }
+            writer.channel(channel.topic, schema)
+        }
+        writer.message(number, timeNs, timeNs, data)
+    }
+}

@@ -1,0 +1,29 @@
+package argo.recording.storage
+
+/**
+ * Messages that were not stored, since the disk was too slow.
+ *
+ * @property messages how many
+ * @property fromNs the time of the first one
+ * @property untilNs the time of the last one
+ */
+internal data class Gap(val messages: Long, val fromNs: Long, val untilNs: Long) {
+    fun and(timeNs: Long) = Gap(messages + 1, minOf(fromNs, timeNs), maxOf(untilNs, timeNs))
+
+    fun json(): ByteArray = """{"messages":$messages,"fromNs":$fromNs,"untilNs":$untilNs}""".encodeToByteArray()
+
+    companion object {
+        fun of(timeNs: Long) = Gap(1, timeNs, timeNs)
+
+        val CHANNEL = RecordChannel(
+            GAP_TOPIC, "argo.Gap",
+            """
+            {"type":"object","required":["messages","fromNs","untilNs"],
+            "properties":{"messages":{"type":"integer"},"fromNs":{"type":"integer"},"untilNs":{"type":"integer"}}}
+            """.trimIndent().replace("\n", ""),
+        )
+    }
+}
+
+/** The topic of messages that tell where a recording has a gap: `{"messages":12,"fromNs":…,"untilNs":…}`. */
+const val GAP_TOPIC = "/recording/gap"

@@ -1,0 +1,40 @@
+package argo.recording.storage
+
+/**
+ * Takes the records of a recording. Threads that reason and sense call it, so nothing but [flush] and [close] waits for a disk.
+ * Any thread may call; records offered by one thread are stored in their order.
+ */
+interface RecordSink : AutoCloseable {
+    /**
+     * A channel for messages in JSON. The same topic gives the same channel.
+     *
+     * @param topic its name, such as `/robot/cycle`
+     * @param schemaName the name of the messages' schema, such as `argo.Cycle`
+     * @param jsonSchema the schema, of JSON Schema
+     */
+    fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel
+
+    /**
+     * Leaves a message to be stored.
+     *
+     * @param timeNs when it happened, in ns, since 1970 or of another clock that is the same for all messages; not below 0
+     * @param data its JSON in UTF-8; not to be changed afterwards
+     * @return false if there is no room for it, or storing has ended; the recording then has a gap, which it reports itself
+     */
+    fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean
+
+    /** Leaves a file to be stored, such as a program's text. It is never dropped. */
+    fun attach(name: String, mediaType: String, data: ByteArray)
+
+    /** Leaves names and values to be stored under [name], such as versions. They are never dropped. */
+    fun metadata(name: String, values: Map<String, String>)
+
+    /** Waits until all that was offered before is stored, or storing has ended. */
+    fun flush()
+
+    /** Stores what was offered before, and ends the recording. May be called twice; what is offered afterwards is not stored. */
+    override fun close()
+}
+
+/** A channel of a [RecordSink], by its [topic]. */
+class RecordChannel internal constructor(val topic: String, internal val schemaName: String, internal val jsonSchema: String)

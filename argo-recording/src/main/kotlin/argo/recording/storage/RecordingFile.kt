@@ -1,0 +1,147 @@
+package argo.recording.storage
+
+import argo.mcap.McapWriter
+import java.io.IOException
+import java.nio.channels.FileChannel
+import java.nio.channels.SeekableByteChannel
+import java.nio.file.FileAlreadyExistsException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption.CREATE_NEW
+import java.nio.file.StandardOpenOption.WRITE
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
+import kotlin.io.path.extension
+import kotlin.io.path.nameWithoutExtension
+
+/**
+ * A recording that is written while it is made, by a thread of its own. What was offered more than a second ago is in the file, if the disk
+ * is fast enough, even when the program is killed.
+ *
+ * When nothing more can be written, as on a full disk, [warn] is called once, the file ends with its last whole chunk, and everything that
+ * is offered afterwards is refused.
+ *
+ * @property path the file
+ * @param warn takes one sentence for a person; called by the writing thread
+ */
+class RecordingFile internal constructor(
+    val path: Path,
+    private val channel: SeekableByteChannel,
+    private val warn: (String) -> Unit,
+    maxWaitingBytes: Long = MAX_WAITING_BYTES,
+    private val flushNs: Long = FLUSH_NS,
+) : RecordSink {
+    private val channels = ConcurrentHashMap<String, RecordChannel>()
+    private val waiting = WaitingRecords(maxWaitingBytes)
+    private val writing = thread(name = "argo-recording-${path.fileName}", isDaemon = true, block = ::write)
+
+    override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
+        channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
+
+    override fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean {
+        require(timeNs >= 0) { "a time before 0: $timeNs" }
+        return waiting.offer(Waiting.Message(channel, timeNs, data))
+    }
+
+    override fun attach(name: String, mediaType: String, data: ByteArray) {
+        waiting.add(Waiting.Attachment(name, mediaType, data))
+    }
+
+    override fun metadata(name: String, values: Map<String, String>) {
+        waiting.add(Waiting.Metadata(name, values))
+    }
+
+    override fun flush() {
+        val done = CountDownLatch(1)
+        if (waiting.add(Waiting.Flush(done))) done.await()
+    }
+
+    override fun close() {
+        waiting.close()
+        writing.join()
+    }
+
+    private fun write() {
+        var writer: McapWriter? = null
+        try {
+            writer = McapWriter(channel)
+            writeAll(writer)
+            writer.close()
+        } catch (failure: IOException) {
+            endWith(failure, writer?.wholeBytes ?: 0)
+        }
+    }
+
+    private fun writeAll(writer: McapWriter) {
+        val messages = ChannelWriter(writer)
+        var flushAt = System.nanoTime() + flushNs
+        while (true) {
+            val batch = waiting.take(flushAt - System.nanoTime()) ?: return
+            batch.forEach { write(it, writer, messages) }
+            if (System.nanoTime() - flushAt < 0) continue
+            store(writer)
+            flushAt = System.nanoTime() + flushNs
+        }
+    }
+
+    private fun write(next: Waiting, writer: McapWriter, messages: ChannelWriter) {
+        when (next) {
+            is Waiting.Message -> messages.message(next.channel, next.timeNs, next.data)
+            is Waiting.Attachment -> writer.attachment(next.name, next.mediaType, next.data)
+            is Waiting.Metadata -> writer.metadata(next.name, next.values)
+            is Waiting.Flush -> {
+                store(writer)
+                next.done.countDown()
+            }
+        }
+    }
+
+    private fun store(writer: McapWriter) {
+        if (writer.pendingBytes == 0) return
+        writer.flush()
+        (channel as? FileChannel)?.force(false)
+    }
+
+    private fun endWith(failure: IOException, wholeBytes: Long) {
+        waiting.close()
+        runCatching { channel.use { it.truncate(wholeBytes) } } // what cannot be cut off is skipped by readers
+        warn(
+            "the recording $path ends here, since it cannot be written: ${failure.message ?: failure}. The agent runs on without; the file " +
+                "can be read up to its last chunk. Is the disk full? Free some space, or record to another disk",
+        )
+        while (true) waiting.take(0)?.forEach { if (it is Waiting.Flush) it.done.countDown() } ?: return
+    }
+
+    companion object {
+        /** The bytes of messages that may wait for the disk. */
+        const val MAX_WAITING_BYTES = 16L * 1024 * 1024
+
+        private val FLUSH_NS = TimeUnit.MILLISECONDS.toNanos(500)
+
+        /**
+         * Begins a recording in [path], or, if that exists, in the first of `…-2.mcap`, `…-3.mcap` and so on that does not.
+         *
+         * @param warn takes one sentence for a person if nothing more can be written; called by the writing thread
+         * @throws IOException if the file cannot be made
+         */
+        fun create(path: Path, warn: (String) -> Unit): RecordingFile {
+            path.toAbsolutePath().parent?.let(Files::createDirectories)
+            for (name in names(path)) {
+                try {
+                    return RecordingFile(name, FileChannel.open(name, CREATE_NEW, WRITE), warn)
+                } catch (_: FileAlreadyExistsException) {
+                    // the next one
+                }
+            }
+            error("names do not end")
+        }
+
+        /** [path], and others that are tried if it exists. */
+        private fun names(path: Path): Sequence<Path> {
+            val ending = if (path.extension.isEmpty()) "" else ".${path.extension}"
+            return sequenceOf(path) + generateSequence(2) { it + 1 }.map { path.resolveSibling("${path.nameWithoutExtension}-$it$ending") }
+        }
+    }
+}

@@ -1,0 +1,86 @@
+package argo.recording.storage
+
+import argo.mcap.McapWriter
+import java.nio.channels.FileChannel
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption.CREATE
+import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
+import java.nio.file.StandardOpenOption.WRITE
+import java.time.Duration
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * The last part of a recording, in memory, until [save] writes it to a file. Attachments and metadata are kept from the beginning on.
+ *
+ * @param last how long messages are kept, by their times
+ * @param maxBytes the bytes of messages that are kept at most; then the oldest give way before their time
+ */
+class RecordingRing(private val last: Duration, private val maxBytes: Long = MAX_BYTES) : RecordSink {
+    private val channels = ConcurrentHashMap<String, RecordChannel>()
+    private val lock = ReentrantLock()
+    private val messages = ArrayDeque<Waiting.Message>()
+    private val others = ArrayList<Waiting>()
+    private var bytes = 0L
+    private var newestNs = 0L
+    private var isClosed = false
+
+    override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
+        channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
+
+    override fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean {
+        require(timeNs >= 0) { "a time before 0: $timeNs" }
+        lock.withLock {
+            if (isClosed || data.size > maxBytes) return false
+            messages += Waiting.Message(channel, timeNs, data)
+            bytes += data.size
+            newestNs = maxOf(newestNs, timeNs)
+            while (bytes > maxBytes || newestNs - messages.first().timeNs > last.toNanos()) bytes -= messages.removeFirst().data.size
+            return true
+        }
+    }
+
+    override fun attach(name: String, mediaType: String, data: ByteArray) = keep(Waiting.Attachment(name, mediaType, data))
+
+    override fun metadata(name: String, values: Map<String, String>) = keep(Waiting.Metadata(name, values))
+
+    private fun keep(other: Waiting) = lock.withLock { if (!isClosed) others += other }
+
+    /**
+     * Writes what is kept to the file [path], in place of what it held. It goes on being kept. Waits for the disk, so the agent's thread is
+     * not to call it.
+     *
+     * @throws java.io.IOException if it cannot be written
+     */
+    fun save(path: Path) {
+        val (others, messages) = lock.withLock { others.toList() to messages.toList() }
+        McapWriter(FileChannel.open(path, CREATE, TRUNCATE_EXISTING, WRITE)).use { writer ->
+            val channelWriter = ChannelWriter(writer)
+            others.forEach {
+                when (it) {
+                    is Waiting.Attachment -> writer.attachment(it.name, it.mediaType, it.data)
+                    is Waiting.Metadata -> writer.metadata(it.name, it.values)
+                    else -> error("only these are kept")
+                }
+            }
+            messages.forEach { channelWriter.message(it.channel, it.timeNs, it.data) }
+        }
+    }
+
+    /** Nothing is ever on its way to a disk. */
+    override fun flush() = Unit
+
+    /** Forgets everything, and keeps no more. */
+    override fun close() = lock.withLock {
+        isClosed = true
+        messages.clear()
+        others.clear()
+        bytes = 0
+    }
+
+    companion object {
+        /** The bytes of messages that are kept at most unless another number is given. */
+        const val MAX_BYTES = 64L * 1024 * 1024
+    }
+}

@@ -1,0 +1,83 @@
+package argo.recording.storage
+
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/** What waits to be written. */
+internal sealed interface Waiting {
+    class Message(val channel: RecordChannel, val timeNs: Long, val data: ByteArray) : Waiting
+
+    class Attachment(val name: String, val mediaType: String, val data: ByteArray) : Waiting
+
+    class Metadata(val name: String, val values: Map<String, String>) : Waiting
+
+    class Flush(val done: CountDownLatch) : Waiting
+}
+
+/**
+ * Records on their way to the thread that writes them, at most [maxBytes] of messages. Those that find no room become a [Gap], in their place
+ * among the others. Any thread may call; the lock is never held while something is written.
+ */
+internal class WaitingRecords(private val maxBytes: Long) {
+    private val lock = ReentrantLock()
+    private val changed = lock.newCondition()
+    private var waiting = ArrayList<Waiting>()
+    private var bytes = 0L
+    private var gap: Gap? = null
+    private var isUrgent = false
+    private var isClosed = false
+
+    /** Adds [message] if there is room. */
+    fun offer(message: Waiting.Message): Boolean = lock.withLock {
+        if (isClosed) return false
+        if (bytes + message.data.size > maxBytes) {
+            gap = gap?.and(message.timeNs) ?: Gap.of(message.timeNs)
+            return false
+        }
+        endGap()
+        bytes += message.data.size
+        waiting += message
+        if (bytes > maxBytes / 2) hurry()
+        return true
+    }
+
+    /** Adds [other] in any case. False: this is closed. */
+    fun add(other: Waiting): Boolean = lock.withLock {
+        if (isClosed) return false
+        endGap()
+        waiting += other
+        if (other is Waiting.Flush) hurry()
+        return true
+    }
+
+    /**
+     * What waits after [patienceNs], or as soon as half of the room is taken, somebody waits for a flush, or this is closed. Null: it is
+     * closed, and nothing will come.
+     */
+    fun take(patienceNs: Long): List<Waiting>? = lock.withLock {
+        var rest = patienceNs
+        while (!isUrgent && !isClosed && rest > 0) rest = changed.awaitNanos(rest)
+        isUrgent = false
+        endGap()
+        if (waiting.isEmpty()) return if (isClosed) null else emptyList()
+        bytes = 0
+        return waiting.also { waiting = ArrayList() }
+    }
+
+    /** Takes no more. What waits can still be taken. */
+    fun close() = lock.withLock {
+        isClosed = true
+        changed.signalAll()
+    }
+
+    private fun endGap() {
+        gap?.let { waiting += Waiting.Message(Gap.CHANNEL, it.untilNs, it.json()) }
+        gap = null
+    }
+
+    private fun hurry() {
+        isUrgent = true
+        changed.signalAll()
+    }
+}
