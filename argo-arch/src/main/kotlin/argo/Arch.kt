@@ -1,5 +1,8 @@
 package argo
 
+import argo.boundary.Boundary
+import argo.boundary.Live
+import argo.boundary.Perception
 import argo.filters.PerceptionFilter
 import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
@@ -15,6 +18,8 @@ import argo.platform.Waker
 import argo.platform.nowMs
 import argo.sensing.SensingPolicy
 import jason.architecture.AgArch
+import jason.asSemantics.ActionExec
+import jason.asSemantics.Message
 import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArch
@@ -40,14 +45,25 @@ import java.util.logging.Logger
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)
     private val deleted = DeletedPercepts()
-    private var waiting: Int? = null // events, before those of what is perceived in this cycle
+    private var waiting: Int? = null // see Perception
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
+
+    // what the boundary calls, made once for all cycles
+    private val perceiveLive = { perceiveBoards() }
+    private val criticalLive = { io.takeNewlyCritical() }
+    private val mailLive = { super.checkMail() }
+    private val sleepLive = { super.canSleep() && !io.hasNews() && !environment.isWaiting() && waker.maySleep() }
 
     /** The agent's boards. There from [init] on. */
     internal lateinit var io: AgentIo
         private set
 
     internal lateinit var policy: SensingPolicy
+        private set
+
+    /** Where everything enters the agent. Any thread may ask. */
+    @Volatile
+    internal var boundary: Boundary = Live
         private set
 
     /** The agent as its observers see it. There from [init] on. Any thread may ask. */
@@ -68,6 +84,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         io = AgentIo(agName, options, platform, waker, log, ::perceptEvents, ::perceptIntentions) { observing }
         observed = ObservedArch(this, waker, platform)
         observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
+        boundary = platform.boundary ?: observers.filterIsInstance<Boundary>().firstOrNull() ?: Live
     }
 
     private fun perceptEvents(isOwn: (Literal) -> Boolean) = PerceptEvents(::isQueueStanding, platform.nowMs, isOwn) { ts.c.events }
@@ -94,29 +111,52 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     /** Wakes the agent until [seen]: see [Waker]. */
     internal fun wake(seen: () -> Boolean) = waker.wake(seen)
 
+    override fun reasoningCycleStarting() {
+        boundary.cycleStarting(ts)
+        super.reasoningCycleStarting()
+    }
+
     /** What is new since the last call: from the boards, about the ports, from the Jason environment; null if nothing is. */
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
+        val perception = boundary.perceive(perceiveLive)
+        waiting = perception.waiting
+        return perception.percepts?.also { if (perception.hasNamespaces) deleted.expect(ts.ag, it) }
+    }
+
+    private fun perceiveBoards(): Perception {
         val isEnvironmentNew = environment.update(super.perceive())
-        waiting = if (io.perceivesSeveral) ts.c.events.size else null
+        val waiting = if (io.perceivesSeveral) ts.c.events.size else null
         val isBoardNew = io.update()
         listOfNotNull(environment.dueInMs(), io.dueInMs()).minOrNull()?.let(waker::wakeIn)
-        if (!isEnvironmentNew && !isBoardNew) return null.also { waiting = null }
-        return (environment.percepts + io.beliefs()).toMutableList().also { if (io.hasNamespaces) deleted.expect(ts.ag, it) }
+        if (!isEnvironmentNew && !isBoardNew) return NOTHING_NEW
+        return Perception((environment.percepts + io.beliefs()).toMutableList(), waiting, io.hasNamespaces)
     }
 
     /** Jason calls it when it has added the events of what was perceived. */
     override fun checkMail() {
         deleted.mend(ts.c.events)
-        waiting?.let { before -> takeTurns(ts.c.events, before) { io.boardsOf(it).firstOrNull() } }
+        waiting?.let { before -> takeTurns(ts.c.events, before) { boundary.boardOf(it) { boardOf(it) } } }
         waiting = null
-        io.takeNewlyCritical().takeIf { it.isNotEmpty() }?.let { bringForward(ts.c.events, it) }
-        super.checkMail()
+        boundary.newlyCritical(criticalLive).takeIf { it.isNotEmpty() }?.let { bringForward(ts.c.events, it) }
+        boundary.takeMail(mailLive)
     }
 
-    override fun canSleep(): Boolean = super.canSleep() && !io.hasNews() && !environment.isWaiting() && waker.maySleep()
+    private fun boardOf(percept: Literal): String? = io.boardsOf(percept).firstOrNull()?.run { "$term" }
+
+    override fun sendMsg(message: Message) = boundary.send(message) { super.sendMsg(message) }
+
+    override fun broadcast(message: Message) = boundary.broadcast(message) { super.broadcast(message) }
+
+    override fun act(action: ActionExec) = boundary.act(action) { super.act(it) }
+
+    override fun canSleep(): Boolean = boundary.canSleep(sleepLive)
+
+    /** Jason asks between the rules of its cycle. */
+    override fun isRunning(): Boolean = super.isRunning().also { boundary.ruleApplied() }
 
     override fun reasoningCycleFinished() {
+        boundary.cycleFinished()
         observing.cycleFinished()
         if (ts.c.isAtomicIntentionSuspended) waker.sleepsUnasked()
         super.reasoningCycleFinished()
@@ -134,4 +174,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
      * stopped twice.
      */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }
+
+    private companion object {
+        val NOTHING_NEW = Perception(null)
+    }
 }

@@ -1,5 +1,8 @@
 package argo
 
+import argo.boundary.Boundary
+import argo.boundary.InternalCall
+import argo.boundary.Live
 import argo.calls.ArgumentException
 import argo.calls.Failure
 import argo.calls.wrongArgument
@@ -26,8 +29,13 @@ abstract class BoardAction internal constructor(private val name: String, privat
 
     final override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         val call = Call(ts, args)
+        val suspend: (() -> Unit)? = if (suspends) ({ call.suspendIntention() }) else null
+        return ts.boundary.call(InternalCall(name, args, un, suspend)) { carryOut(call) }
+    }
+
+    private fun carryOut(call: Call): Boolean {
         try {
-            if (args.size !in arguments) throw ArgumentException("it takes ${counted(arguments)}, not ${args.size}")
+            if (call.args.size !in arguments) throw ArgumentException("it takes ${counted(arguments)}, not ${call.args.size}")
             run(call)
         } catch (refused: ArgumentException) {
             throw wrongArgument(refused.message.orEmpty()).of(call.text)
@@ -56,8 +64,8 @@ abstract class BoardAction internal constructor(private val name: String, privat
          */
         fun suspendIntention(): (Failure?) -> Unit {
             val key = suspendInt(ts, name, 0)
-            return { failure ->
-                resume(ts, key, failure != null, failure?.of(text)?.errorTerms)
+            return ts.boundary.suspended { failure ->
+                resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
                 arch.wake { !ts.c.pendingIntentions.containsKey(key) }
             }
         }
@@ -74,6 +82,9 @@ internal fun architectures(ts: TransitionSystem): Sequence<AgArch> = generateSeq
 
 /** The [Arch] of the agent of [ts]; null: it has none. */
 internal fun archOf(ts: TransitionSystem): Arch? = ts.agArch as? Arch ?: architectures(ts).filterIsInstance<Arch>().firstOrNull()
+
+/** The boundary of the agent of this transition system. */
+internal val TransitionSystem.boundary: Boundary get() = archOf(this)?.boundary ?: Live
 
 /** The agent of [ts] has no [Arch]. */
 internal fun notArgo(ts: TransitionSystem) =

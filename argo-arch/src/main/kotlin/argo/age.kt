@@ -1,5 +1,6 @@
 package argo
 
+import argo.boundary.InternalCall
 import argo.calls.Failure
 import argo.calls.isStepOf
 import argo.calls.wrongArgument
@@ -28,7 +29,10 @@ open class age : DefaultInternalAction() {
 
     override fun getMaxArgs() = 2
 
-    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
+        ts.boundary.call(InternalCall("argo.age", args, un)) { answer(ts, un, args) }
+
+    private fun answer(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         checkArguments(args)
         val call = "argo.age(${args.joinToString(",")})"
         val percept = args[0] as? Literal

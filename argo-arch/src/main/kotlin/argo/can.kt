@@ -2,6 +2,7 @@ package argo
 
 import argo.acting.isPlainName
 import argo.boards.Board
+import argo.boundary.InternalCall
 import argo.calls.Failure
 import argo.calls.isStepOf
 import argo.calls.wrongArgument
@@ -35,7 +36,10 @@ open class can : DefaultInternalAction() {
 
     override fun getMaxArgs() = 1
 
-    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
+        ts.boundary.call(InternalCall("argo.can", args, un)) { answer(ts, un, args) }
+
+    private fun answer(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         checkArguments(args)
         val action = args[0] as? Literal
         if (action == null || action.isList) throw wrongArgument("an action is a literal such as speed(V), not ${args[0]}").of(call(args))

@@ -1,5 +1,6 @@
 package argo
 
+import argo.boundary.InternalCall
 import argo.calls.wrongArgument
 import argo.perception.EnvironmentFilter
 import jason.asSemantics.DefaultInternalAction
@@ -22,7 +23,10 @@ open class explain : DefaultInternalAction() {
 
     override fun getMaxArgs() = 2
 
-    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
+        ts.boundary.call(InternalCall("argo.explain", args, un)) { answer(ts, un, args) }
+
+    private fun answer(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         checkArguments(args)
         val percept = args[0] as? Literal
         if (percept == null || percept.isVar || percept.isList) {

@@ -1,5 +1,6 @@
 package argo
 
+import argo.boundary.InternalCall
 import argo.calls.Failure
 import argo.calls.isStepOf
 import argo.calls.wrongArgument
@@ -24,7 +25,10 @@ open class skew : DefaultInternalAction() {
 
     override fun getMaxArgs() = 1
 
-    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
+        ts.boundary.call(InternalCall("argo.skew", args, un)) { answer(ts, un, args) }
+
+    private fun answer(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         checkArguments(args)
         val call = "argo.skew(${args[0]})"
         if (!args[0].isVar && args[0] !is NumberTerm) throw wrongArgument("a skew is a number of milliseconds, not ${args[0]}").of(call)

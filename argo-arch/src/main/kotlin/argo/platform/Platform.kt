@@ -1,11 +1,11 @@
 package argo.platform
 
 import argo.Arch
+import argo.boundary.Boundary
 import argo.calls.whole
 import argo.links.BoardLink
 import argo.links.BoardLinkProvider
 import argo.links.JavinoLink
-import jason.asSemantics.Agent
 import javino.LineClock
 import javino.Link
 import javino.LinkSettings
@@ -21,6 +21,9 @@ import java.util.concurrent.TimeUnit
 interface Platform {
     /** The time that the architecture goes by; its locks are what its threads wait on. */
     val clock: LineClock
+
+    /** The boundary of the agents that run on it, as of a replay; null: what enters them comes from [open] ports and from Jason. */
+    val boundary: Boundary? get() = null
 
     /** Starts [run] on a new thread, called [name], that does not keep the program alive. It ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
@@ -53,7 +56,7 @@ interface Platform {
 
             override fun later(delayMs: Long, action: () -> Unit) {
                 try {
-                    Agent.getScheduler().schedule(action, delayMs, TimeUnit.MILLISECONDS)
+                    SchedulerLayer.machine().schedule(action, delayMs, TimeUnit.MILLISECONDS)
                 } catch (_: RejectedExecutionException) {
                     // the whole system is being stopped: nobody is left for it
                 }

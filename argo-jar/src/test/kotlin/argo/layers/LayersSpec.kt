@@ -33,7 +33,8 @@ class LayersSpec : FunSpec({
     val order = mapOf(
         "argo.observing" to emptyList(),
         "argo.links" to emptyList(),
-        "argo.platform" to listOf("argo.links"),
+        "argo.boundary" to listOf("argo.observing"),
+        "argo.platform" to listOf("argo.links", "argo.boundary"),
         "argo.calls" to listOf("argo.observing"),
         "argo.connecting" to listOf("argo.calls", "argo.platform", "argo.links"),
         "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.links", "argo.observing"),

@@ -1,0 +1,24 @@
+package argo.boundary
+
+import java.util.concurrent.ConcurrentLinkedQueue
+
+/**
+ * Where the ends of what an agent has started outside of its thread wait for its next cycle, in the order in which they came.
+ *
+ * @param wake wakes the agent; its argument is asked whether it has seen what came
+ */
+class Inbox<T : Any>(private val wake: (seen: () -> Boolean) -> Unit) {
+    private val waiting = ConcurrentLinkedQueue<T>()
+
+    /** Whether nothing waits. Any thread. */
+    fun isEmpty(): Boolean = waiting.isEmpty()
+
+    /** Leaves [end] for the agent and wakes it. Any thread; never waits. */
+    fun put(end: T) {
+        waiting += end
+        wake { end !in waiting }
+    }
+
+    /** Takes out all that waits. Called by the agent's thread. */
+    fun takeAll(): List<T> = generateSequence(waiting::poll).toList()
+}
