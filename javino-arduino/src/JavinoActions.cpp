@@ -18,7 +18,8 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   action->caller = caller;
   /* The newest comes first, so it takes the place of an older one of the same name. */
   board_->link.actions = action;
-  board_->link.action_count++;
+  count_++;
+  board_->link.action_count += described_;
   return true;
 }
 
@@ -34,51 +35,49 @@ static bool begins(const char *name, const char *text, uint8_t length) {
 JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length, bool certain) const {
   const Action *found = NULL;
   const Action *action = newest();
-  for (uint8_t i = count(); i > 0; i--, action++) {
+  for (uint8_t i = count_; i > 0; i--, action++) {
     if (!begins(action->named.name, text, length))
       continue;
     bool longer = action->named.name[length];
-    if (!certain && (longer || action->caller))
+    if (!certain && (longer || action->named.arguments))
       return UNCERTAIN;
     if (!longer && !found)
       found = action;
   }
   if (reader_)
-    return reader_(*this, found, text, length) ? DONE : REFUSED;
+    return reader_(*this, found, text, length, certain);
   if (!found)
-    return REFUSED;
+    return UNKNOWN;
   found->function();
   return DONE;
 }
 
-bool JavinoActions::callByFunctor(const JavinoActions &actions, const Action *found, const char *text, uint8_t length) {
-  uint8_t n = javino_functor(text, length);
-  const Action *action = actions.newest();
-  for (uint8_t i = actions.count(); !found && n && i > 0; i--, action++)
-    if (action->caller && begins(action->named.name, text, n) && !action->named.name[n])
-      found = action;
-  if (!found)
-    return false;
-  if (found->caller)
-    return found->caller(*found, JavinoArguments(text, length));
-  found->function();
-  return true;
+JavinoActions::Outcome JavinoActions::call(const JavinoActions &actions, const Action &action, const JavinoArguments &arguments) {
+  if (action.caller)
+    return action.caller(action.function, actions.board(), arguments) ? DONE : REFUSED;
+  action.function();
+  return DONE;
 }
 
-/** Whether a function may be called with these arguments. */
-static bool takes(uint8_t wanted, const JavinoArguments &arguments) {
-  return wanted == JavinoActions::ANY || wanted == arguments.count();
+JavinoActions::Outcome JavinoActions::callFound(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool) {
+  return found ? call(actions, *found, JavinoArguments(text, length)) : UNKNOWN;
 }
 
-bool JavinoActions::callWithArguments(const Action &action, const JavinoArguments &arguments) {
-  bool called = takes(action.named.arguments, arguments);
-  if (called)
-    reinterpret_cast<void (*)(const JavinoArguments &)>(action.function)(arguments);
-  return called;
-}
-
-bool JavinoActions::askWithArguments(const Action &action, const JavinoArguments &arguments) {
-  return takes(action.named.arguments, arguments) && reinterpret_cast<bool (*)(const JavinoArguments &)>(action.function)(arguments);
+JavinoActions::Outcome JavinoActions::callByFunctor(const JavinoActions &actions, const Action *found, const char *text, uint8_t length,
+                                                    bool) {
+  JavinoArguments arguments(text, length);
+  uint8_t given = 0;
+  if (!found) {
+    uint8_t n = javino_functor(text, length);
+    const Action *action = actions.newest();
+    for (uint8_t i = actions.count_; !found && n && i > 0; i--, action++)
+      if (action->caller && begins(action->named.name, text, n) && !action->named.name[n])
+        found = action;
+    given = arguments.count();
+  }
+  if (!found || (found->named.arguments != ANY && found->named.arguments != given))
+    return UNKNOWN;
+  return call(actions, *found, arguments);
 }
 
 #endif

@@ -7,6 +7,8 @@
 #include "JavinoArguments.h"
 #include "javino_board.h"
 
+class JavinoBoard;
+
 /**
  * The actions that a board knows, by name. They lie in the board's memory, seven bytes each on AVR; nothing is
  * allocated for them but where a name is a String. A name that is not a String is not copied, so it must last.
@@ -15,6 +17,9 @@ class JavinoActions {
 public:
   /** An action without arguments. */
   typedef void (*Function)();
+
+  /** One that is handed the board. */
+  typedef void (*BoardFunction)(JavinoBoard &board);
 
   /** Any number of arguments. */
   static const uint8_t ANY = JAVINO_ANY;
@@ -26,6 +31,11 @@ public:
 
     /** Has the function called for the action whose whole text is the name. */
     void operator=(Function function) { actions_.add(name_, function); }
+
+    /** The same. A template, so that NULL is a Function. */
+    template <typename = void> void operator=(BoardFunction function) {
+      actions_.addCalled(name_, reinterpret_cast<Function>(function), callWithBoard<void>);
+    }
 
     /** Carries the action out, if there is one of that name. */
     void operator()() const { actions_.carryOut(name_, static_cast<uint8_t>(strlen(name_)), true); }
@@ -39,7 +49,8 @@ public:
   class NamedPlace {
   public:
     NamedPlace(JavinoActions &actions, const String &name) : actions_(actions), name_(name) {}
-    void operator=(Function function) { actions_.add(strdup(name_.c_str()), function); }
+    void operator=(Function function) { Place(actions_, strdup(name_.c_str())) = function; }
+    template <typename = void> void operator=(BoardFunction function) { Place(actions_, strdup(name_.c_str())) = function; }
     void operator()() const { Place(actions_, name_.c_str())(); }
 
   private:
@@ -47,14 +58,13 @@ public:
     const String &name_;
   };
 
-  explicit JavinoActions(javino_board *board) : board_(board), reader_(NULL), full_(false) {}
-
+  explicit JavinoActions(javino_board *board) : board_(board), reader_(NULL), count_(0), described_(true), full_(false) {}
 
   Place operator[](const char *name) { return Place(*this, name); }
   NamedPlace operator[](const String &name) { return NamedPlace(*this, name); }
 
   /** How many actions there are. */
-  uint8_t count() const { return board_->link.action_count; }
+  uint8_t count() const { return count_; }
 
   /**
    * Whether an action has been left out because the memory was full, of which JavinoSized has more, or because
@@ -67,18 +77,19 @@ private:
 
   struct Action;
 
-  /** Calls a function that takes arguments. False: it refuses the text. */
-  typedef bool (*Caller)(const Action &action, const JavinoArguments &arguments);
+  /** Calls an action's function. False: it refuses. */
+  typedef bool (*Caller)(Function function, JavinoBoard &board, const JavinoArguments &arguments);
 
   struct Action {
     javino_action named;
     Function function;
-    Caller caller; /* null where the function takes no arguments */
+    Caller caller; /* null where the function takes neither the board nor arguments, and returns nothing */
   };
 
   enum Outcome : uint8_t {
     DONE,
-    REFUSED,  /* there is no such action, or its arguments are wrong */
+    REFUSED,  /* by its function */
+    UNKNOWN,  /* there is no such action, or it takes another number of arguments */
     UNCERTAIN /* a longer text that begins with this one could be for another action */
   };
 
@@ -86,17 +97,86 @@ private:
   JavinoActions &operator=(const JavinoActions &);
 
   JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
+  /** Adds a function that needs a caller. */
+  bool addCalled(const char *name, Function function, Caller caller) {
+    read(callFound);
+    return add(name, function, caller);
+  }
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
-    reader_ = callByFunctor;
+    read(callByFunctor);
     return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
 
-  /** Calls the action that was found by its whole text or, null, by its functor. */
-  static bool callByFunctor(const JavinoActions &actions, const Action *found, const char *text, uint8_t length);
+  /**
+   * Carries out what a function without the board and arguments is not there for. Found is the action of which the text is the whole name, or
+   * null; certain is whether the text is whole.
+   */
+  typedef Outcome (*Reader)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
 
-  static bool callWithArguments(const Action &action, const JavinoArguments &arguments);
-  static bool askWithArguments(const Action &action, const JavinoArguments &arguments);
+  /** Has this reader called, unless one is that does more. */
+  void read(Reader reader) {
+    Reader &place = described_ ? reader_ : known_;
+    if (place != callByFunctor)
+      place = reader;
+  }
+
+  static Outcome callFound(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
+  static Outcome callByFunctor(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
+  static Outcome call(const JavinoActions &actions, const Action &action, const JavinoArguments &arguments);
+
+  JavinoBoard &board() const { return *static_cast<JavinoBoard *>(board_->link.encoder.context); }
+
+  /** @name Callers of functions, which return bool or, carrying everything out, void. */
+  ///@{
+  template <typename... Given> static bool isDone(bool (*function)(Given...), Given... given) { return function(given...); }
+  template <typename... Given> static bool isDone(void (*function)(Given...), Given... given) {
+    function(given...);
+    return true;
+  }
+  template <typename Result> static bool callAlone(Function function, JavinoBoard &, const JavinoArguments &) {
+    return isDone(reinterpret_cast<Result (*)()>(function));
+  }
+  template <typename Result> static bool callWithBoard(Function function, JavinoBoard &board, const JavinoArguments &) {
+    return isDone<JavinoBoard &>(reinterpret_cast<Result (*)(JavinoBoard &)>(function), board);
+  }
+  template <typename Result> static bool callWithArguments(Function function, JavinoBoard &, const JavinoArguments &arguments) {
+    return isDone<const JavinoArguments &>(reinterpret_cast<Result (*)(const JavinoArguments &)>(function), arguments);
+  }
+  template <typename Result> static bool callWithBoth(Function function, JavinoBoard &board, const JavinoArguments &arguments) {
+    return isDone<JavinoBoard &, const JavinoArguments &>(
+        reinterpret_cast<Result (*)(JavinoBoard &, const JavinoArguments &)>(function), board, arguments);
+  }
+  ///@}
+
+  /** Has a function called for what no action is there for, or null none. */
+  template <typename Result> void refuseWith(Result (*function)(JavinoBoard &, const char *)) {
+    if (described_)
+      known_ = reader_;
+    unknown_ = reinterpret_cast<Function>(function);
+    described_ = !function;
+    reader_ = function ? askUnknown<Result> : known_;
+    board_->link.action_count = function ? 0 : count_;
+  }
+  template <typename Result>
+  static Outcome askUnknown(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain) {
+    Outcome outcome = (actions.known_ ? actions.known_ : callFound)(actions, found, text, length, certain);
+    if (outcome != UNKNOWN)
+      return outcome;
+    if (!certain)
+      return UNCERTAIN;
+    char action[JAVINO_MAX_PAYLOAD + 1];
+    memcpy(action, text, length);
+    action[length] = 0;
+    return ask(reinterpret_cast<Result (*)(JavinoBoard &, const char *)>(actions.unknown_), actions.board(), action);
+  }
+  static Outcome ask(bool (*function)(JavinoBoard &, const char *), JavinoBoard &board, const char *action) {
+    return function(board, action) ? DONE : REFUSED;
+  }
+  static Outcome ask(void (*function)(JavinoBoard &, const char *), JavinoBoard &board, const char *action) {
+    function(board, action);
+    return REFUSED;
+  }
 
   /** Tells the link how far the actions are apart. */
   void begin() { board_->link.action_size = sizeof(Action); }
@@ -105,8 +185,12 @@ private:
   const Action *newest() const { return static_cast<const Action *>(board_->link.actions); }
 
   javino_board *board_;
-  /* Set with the first action that takes arguments, so that other sketches are spared the code. */
-  bool (*reader_)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length);
+  /* Null until an action needs it, so that other sketches are spared the code. */
+  Reader reader_;
+  Reader known_;     /* In its place while the board does not describe itself, and so is the next. */
+  Function unknown_; /* Called for unknown actions. */
+  uint8_t count_;
+  bool described_; /* Computers are told which actions there are. */
   bool full_;
 };
 

@@ -8,7 +8,7 @@
 static const uint8_t MESSAGES_PER_RUN = 8;
 
 JavinoBoard::JavinoBoard(Stream &stream, Open open, void *memory, uint16_t size)
-    : act(&board_), stream_(stream), open_(open), perceive_(NULL), supervise_(NULL), rules_(NULL), waiting_(false), busy_(false),
+    : act(&board_), stream_(stream), open_(open), look_(NULL), supervise_(NULL), hook_(NULL), waiting_(false), busy_(false),
       mute_(false) {
   javino_board_init(&board_, memory, size, write, this);
   act.begin();
@@ -31,9 +31,41 @@ void JavinoBoard::write(void *board, uint8_t byte) {
   self->receive();
 }
 
-void JavinoBoard::supervise(JavinoBoard &board) {
-  if (javino_link_lost(&board.board_.link, board.silence_ms_, millis()))
+void JavinoBoard::loseAlone(JavinoBoard &board) {
+  if (board.isLost())
     board.lost_();
+}
+
+void JavinoBoard::loseWithBoard(JavinoBoard &board) {
+  if (board.isLost())
+    reinterpret_cast<BoardCallback>(board.lost_)(board);
+}
+
+void JavinoBoard::perceiveAlone(JavinoBoard &board) {
+  board.perceive_();
+}
+
+void JavinoBoard::perceiveWithBoard(JavinoBoard &board) {
+  reinterpret_cast<BoardCallback>(board.perceive_)(board);
+}
+
+bool JavinoBoard::count(JavinoBoard &board, bool action) {
+  const javino_link &link = board.board_.link;
+  JavinoCounters &counters = *board.counters_;
+  if (!action) {
+    counters.frames += static_cast<uint8_t>(link.frames - counters.frames_);
+    counters.frames_ = link.frames;
+    counters.damaged += static_cast<uint8_t>(link.decoder.damaged - counters.damaged_);
+    counters.damaged_ = link.decoder.damaged;
+#ifdef SERIAL_RX_BUFFER_SIZE
+    counters.overruns += board.stream_.available() == SERIAL_RX_BUFFER_SIZE - 1;
+#endif
+    unsigned long now = millis();
+    if (now - counters.look_ms_ > counters.longestLoop)
+      counters.longestLoop = now - counters.look_ms_;
+    counters.look_ms_ = now;
+  }
+  return counters.hook_ && counters.hook_(board, action);
 }
 
 #ifndef JAVINO_VERSION_1_ONLY
@@ -48,10 +80,10 @@ bool JavinoBoard::rules(JavinoBoard &board, bool action) {
   return true;
 }
 
-void JavinoBoard::look(void *board) {
-  Callback perceive = static_cast<JavinoBoard *>(board)->perceive_;
-  if (perceive)
-    perceive();
+JAVINO_NOINLINE void JavinoBoard::look(void *board) {
+  JavinoBoard &self = *static_cast<JavinoBoard *>(board);
+  if (self.look_)
+    self.look_(self);
 }
 
 bool JavinoBoard::react(void *board, const char *text, uint8_t length) {
@@ -66,17 +98,18 @@ bool JavinoBoard::isFree(void *board) {
 
 void JavinoBoard::next() {
   mute_ = false;
-  if (rules_)
-    rules_(*this, false);
+  if (hook_)
+    hook_(*this, false);
   javino_board_poll(&board_, receive());
   if (supervise_)
     supervise_(*this);
 }
 
 bool JavinoBoard::availableMsg() {
-  receive();
-  if (busy_)
+  if (busy_) {
+    receive();
     return false;
+  }
   waiting_ = false;
   busy_ = true;
   next();
@@ -85,9 +118,10 @@ bool JavinoBoard::availableMsg() {
 }
 
 void JavinoBoard::run() {
-  receive();
-  if (busy_)
+  if (busy_) {
+    receive();
     return;
+  }
   busy_ = true;
   handle();
   busy_ = false;
@@ -101,8 +135,8 @@ void JavinoBoard::handle() {
         return;
     }
     if (board_.link.event == JAVINO_REQUEST) {
-      if (perceive_)
-        perceive_();
+      if (look_)
+        look_(*this);
       sendPercepts();
     } else if (!carryOutAction()) {
       return;
@@ -117,7 +151,7 @@ void JavinoBoard::handle() {
  * are open. Where it can be one, what follows decides.
  */
 bool JavinoBoard::carryOutAction() {
-  if (rules_ && rules_(*this, true))
+  if (hook_ && hook_(*this, true))
     return true;
   const javino_link &link = board_.link;
   javino_follows follows = JAVINO_FOLLOWS_HEADER;

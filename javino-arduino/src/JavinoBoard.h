@@ -40,6 +40,30 @@ inline JavinoDecimals decimals(double value, uint8_t digits) {
   return number;
 }
 
+class JavinoBoard;
+
+/**
+ * What a board counts, see JavinoBoard::countInto(). The sketch may read, set back and show it:
+ * `board.percept("line", counters.frames, counters.damaged, counters.overruns, counters.longestLoop)`.
+ */
+class JavinoCounters {
+public:
+  unsigned long frames;  /**< Intact frames that have arrived. */
+  unsigned long damaged; /**< Frames of version 2 that were not intact, and were dropped. Version 1 has no checksums. */
+  /** How often the port's receive buffer was found full, so that bytes may have been lost. 0 where its size is not known. */
+  unsigned long overruns;
+  unsigned long longestLoop; /**< Milliseconds from one look for messages to the next, at most: a round of loop(), or a callback. */
+
+  JavinoCounters() : frames(0), damaged(0), overruns(0), longestLoop(0) {}
+
+private:
+  friend class JavinoBoard;
+  bool (*hook_)(JavinoBoard &, bool action); /* The board's, which is called behind counting. */
+  unsigned long look_ms_;                    /* When it looked for messages the last time. */
+  uint8_t frames_;                           /* As the core counts them. */
+  uint8_t damaged_;
+};
+
 /** An action whose outcome is reported later, see JavinoBoard::later(). */
 typedef javino_later JavinoLater;
 
@@ -53,6 +77,12 @@ class JavinoBoard {
 public:
   /** Called to write percepts, or when the link is lost. */
   typedef void (*Callback)();
+
+  /**
+   * The same, and is handed the board, whatever its class. Its functions do for several boards, and a class derived from a board finds
+   * its members with `static_cast<Robot &>(board)`.
+   */
+  typedef JavinoActions::BoardFunction BoardCallback;
 
   /**
    * Sets how long a pause within a message may be, after which the message is given up.
@@ -77,7 +107,15 @@ public:
   void run();
 
   /** Has percepts written by this function whenever they are asked for. It calls percept() or addPercept(). */
-  void perceive(Callback write) { perceive_ = write; }
+  void perceive(Callback write) {
+    perceive_ = write;
+    look_ = write ? perceiveAlone : NULL;
+  }
+  /** The same. A template, so that NULL is a Callback. */
+  template <typename = void> void perceive(BoardCallback write) {
+    perceive_ = reinterpret_cast<Callback>(write);
+    look_ = write ? perceiveWithBoard : NULL;
+  }
 
   /** `act["ledOn"] = ledOn;` has the function called for the action of exactly this text. */
   JavinoActions act;
@@ -86,18 +124,48 @@ public:
    * Has the function called for an action, with its arguments.
    *
    * @param name       the functor, which is not copied
-   * @param function   `void`; or `bool`, where false refuses the action because of its arguments; or without
-   *                   parameters, and then an action with arguments is refused
+   * @param function   takes the board, the arguments, both in this order, or neither; one that takes no arguments refuses an action that has
+   *                   some. It returns `void`; or `bool`, where false refuses the action because of its arguments or otherwise
    * @param arguments  how many it takes: with another number the action is refused and the function not called
    * @return false if there is no memory left for it
    */
   bool onAction(const char *name, void (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
-    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments, arguments);
+    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments<void>, arguments);
   }
   bool onAction(const char *name, bool (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
-    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::askWithArguments, arguments);
+    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments<bool>, arguments);
+  }
+  bool onAction(const char *name, void (*function)(JavinoBoard &, const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
+    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoth<void>, arguments);
+  }
+  bool onAction(const char *name, bool (*function)(JavinoBoard &, const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
+    return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoth<bool>, arguments);
   }
   bool onAction(const char *name, Callback function) { return act.add(name, function); }
+  bool onAction(const char *name, bool (*function)()) {
+    return act.addCalled(name, reinterpret_cast<Callback>(function), JavinoActions::callAlone<bool>);
+  }
+  bool onAction(const char *name, BoardCallback function) {
+    return act.addCalled(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoard<void>);
+  }
+  bool onAction(const char *name, bool (*function)(JavinoBoard &)) {
+    return act.addCalled(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoard<bool>);
+  }
+
+  /**
+   * Has the function called for each action that the board does not know, or that has another number of arguments than its function takes.
+   * Without it such an action is refused, and `argo.act` fails with `error(act_refused)`; in version 1, which has no outcomes, nothing
+   * happens.
+   *
+   * While it is set the board does not tell computers which actions it has, since ARGO sends a board that does only those. So every action
+   * comes as text, and reaches it.
+   *
+   * @param function  is handed the action's whole text, such as `fly(3)`, good until it returns. It returns `void`, and the action is refused,
+   *                  so that it may count or show it; or `bool`: whether it has carried it out. NULL: none
+   */
+  void onUnknownAction(void (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
+  /** The same. A template, so that NULL is a function of the other kind. */
+  template <typename = void> void onUnknownAction(bool (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
 
   /**
    * Within an action's function: its outcome is reported later, with done(). The function returns at once, what it
@@ -127,8 +195,30 @@ public:
   void onLinkLost(unsigned long ms, Callback function) {
     silence_ms_ = ms;
     lost_ = function;
-    supervise_ = ms && function ? supervise : NULL;
+    supervise_ = ms && function ? loseAlone : NULL;
     javino_link_supervise(&board_.link, millis());
+  }
+  /** The same. A template, so that NULL is a Callback. */
+  template <typename = void> void onLinkLost(unsigned long ms, BoardCallback function) {
+    onLinkLost(ms, reinterpret_cast<Callback>(function));
+    supervise_ = ms && function ? loseWithBoard : NULL;
+  }
+
+  /**
+   * Counts into this from now on what arrives and how long loop() takes. A sketch that does not call it is spared the code.
+   *
+   * @param counters  lasts as long as the board
+   */
+  void countInto(JavinoCounters &counters) {
+    counters.frames_ = board_.link.frames;
+    counters.damaged_ = board_.link.decoder.damaged;
+    counters.look_ms_ = millis();
+    if (hook_ != count)
+      counters.hook_ = hook_;
+    else
+      counters.hook_ = counters_->hook_;
+    counters_ = &counters;
+    hook_ = count;
   }
 
   /**
@@ -146,7 +236,7 @@ public:
     (void)bytes;
     return false;
 #else
-    rules_ = rules;
+    (hook_ && hook_ != rules ? counters_->hook_ : hook_) = rules;
     free_ = stream_.availableForWrite();
     return javino_rules_init(&board_, bytes, react, isFree);
 #endif
@@ -251,8 +341,19 @@ protected:
 private:
   JavinoBoard &operator=(const JavinoBoard &);
 
+  /**
+   * For what most sketches are spared the code of. Called before messages are looked for, and with an action in hand: whether it has handled
+   * that.
+   */
+  typedef bool (*Hook)(JavinoBoard &board, bool action);
+
   static void write(void *board, uint8_t byte);
-  static void supervise(JavinoBoard &board);
+  static void loseAlone(JavinoBoard &board);
+  static void loseWithBoard(JavinoBoard &board);
+  bool isLost() { return javino_link_lost(&board_.link, silence_ms_, millis()); }
+  static void perceiveAlone(JavinoBoard &board);
+  static void perceiveWithBoard(JavinoBoard &board);
+  static bool count(JavinoBoard &board, bool action);
   static bool rules(JavinoBoard &board, bool action);
   static void look(void *board);
   static bool react(void *board, const char *text, uint8_t length);
@@ -290,11 +391,13 @@ private:
   template <typename Other> void term(Other *) = delete;
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
 
-  Callback perceive_;
+  void (*look_)(JavinoBoard &); /* Calls the next one. */
+  Callback perceive_;            /* Set together with look_. */
   void (*supervise_)(JavinoBoard &); /* A sketch that does not supervise its link is spared the code. */
   Callback lost_;                    /* Set together with supervise_, and so is the time. */
   unsigned long silence_ms_;
-  bool (*rules_)(JavinoBoard &, bool action); /* Handles the action in hand if it sets a rule, or looks at the rules. */
+  Hook hook_;
+  JavinoCounters *counters_; /* Set together with the hook count. */
   int free_;                                  /* What the port takes when all before has left. */
   bool waiting_; /* The action in hand waits for what follows it. */
   bool busy_;    /* run() or availableMsg() is under way. */

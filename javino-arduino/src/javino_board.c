@@ -83,7 +83,7 @@ bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_
     return true;
 }
 
-void *javino_board_take(javino_board *board, uint16_t size)
+JAVINO_NOINLINE void *javino_board_take(javino_board *board, uint16_t size)
 {
     javino_decoder *d = &board->link.decoder;
     uint16_t left = board->memory - d->end;
@@ -162,7 +162,7 @@ static void send_item(javino_board *b, bool last, uint8_t head, const char *text
 
 #endif
 
-JAVINO_OUTLINE void javino_board_send_text(javino_board *board, bool last, javino_room n)
+void javino_board_send_text(javino_board *board, bool last, javino_room n)
 {
     javino_board *b = board;
 #ifndef JAVINO_VERSION_1_ONLY
@@ -246,7 +246,7 @@ bool javino_percept_begin(javino_board *board, const char *functor)
     return true;
 }
 
-static JAVINO_NOINLINE void put(javino_board *b, char c)
+static void put(javino_board *b, char c)
 {
     if (b->length == b->room)
         make_room(b);

@@ -47,7 +47,7 @@ static uint16_t elapsed(uint16_t now, uint16_t was)
     return now < 0x8000u ? now : 0;
 }
 
-JAVINO_OUTLINE bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
+bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms)
 {
     memset(decoder, 0, sizeof *decoder);
     decoder->bytes = bytes;
@@ -216,18 +216,24 @@ cut:
     return d->gap ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_UNKNOWN;
 }
 
-const uint8_t *javino_decoder_next(javino_decoder *decoder, uint16_t now_ms)
+JAVINO_OUTLINE const uint8_t *javino_decoder_next(javino_decoder *decoder, uint16_t now_ms)
 {
     javino_decoder *d = decoder;
     uint8_t *p = d->bytes;
     javino_follows read;
     javino_decoder_idle(d, now_ms);
     while ((read = read_on(d, p)) == JAVINO_FOLLOWS_OTHER || (read && d->held)) {
-        uint16_t step = read == JAVINO_FOLLOWS_HEADER || IS_FRAME_2(p) ? d->taken : 1;
+        uint16_t step = d->taken;
+        if (read == JAVINO_FOLLOWS_OTHER) {
+            if (!IS_FRAME_2(p))
+                step = 1;
 #ifndef JAVINO_VERSION_1_ONLY
-        if (read == JAVINO_FOLLOWS_OTHER && d->session)
-            d->quiet = false;
+            else
+                d->damaged++;
+            if (d->session)
+                d->quiet = false;
 #endif
+        }
         d->held = false;
         d->taken = 0;
         p += step;
@@ -266,7 +272,7 @@ javino_follows javino_decoder_follows(javino_decoder *decoder, uint16_t now_ms)
 
 /* ---- Encoder ---- */
 
-static void put_plain(javino_encoder *e, uint8_t byte)
+static JAVINO_NOINLINE void put_plain(javino_encoder *e, uint8_t byte)
 {
     e->write(e->context, byte);
 }

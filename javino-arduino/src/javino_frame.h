@@ -100,6 +100,7 @@ typedef struct {
     bool held; /* the frame at the front has been handed out */
     bool quiet;     /* a frame of version 1 may begin here */
     uint8_t session; /* its nonce; 0: there is none, and such a frame may begin anywhere */
+    uint8_t damaged; /**< Frames of version 2 that have been dropped, modulo 256. May be read. */
 } javino_decoder;
 
 /**

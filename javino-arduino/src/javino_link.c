@@ -214,6 +214,7 @@ static javino_event meaning(javino_link *l, const uint8_t *frame)
     l->version = 1;
     l->answered = false;
     l->heard = true;
+    l->frames++;
 #ifndef JAVINO_VERSION_1_ONLY
     if (*frame == JAVINO_START) {
         l->version = 2;
@@ -301,13 +302,13 @@ javino_event javino_link_poll(javino_link *link, uint16_t now_ms)
     return l->event;
 }
 
-void javino_link_supervise(javino_link *link, uint32_t now_ms)
+JAVINO_OUTLINE void javino_link_supervise(javino_link *link, uint32_t now_ms)
 {
     link->heard = link->lost = false;
     link->since_ms = link->drained_ms = now_ms;
 }
 
-bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
+JAVINO_NOINLINE bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
 {
     if (link->heard) {
         /* It may have waited since the receive buffer was empty. */

@@ -60,6 +60,7 @@ typedef struct {
     bool drained; /* the last poll has read all that there was */
     bool heard;   /* something valid, since javino_link_lost was asked */
     bool lost;
+    uint8_t frames; /**< Intact ones that have arrived, modulo 256. May be read. */
 #ifndef JAVINO_VERSION_1_ONLY
     uint8_t session;    /* its nonce; 0: there is none. This and the next three are the payload of WELCOME */
     uint8_t credit;

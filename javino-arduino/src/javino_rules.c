@@ -217,7 +217,7 @@ static void forget(struct javino_rules *r)
     r->used = r->met = 0;
 }
 
-bool javino_rules_set(javino_board *board)
+JAVINO_NOINLINE bool javino_rules_set(javino_board *board)
 {
     struct javino_rules *r = board->rules;
     javino_link *l = &board->link;

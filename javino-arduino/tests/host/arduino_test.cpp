@@ -615,6 +615,171 @@ TEST_CASE("no function is no action") {
 
 namespace {
 
+/** A board that is a class of the sketch: its functions find its members by the board that they are handed. */
+struct Robot : Javino {
+  int power = 0;
+
+  explicit Robot(FakeSerial &port) : Javino(port) {
+    perceive(look);
+    onAction("power", setPower, 1);
+    onAction("more", more);
+    onAction("check", check);
+    onAction("add", add);
+    act["off"] = off;
+    act[String("zero")] = off;
+    onLinkLost(300, off);
+    begin(9600);
+  }
+
+  static Robot &of(JavinoBoard &board) { return static_cast<Robot &>(board); }
+  static void look(JavinoBoard &board) { board.percept("power", of(board).power); }
+  static bool setPower(JavinoBoard &board, const JavinoArguments &arguments) {
+    if (!arguments.isNumber(0))
+      return false;
+    of(board).power = static_cast<int>(arguments.number(0));
+    return true;
+  }
+  static void add(JavinoBoard &board, const JavinoArguments &arguments) {
+    for (uint8_t i = 0; i < arguments.count(); i++)
+      of(board).power += static_cast<int>(arguments.number(i));
+  }
+  static void more(JavinoBoard &board) { of(board).power++; }
+  static bool check(JavinoBoard &board) { return of(board).power > 0; }
+  static void off(JavinoBoard &board) { of(board).power = 0; }
+};
+
+}  // namespace
+
+TEST_CASE("functions are handed the board, so that one function does for several") {
+  stub_millis = 5000;
+  FakeSerial left_line, right_line;
+  static Robot left(left_line), right(right_line);  // As in a sketch: their names last for ever.
+  auto run = [](Robot &robot, FakeSerial &line, const std::string &bytes) {
+    line.receive(bytes);
+    robot.run();
+    return line.sent();
+  };
+  run(left, left_line, frame1("power(3)"));
+  run(right, right_line, frame1("power(5)") + frame1("add(10,20)") + frame1("more"));
+  CHECK(run(left, left_line, frame1("getPercepts")) == frame1("power(3);"));
+  CHECK(run(right, right_line, frame1("getPercepts")) == frame1("power(36);"));
+  run(left, left_line, hello());
+  CHECK(run(left, left_line, command(0, "check")) == ack(1));
+  CHECK(run(left, left_line, command(1, "off")) == ack(2));
+  CHECK(left.power == 0);
+  CHECK(run(left, left_line, command(2, "check")) == ack(3, REFUSED));
+  CHECK(run(left, left_line, frame2(0x31, 3, item("power(x)"))) == ack(4, REFUSED));
+  CHECK(run(left, left_line, frame2(0x31, 4, item("power(1,2)"))) == ack(5, REFUSED));
+  CHECK(run(left, left_line, frame2(0x31, 5, item("more(1)"))) == ack(6, REFUSED));
+  CHECK(left.power == 0);
+  run(right, right_line, frame1("zero") + frame1("power(7)"));
+  CHECK(right.power == 7);
+  stub_millis += 301;
+  run(right, right_line, "");
+  CHECK(right.power == 0);
+}
+
+TEST_CASE("functions are taken back by NULL, and lambdas take the board too") {
+  Board board;
+  board.javino.perceive([](JavinoBoard &of) { of.addPercept("seen"); });
+  CHECK(board.run(frame1("getPercepts")) == frame1("seen;"));
+  board.javino.perceive(NULL);
+  board.javino.onLinkLost(0, NULL);
+  CHECK(board.run(frame1("getPercepts")) == frame1(""));
+  board.javino.act["led"] = [](JavinoBoard &) { done.push_back("led"); };
+  CHECK(board.javino.onAction("on", [] { return false; }));
+  board.begin();
+  CHECK(board.run(command(0, "led")) == ack(1));
+  CHECK(board.run(command(1, "on")) == ack(2, REFUSED));
+  CHECK(done == std::vector<std::string>{"led"});
+}
+
+TEST_CASE("a function is called for unknown actions, which are refused or which it has carried out") {
+  for (bool before : {true, false}) {
+    Board board;
+    auto unknown = [](JavinoBoard &, const char *action) { done.push_back(std::string("? ") + action); };
+    if (before)
+      board.javino.onUnknownAction(unknown);
+    board.javino.act["ledOn"] = ledOn;
+    board.javino.onAction("turn", turn, 2);
+    if (!before)
+      board.javino.onUnknownAction(unknown);
+    board.run(frame1("fly") + frame1("turn(left)") + frame1("ledOn") + frame1("getPercepts"));
+    CHECK(done == std::vector<std::string>{"? fly", "? turn(left)", "ledOn"});
+    board.begin();
+    done.clear();
+    CHECK(board.run(command(0, "fly(\"a b\")")) == ack(1, REFUSED));
+    CHECK(board.run(frame2(0x31, 1, item("turn(right,3)"))) == ack(2, REFUSED));  // by its own function
+    CHECK(board.run(frame2(0x31, 2, item("turn(left,3)"))) == ack(3));
+    CHECK(done == std::vector<std::string>{"? fly(\"a b\")", "turn 3"});
+    CHECK(board.run(describe(1)) == frame2(0x86, 3, bytesOf("01 00 00")));
+    board.javino.onUnknownAction([](JavinoBoard &, const char *action) { return strcmp(action, "fly") == 0; });
+    CHECK(board.run(command(3, "fly")) == ack(4));
+    CHECK(board.run(command(4, "swim")) == ack(5, REFUSED));
+    board.javino.onUnknownAction(NULL);
+    CHECK(board.run(frame2(0x31, 5, item("fly"))) == ack(6, REFUSED));
+    CHECK(board.run(describe(2)).substr(0, 7) == frame2(0x86 | REFUSED, 6, bytesOf("02 00 02 00 05") + "ledOn" + "\2\4turn").substr(0, 7));
+    CHECK(board.javino.act.count() == 2);
+  }
+}
+
+TEST_CASE("version 1: no function is called for what may be the beginning of an action") {
+  Board board;
+  board.javino.act["ledOn"] = ledOn;
+  board.javino.onUnknownAction([](JavinoBoard &, const char *action) { done.push_back(action); });
+  board.run(frame1("fly") + "(1)");
+  board.later(200);
+  CHECK(done.empty());
+  board.run(frame1("fly"));
+  board.later(7);
+  CHECK(done == std::vector<std::string>{"fly"});
+}
+
+TEST_CASE("what arrives, what is damaged and how long loop() takes is counted") {
+  for (bool watches : {false, true}) {
+    Board board;
+    JavinoCounters counters;
+    board.javino.countInto(counters);
+    if (watches)
+      CHECK(board.javino.watchRules());
+    board.javino.countInto(counters);
+    board.javino.act["ledOn"] = ledOn;
+    board.begin();
+    board.run(command(0, "ledOn") + ask(1));
+    std::string bad = ask(2);
+    bad.back() = octet(bad.back() ^ 1);
+    for (int i = 0; i < 300; i++)
+      board.run(bad);
+    stub_millis += 40;
+    board.run("");
+    stub_millis += 70;
+    board.run(std::string(63, 'x'));
+    stub_millis += 20;
+    board.run(std::string(62, 'x'));
+    CHECK(counters.frames == 3);
+    CHECK(counters.damaged == 300);
+    CHECK(counters.longestLoop == 70);
+    CHECK(counters.overruns == 1);
+    board.javino.act["slow"] = [] { stub_millis += 250; };
+    stub_millis += 200;
+    board.run(command(1, "slow"));
+    CHECK(counters.longestLoop == 250);
+    counters.longestLoop = 0;
+    stub_millis += 5;
+    board.run("");
+    CHECK(counters.longestLoop == 5);
+    CHECK(done == std::vector<std::string>{"ledOn"});
+    if (watches) {
+      board.run(command(2, std::string("\1\1dist\0001<40\0\2ledOn", 18)));
+      board.javino.perceive([](JavinoBoard &of) { of.percept("dist", 30); });
+      board.later(10);
+      CHECK(done.size() == 2);
+    }
+  }
+}
+
+namespace {
+
 std::mt19937 chance(6);
 
 /** Damages one byte in 200. @return whether any was */

@@ -25,6 +25,8 @@
 #define A1 15
 #define A2 16
 #define A3 17
+/* As on an Uno: 63 bytes wait. */
+#define SERIAL_RX_BUFFER_SIZE 64
 
 class __FlashStringHelper;
 #define F(text) (reinterpret_cast<const __FlashStringHelper *>(text))
