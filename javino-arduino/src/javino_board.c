@@ -4,6 +4,7 @@
 
 #include "javino_items.h"
 #include "javino_literal.h"
+#include "javino_rules.h"
 
 #ifdef JAVINO_VERSION_1_ONLY
 #define IS_OPEN(board) false
@@ -219,6 +220,11 @@ static void send_ahead(javino_board *b)
     if (n > PART_MAX && b->link.version == 2)
         n = PART_MAX;
 #endif
+#ifndef JAVINO_VERSION_1_ONLY
+    /* While rules are set only what must go out now: the rest follows when they can be watched. */
+    if (n > JAVINO_SHORT_PART && b->link.rules)
+        n = JAVINO_SHORT_PART;
+#endif
     if (n)
         javino_board_send_text(b, false, n);
 }
@@ -381,11 +387,13 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
         javino_board_clear(b);
 #endif
     if (b->link.event == JAVINO_REQUEST) {
+        uint16_t base = b->link.decoder.end;
 #ifndef JAVINO_VERSION_1_ONLY
-        rule(b, JAVINO_RULES_ALL);
+        if (rule(b, JAVINO_RULES_END))
+            base += JAVINO_TEXT_MIN;
 #endif
         b->length = b->whole;
-        javino_board_place(b, b->link.decoder.end);
+        javino_board_place(b, base);
         code(b);
     }
     return b->link.event;

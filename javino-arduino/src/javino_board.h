@@ -67,7 +67,8 @@ enum {
     JAVINO_RULES_PERCEPT, /**< A percept is whole. */
     JAVINO_RULES_ANSWER,  /**< An answer is ready. True: it is no more to be sent. */
     JAVINO_RULES_GO_ON,   /**< An answer that goes out part by part may go on. True: one does. */
-    JAVINO_RULES_ALL      /**< As before, all that is left of it. */
+    JAVINO_RULES_END,     /**< As before, all that is left of it, since a request is in hand. True: rules leave its answer less memory. */
+    JAVINO_RULES_ALL      /**< The same at any time. */
 };
 
 /** A board. The members are private but for link, on which javino_link_receive and so on are called. */

@@ -18,9 +18,6 @@ enum { NO_REFLEX, CARRIED_OUT, NOT_CARRIED_OUT };
 /* Bytes of a percept that CRITICAL holds. */
 #define PERCEPT_MAX (JAVINO_MAX_PAYLOAD - 2)
 
-/* Bytes of an answer in a part while rules are set, so that what is critical waits for little. */
-#define SHORT_PART 12
-
 /* ---- Numbers ---- */
 
 static uint8_t digits(const char *text, uint8_t length)
@@ -320,19 +317,26 @@ static void watch(javino_board *b)
     b->whole -= end - begin;
 }
 
+static JAVINO_NOINLINE void look(javino_board *b)
+{
+    struct javino_rules *r = b->rules;
+    javino_link *l = &b->link;
+    javino_event event = l->event;
+    r->seen = 0;
+    l->event = JAVINO_WATCH;
+    r->perceive(l->encoder.context);
+    l->event = event;
+    r->met = r->seen;
+}
+
 void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t now_ms)
 {
     struct javino_rules *r = board->rules;
-    javino_link *l = &board->link;
-    javino_event event = l->event;
-    if (!r || !l->rules || (uint16_t)(now_ms - r->looked_ms) < JAVINO_RULES_MS)
+    if (!r || !board->link.rules || (uint16_t)(now_ms - r->looked_ms) < JAVINO_RULES_MS)
         return;
     r->looked_ms = now_ms;
-    r->seen = 0;
-    l->event = JAVINO_WATCH;
-    perceive(l->encoder.context);
-    l->event = event;
-    r->met = r->seen;
+    r->perceive = perceive;
+    look(board);
 }
 
 /* ---- Answers part by part ---- */
@@ -349,8 +353,8 @@ static void send_next(javino_board *b)
     b->length = b->whole;
     javino_items_code(b);
     l->request = b->answering;
-    last = b->whole <= SHORT_PART;
-    javino_board_send_text(b, last, last ? b->whole : SHORT_PART);
+    last = b->whole <= JAVINO_SHORT_PART;
+    javino_board_send_text(b, last, last ? b->whole : JAVINO_SHORT_PART);
     l->answered = answered;
     l->version = version;
     l->request = request;
@@ -375,7 +379,7 @@ static void make_room(javino_board *b)
 static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;
-    if (l->event == JAVINO_REQUEST && l->version == 2 && l->rules && !b->part && b->length > SHORT_PART) {
+    if (l->event == JAVINO_REQUEST && l->version == 2 && l->rules && b->length > JAVINO_SHORT_PART) {
         b->answering = l->request;
         b->rules->session = l->session;
         l->request = 0;
@@ -386,8 +390,9 @@ static bool answer(javino_board *b)
 }
 
 /* Sends the next part if the line is free, or all that are left. False if no answer goes out so. */
-static bool go_on(javino_board *b, bool all)
+static bool go_on(javino_board *b, uint8_t where)
 {
+    bool all = where != JAVINO_RULES_GO_ON;
     const struct javino_rules *r = b->rules;
     if (!b->answering)
         return false;
@@ -397,9 +402,12 @@ static bool go_on(javino_board *b, bool all)
         return false;
     }
     if (all || !r->is_free || r->is_free(b->link.encoder.context))
-        do
+        do {
             send_next(b);
-        while (all && b->answering);
+            /* Each part may wait for the line. */
+            if (where == JAVINO_RULES_END && r->perceive)
+                look(b);
+        } while (all && b->answering);
     return true;
 }
 
@@ -408,7 +416,11 @@ static bool take_part(javino_board *b, uint8_t where)
     switch (where) {
     case JAVINO_RULES_PERCEPT: watch(b); return true;
     case JAVINO_RULES_ANSWER: return answer(b);
-    default: return go_on(b, where == JAVINO_RULES_ALL);
+    case JAVINO_RULES_END:
+        go_on(b, where);
+        /* Percepts are compared behind the answer as soon as it is written. */
+        return b->link.rules && b->memory - b->link.decoder.end >= 2 * JAVINO_TEXT_MIN;
+    default: return go_on(b, where);
     }
 }
 

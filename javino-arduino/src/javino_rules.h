@@ -15,6 +15,9 @@ extern "C" {
 /** How many rules a board holds at most, as far as their texts find room. */
 #define JAVINO_RULES_MAX 8
 
+/** Bytes of an answer in a part while rules are set, so that what is critical waits for little. */
+#define JAVINO_SHORT_PART 12
+
 /** Milliseconds between two looks at the sensors. */
 #define JAVINO_RULES_MS 5
 
@@ -27,6 +30,7 @@ typedef bool (*javino_act)(void *context, const char *text, uint8_t length);
 /** The rules of a board. They lie in its memory; the members are private. */
 struct javino_rules {
     javino_act act;
+    javino_perceive perceive; /* NULL until the program has looked */
     bool (*is_free)(void *context);
     uint8_t *texts; /* each behind its length: the rule's number, functor and so on */
     uint16_t looked_ms;
@@ -38,7 +42,7 @@ struct javino_rules {
 };
 
 /**
- * Takes memory for rules, before the first byte arrives. From now on answers go out in parts of 12 bytes while a rule is set, a part with each
+ * Takes memory for rules, before the first byte arrives. From now on answers go out in parts of JAVINO_SHORT_PART bytes while a rule is set, a part with each
  * javino_board_poll.
  *
  * @param size     bytes, at most 255; a rule takes about 20

@@ -2,6 +2,7 @@
 
 #include <Javino.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "conversation.h"
@@ -290,8 +291,61 @@ TEST_CASE("on a board as small as an Uno rules are watched while a long answer g
     w.percept(std::string(1, static_cast<char>('a' + i)) + "light(100)");
   javino_board_answer(&w.board);
   REQUIRE(w.board.length > 120);
+  w.sent();
   w.readings = {"dist(front,3)", "dist(3)"};
   CHECK(w.look() == critical(1, 1, 0, "dist(3);"));
+}
+
+TEST_CASE("while rules are set an answer that does not fit takes the line no longer than for what does not fit") {
+  Watcher w(368);
+  w.set(rule(1, "dist", {"1<40"}, "stop"));
+  w.hear(ask(1));
+  const size_t room = w.board.room;
+  std::string all;
+  for (int i = 0; i < 20; i++) {
+    w.percept(std::string(1, static_cast<char>('a' + i)) + "light(100)");
+    all += std::string(1, static_cast<char>('a' + i)) + "light(100);";
+  }
+  javino_board_answer(&w.board);
+  std::string answer = w.sent();
+  CHECK(answer.size() > 0);
+  const size_t fits = room / 12;  // parts of twelve bytes in frames of twenty
+  CHECK(answer.size() <= (20 * 14 / 12 + 1 - fits) * 20);
+  w.readings = {"dist(3)"};
+  CHECK(w.look() == critical(1, 1, 1, "dist(3);"));
+  for (int turn = 0; w.board.answering; turn++) {
+    w.poll();
+    answer += w.sent();
+    REQUIRE(turn < 50);
+  }
+  CHECK(w.percepts.read(answer, 1) == all);
+}
+
+TEST_CASE("while another request has an answer end, rules are watched between its parts") {
+  Watcher w;
+  w.set(rule(1, "dist", {"1<40"}, "stop"));
+  w.look();
+  w.hear(ask(1));
+  std::string all;
+  for (int i = 0; i < 12; i++) {
+    w.percept("light(" + std::to_string(i) + "00)");
+    all += "light(" + std::to_string(i) + "00);";
+  }
+  javino_board_answer(&w.board);
+  w.readings = {"dist(3)"};
+  CHECK(w.hear(ask(2)) == JAVINO_REQUEST);
+  CHECK(w.carried == std::vector<std::string>{"stop"});
+  std::vector<Frame2> frames = frames2(w.sent());
+  REQUIRE(frames.size() > 5);
+  CHECK(std::min(frames[1].kind, frames[2].kind) == 0x83);
+  CHECK(std::max(frames[1].kind, frames[2].kind) == 0x85);
+  std::string answer;
+  for (const Frame2 &frame : frames)
+    if (frame.kind != 0x85)
+      answer += frame2(frame.kind, frame.number, frame.payload);
+  CHECK(w.percepts.read(answer, 1) == all);
+  w.percept("light(1)");
+  CHECK(w.answered(2) == "light(1);");
 }
 
 TEST_CASE("a percept of more than 253 bytes meets no rule") {
