@@ -23,6 +23,21 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   return true;
 }
 
+const char *JavinoActions::keep(const __FlashStringHelper *name) {
+  const char *text = reinterpret_cast<const char *>(name);
+  char *kept = static_cast<char *>(javino_board_take_front(board_, static_cast<uint16_t>(strlen_P(text) + 1)));
+  if (kept)
+    strcpy_P(kept, text);
+  else
+    full_ = true;
+  return kept;
+}
+
+void JavinoActions::FlashPlace::operator()() const {
+  JAVINO_COPY(name, name_);
+  Place(actions_, name)();
+}
+
 /** Whether a name begins with this text, in which any byte may stand. */
 static bool begins(const char *name, const char *text, uint8_t length) {
   for (; length > 0; length--)

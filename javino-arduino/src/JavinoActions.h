@@ -11,7 +11,8 @@ class JavinoBoard;
 
 /**
  * The actions that a board knows, by name. They lie in the board's memory, seven bytes each on AVR; nothing is
- * allocated for them but where a name is a String. A name that is not a String is not copied, so it must last.
+ * allocated for them but where a name is a String. A name in flash, F("ledOn"), is copied into the board's memory, before anything has
+ * arrived; any other is not copied, so it must last.
  */
 class JavinoActions {
 public:
@@ -58,10 +59,30 @@ public:
     const String &name_;
   };
 
+  /** The same, for a name in flash. */
+  class FlashPlace {
+  public:
+    FlashPlace(JavinoActions &actions, const __FlashStringHelper *name) : actions_(actions), name_(name) {}
+    void operator=(Function function) { set(function); }
+    template <typename = void> void operator=(BoardFunction function) { set(function); }
+    void operator()() const;
+
+  private:
+    template <typename Kind> void set(Kind function) {
+      const char *name = function ? actions_.keep(name_) : NULL;
+      if (name)
+        Place(actions_, name) = function;
+    }
+
+    JavinoActions &actions_;
+    const __FlashStringHelper *name_;
+  };
+
   explicit JavinoActions(javino_board *board) : board_(board), reader_(NULL), count_(0), described_(true), full_(false) {}
 
   Place operator[](const char *name) { return Place(*this, name); }
   NamedPlace operator[](const String &name) { return NamedPlace(*this, name); }
+  FlashPlace operator[](const __FlashStringHelper *name) { return FlashPlace(*this, name); }
 
   /** How many actions there are. */
   uint8_t count() const { return count_; }
@@ -97,6 +118,9 @@ private:
   JavinoActions &operator=(const JavinoActions &);
 
   JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
+  /** Copies a name into the board's memory. @return null if there is no room */
+  const char *keep(const __FlashStringHelper *name);
+
   /** Adds a function that needs a caller. */
   bool addCalled(const char *name, Function function, Caller caller) {
     read(callFound);

@@ -141,6 +141,11 @@ bool JavinoArguments::is(uint8_t index, const char *text) const {
   return *text == 0 && index < count();
 }
 
+bool JavinoArguments::is(uint8_t index, const __FlashStringHelper *text) const {
+  JAVINO_COPY(copy, text);
+  return is(index, copy);
+}
+
 size_t JavinoArguments::copy(uint8_t index, char *to, size_t size) const {
   Characters characters(literal_, length_, index);
   size_t n = 0;

@@ -2,6 +2,12 @@
 #define JAVINO_ARGUMENTS_H
 
 #include <Arduino.h>
+#include <string.h>
+
+/** Declares a copy, on the stack, of a text in flash; such texts take no heap. */
+#define JAVINO_COPY(copy, in_flash) \
+  char copy[strlen_P(reinterpret_cast<const char *>(in_flash)) + 1]; \
+  strcpy_P(copy, reinterpret_cast<const char *>(in_flash))
 
 /**
  * The arguments of an action, in the order the agent wrote them: in `move(left, 30)` argument 0 is the atom
@@ -29,6 +35,7 @@ public:
 
   /** Whether the argument is this atom or string. */
   bool is(uint8_t index, const char *text) const;
+  bool is(uint8_t index, const __FlashStringHelper *text) const;
 
   /**
    * Copies an argument, a string without its quotes, and ends it with a zero.

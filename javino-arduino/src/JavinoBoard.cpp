@@ -192,7 +192,33 @@ bool JavinoBoard::addPercept(const char *text) {
 }
 
 bool JavinoBoard::addPercept(const __FlashStringHelper *text) {
-  return addPercept(String(text));
+  JAVINO_COPY(copy, text);
+  return addPercept(copy);
+}
+
+bool JavinoBoard::begins(const __FlashStringHelper *functor) {
+  JAVINO_COPY(copy, functor);
+  return javino_percept_begin(&board_, copy);
+}
+
+bool JavinoBoard::wants(const __FlashStringHelper *functor) const {
+  JAVINO_COPY(copy, functor);
+  return wants(copy);
+}
+
+bool JavinoBoard::requestAction(const __FlashStringHelper *text) const {
+  JAVINO_COPY(copy, text);
+  return requestAction(copy);
+}
+
+bool JavinoBoard::sendMsg(const __FlashStringHelper *text) {
+  JAVINO_COPY(copy, text);
+  return sendMsg(copy);
+}
+
+void JavinoBoard::term(const __FlashStringHelper *value) {
+  JAVINO_COPY(copy, value);
+  term(copy);
 }
 
 void JavinoBoard::term(char value) {

@@ -123,7 +123,7 @@ public:
   /**
    * Has the function called for an action, with its arguments.
    *
-   * @param name       the functor, which is not copied
+   * @param name       the functor, which is not copied; one in flash is copied into the board's memory, before anything has arrived
    * @param function   takes the board, the arguments, both in this order, or neither; one that takes no arguments refuses an action that has
    *                   some. It returns `void`; or `bool`, where false refuses the action because of its arguments or otherwise
    * @param arguments  how many it takes: with another number the action is refused and the function not called
@@ -150,6 +150,11 @@ public:
   }
   bool onAction(const char *name, bool (*function)(JavinoBoard &)) {
     return act.addCalled(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoard<bool>);
+  }
+
+  template <typename Kind, typename... Arguments> bool onAction(const __FlashStringHelper *name, Kind function, Arguments... arguments) {
+    const char *kept = act.keep(name);
+    return kept && onAction(kept, function, arguments...);
   }
 
   /**
@@ -256,14 +261,10 @@ public:
    *         has asked
    */
   template <typename... Terms> bool percept(const char *functor, Terms... terms) {
-    if (!javino_percept_begin(&board_, functor))
-      return true;
-    char before = '(';
-    const bool each[] = {true, (javino_percept_put(&board_, before), before = ',', term(terms), true)...};
-    (void)each;
-    if (before == ',')
-      javino_percept_put(&board_, ')');
-    return javino_percept_end(&board_);
+    return javino_percept_begin(&board_, functor) ? write(terms...) : true;
+  }
+  template <typename... Terms> bool percept(const __FlashStringHelper *functor, Terms... terms) {
+    return begins(functor) ? write(terms...) : true;
   }
 
   /** Writes one percept as it is, without the `;` after it. @return as percept() */
@@ -273,6 +274,7 @@ public:
 
   /** Whether the request in hand asks for percepts of this functor; spares reading a sensor. */
   bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
+  bool wants(const __FlashStringHelper *functor) const;
 
   /** Sends the percepts as the answer. run() does so by itself after perceive()'s function. */
   void sendPercepts() { javino_board_answer(&board_); }
@@ -296,6 +298,7 @@ public:
   /** Whether the message is the action of this text. */
   bool requestAction(const char *text) const;
   bool requestAction(const String &text) const { return requestAction(text.c_str()); }
+  bool requestAction(const __FlashStringHelper *text) const;
 
   /** Refuses the message: the action is unknown or malformed. */
   void refuse() { javino_link_finish(&board_.link, false); }
@@ -308,6 +311,7 @@ public:
    */
   bool sendMsg(const char *text) { return javino_board_send(&board_, text, strlen(text)); }
   bool sendMsg(const String &text) { return javino_board_send(&board_, text.c_str(), text.length()); }
+  bool sendMsg(const __FlashStringHelper *text);
   ///@}
 
   /** @name As earlier libraries spelt them */
@@ -366,6 +370,19 @@ private:
   void handle();
   bool carryOutAction();
 
+  /** As javino_percept_begin. */
+  bool begins(const __FlashStringHelper *functor);
+
+  /** Writes a percept's terms and ends it. */
+  template <typename... Terms> bool write(Terms... terms) {
+    char before = '(';
+    const bool each[] = {true, (javino_percept_put(&board_, before), before = ',', term(terms), true)...};
+    (void)each;
+    if (before == ',')
+      javino_percept_put(&board_, ')');
+    return javino_percept_end(&board_);
+  }
+
   void term(bool value) { javino_percept_text(&board_, value ? "true" : "false"); }
   void term(char value);
   void term(signed char value) { term(static_cast<long>(value)); }
@@ -386,7 +403,7 @@ private:
   void term(float value) { term(static_cast<double>(value)); }
   void term(const char *value) { javino_percept_term(&board_, value); }
   void term(char *value) { javino_percept_term(&board_, value); }
-  void term(const __FlashStringHelper *value) { term(String(value)); }
+  void term(const __FlashStringHelper *value);
   /* Any other pointer would be a truth value. */
   template <typename Other> void term(Other *) = delete;
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }

@@ -95,6 +95,17 @@ JAVINO_NOINLINE void *javino_board_take(javino_board *board, uint16_t size)
     return d->bytes + board->memory;
 }
 
+void *javino_board_take_front(javino_board *board, uint16_t size)
+{
+    javino_decoder *d = &board->link.decoder;
+    uint8_t *front = d->bytes;
+    if (d->end || !javino_board_take(board, size))
+        return NULL;
+    d->bytes += size;
+    javino_board_clear(board);
+    return front;
+}
+
 bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length)
 {
     const char *p = board->link.text;

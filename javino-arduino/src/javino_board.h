@@ -114,6 +114,13 @@ bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_
 void *javino_board_take(javino_board *board, uint16_t size);
 
 /**
+ * Takes bytes away from the beginning of the memory, before the first byte arrives.
+ *
+ * @return the bytes, or NULL if too few would be left, percepts are being written or something has arrived
+ */
+void *javino_board_take_front(javino_board *board, uint16_t size);
+
+/**
  * As javino_link_poll. An answer that was begun and not sent is ended if a part of it has gone out, and otherwise
  * forgotten. Percepts that nobody has asked for wait for the next answer, or are forgotten where they do not fit there.
  */

@@ -428,13 +428,11 @@ bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (
 {
     struct javino_rules *r;
     uint16_t bytes = (uint16_t)(sizeof *r + size + 2 * ALIGNMENT - 2);
-    javino_decoder *d = &board->link.decoder;
-    uint8_t *memory = d->bytes;
+    uint8_t *memory;
     bytes -= bytes % ALIGNMENT;
-    if (d->end || !javino_board_take(board, bytes))
+    memory = javino_board_take_front(board, bytes); /* The program's actions lie at the end, without a gap. */
+    if (!memory)
         return false;
-    d->bytes += bytes; /* In front, since the program's actions lie at the end, without a gap. */
-    javino_board_clear(board);
     r = (struct javino_rules *)(memory + (ALIGNMENT - (uintptr_t)memory % ALIGNMENT) % ALIGNMENT);
     memset(r, 0, sizeof *r);
     r->act = act;

@@ -723,6 +723,42 @@ TEST_CASE("a function is called for unknown actions, which are refused or which 
   }
 }
 
+TEST_CASE("texts may lie in flash") {
+  Board board;
+  board.javino.act[F("ledOn")] = ledOn;
+  board.javino.act[F("off")] = [](JavinoBoard &) { done.push_back("off"); };
+  CHECK(board.javino.onAction(F("turn"), turn, 2));
+  CHECK(board.javino.onAction(F("is"), [](JavinoBoard &, const JavinoArguments &of) { return of.is(0, F("a b")) && !of.is(0, F("a")); }));
+  board.javino.act[F("ledOn")]();
+  board.javino.act["off"]();
+  CHECK(board.javino.act.count() == 4);
+  CHECK(done == std::vector<std::string>{"ledOn", "off"});
+  board.javino.perceive([](JavinoBoard &of) {
+    of.percept(F("light"), F("front"), F("a \"b\""), 3);
+    of.percept(F("up"));
+    if (of.wants(F("dark")))
+      of.addPercept(F("dark(2)"));
+  });
+  CHECK(board.run(frame1("getPercepts")) == frame1("light(front,\"a \\\"b\\\"\",3);up;dark(2);"));
+  CHECK(board.run(frame1("getPercepts(up)")) == frame1("up;"));
+  board.begin();
+  CHECK(board.run(command(0, "turn(left,3)")) == ack(1));
+  CHECK(board.run(command(1, "is(\"a b\")")) == ack(2));
+  CHECK(board.run(command(2, "ledOn")) == ack(3));
+  CHECK(board.run(frame2(0x30, 3, "\x81")) == ack(4));
+  CHECK(done == std::vector<std::string>{"ledOn", "off", "turn 3", "ledOn", "off"});
+  Serial.receive(command(4, "later"));
+  CHECK(board.javino.availableMsg());
+  CHECK(board.javino.requestAction(F("later")));
+  CHECK(!board.javino.requestAction(F("late")));
+  CHECK(board.javino.sendMsg(F("told(1);")));
+  // With a message in hand there is no room for a name.
+  board.javino.act[F("more")] = ledOn;
+  CHECK(board.javino.act.full());
+  CHECK(!board.javino.onAction(F("more"), ledOn));
+  CHECK(board.javino.act.count() == 4);
+}
+
 TEST_CASE("version 1: no function is called for what may be the beginning of an action") {
   Board board;
   board.javino.act["ledOn"] = ledOn;

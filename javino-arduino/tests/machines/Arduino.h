@@ -24,6 +24,9 @@
 #define A4 18
 #define A5 19
 
+#define strlen_P strlen
+#define strcpy_P strcpy
+
 class __FlashStringHelper;
 #define F(text) (reinterpret_cast<const __FlashStringHelper *>(text))
 

@@ -28,6 +28,9 @@
 /* As on an Uno: 63 bytes wait. */
 #define SERIAL_RX_BUFFER_SIZE 64
 
+#define strlen_P strlen
+#define strcpy_P strcpy
+
 class __FlashStringHelper;
 #define F(text) (reinterpret_cast<const __FlashStringHelper *>(text))
 
