@@ -71,6 +71,20 @@ static bool multiplex(board *board, char **words, int count)
     return true;
 }
 
+static bool measure(sonar *sonar, const char *name, const char *cm)
+{
+    int pin = board_pin(name);
+    char *end;
+    long number = strtol(cm, &end, 10);
+    if (pin < 0)
+        return say_error("there is no such pin", name);
+    if (*end || end == cm || number < 0 || number > SONAR_MAX_CM)
+        return say_error("a distance is 0-400 cm", cm);
+    sonar_set(sonar, pin, (int)number);
+    printf("ok\n");
+    return true;
+}
+
 static int split(char *command, char **words)
 {
     int count = 0;
@@ -81,7 +95,7 @@ static int split(char *command, char **words)
     return count;
 }
 
-bool console_do(board *board, char *command)
+bool console_do(board *board, sonar *sonar, char *command)
 {
     char *words[WORDS] = {NULL};
     int count = split(command, words);
@@ -94,6 +108,8 @@ bool console_do(board *board, char *command)
         return set(board, words[1], words[2]);
     if (strcmp(words[0], "mux") == 0 && count > 1)
         return multiplex(board, words, count);
+    if (strcmp(words[0], "sonar") == 0 && count == 3)
+        return measure(sonar, words[1], words[2]);
     if (strcmp(words[0], "reset") == 0) {
         board_reset(board);
         printf("ok\n");
@@ -104,7 +120,7 @@ bool console_do(board *board, char *command)
         return true;
     }
     if (strcmp(words[0], "get") != 0 && strcmp(words[0], "watch") != 0)
-        return say_error("commands are set, get, watch, mux, time, reset and quit", words[0]);
+        return say_error("commands are set, get, watch, mux, sonar, time, reset and quit", words[0]);
     if (pin < 0)
         return say_error("there is no such pin", words[1]);
     if (strcmp(words[0], "get") == 0)

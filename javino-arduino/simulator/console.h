@@ -3,14 +3,16 @@
 #define CONSOLE_H
 
 #include "board.h"
+#include "sonar.h"
 
 /**
  * Carries out one command and prints its answer: one line that begins with ok, pin or error.
  *
+ * @param sonar    connected to the board
  * @param command  a line without its end; changed
  * @return false if it was quit
  */
-bool console_do(board *board, char *command);
+bool console_do(board *board, sonar *sonar, char *command);
 
 /** Prints what a pin does: `pin 13 high 1234.567`, the time being milliseconds since power-on. */
 void console_pin(int pin, pin_state state, double ms);

@@ -17,6 +17,7 @@
 #include "console.h"
 #include "line.h"
 #include "panel.h"
+#include "soft.h"
 #include "stepped.h"
 
 #define SLICE_NS 250000ull
@@ -26,9 +27,11 @@
 #define PANEL_NS 100000000ull
 
 static const char USAGE[] =
-    "usage: simulator [--link PATH] [--reset-on-open] [--boot-ms N] [--detached] [--panel] SKETCH.elf|SKETCH.hex\n"
+    "usage: simulator [--link PATH] [--soft RX,TX,BAUD] [--reset-on-open] [--boot-ms N] [--detached] [--panel] SKETCH.elf|SKETCH.hex\n"
     "       simulator --stepped SKETCH.elf|SKETCH.hex\n"
     "  --link PATH      a symbolic link to the serial line\n"
+    "  --soft RX,TX,BAUD\n"
+    "                   a second line, on these pins of the board, for a SoftwareSerial\n"
     "  --reset-on-open  opening the line resets the board, as on an Uno\n"
     "  --boot-ms N      after power-on and reset, the boot loader keeps the line for so long\n"
     "  --detached       go on when standard input ends\n"
@@ -38,6 +41,9 @@ static const char USAGE[] =
 typedef struct {
     const char *link;
     const char *sketch;
+    int soft_receives; /* -1: there is no second line */
+    int soft_sends;
+    unsigned soft_baud;
     bool reset_on_open;
     bool detached;
     bool panel;
@@ -48,11 +54,14 @@ typedef struct {
     options options;
     board board;
     line line;
+    line soft_line;
+    soft soft;
     uint64_t offset_ns;   /* the real time of power-on, moved by what was not made up for */
     uint64_t boots_until_ns;
     char command[256];
     size_t command_length;
     panel panel;
+    sonar sonar;
     uint64_t panel_at_ns;
 } simulator;
 
@@ -71,16 +80,34 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000000000ull + (uint64_t)now.tv_nsec;
 }
 
+/* RX,TX,BAUD */
+static bool read_soft(options *o, const char *text)
+{
+    char receives[8];
+    char sends[8];
+    char extra;
+    if (sscanf(text, "%7[^,],%7[^,],%u%c", receives, sends, &o->soft_baud, &extra) != 3)
+        return false;
+    o->soft_receives = board_pin(receives);
+    o->soft_sends = board_pin(sends);
+    return o->soft_receives >= 0 && o->soft_sends >= 0 && o->soft_receives != o->soft_sends && o->soft_baud >= 300 &&
+           o->soft_baud <= 115200;
+}
+
 static bool read_options(options *o, int count, char **words)
 {
     int i;
     memset(o, 0, sizeof *o);
+    o->soft_receives = -1;
     for (i = 1; i < count; i++) {
         if (strcmp(words[i], "--link") == 0 && i + 1 < count)
             o->link = words[++i];
         else if (strcmp(words[i], "--boot-ms") == 0 && i + 1 < count)
             o->boot_cycles = strtoull(words[++i], NULL, 10) * (BOARD_HZ / 1000);
-        else if (strcmp(words[i], "--reset-on-open") == 0)
+        else if (strcmp(words[i], "--soft") == 0 && i + 1 < count) {
+            if (!read_soft(o, words[++i]))
+                return false;
+        } else if (strcmp(words[i], "--reset-on-open") == 0)
             o->reset_on_open = true;
         else if (strcmp(words[i], "--detached") == 0)
             o->detached = true;
@@ -103,6 +130,11 @@ static void pin_changed(void *context, int pin, pin_state state, double ms)
 static void byte_sent(void *context, uint8_t byte)
 {
     line_write(&((simulator *)context)->line, byte);
+}
+
+static void soft_byte_sent(void *context, uint8_t byte)
+{
+    line_write(&((simulator *)context)->soft_line, byte);
 }
 
 /* The boot loader is not run: it takes its time, and what arrives meanwhile. */
@@ -150,6 +182,16 @@ static void take_bytes(simulator *s)
         board_receive(&s->board, bytes[i]);
 }
 
+static void take_soft_bytes(simulator *s)
+{
+    uint8_t bytes[256];
+    unsigned room = soft_room(&s->soft);
+    size_t count = line_read(&s->soft_line, bytes, room < sizeof bytes ? room : sizeof bytes);
+    size_t i;
+    for (i = 0; i < count; i++)
+        soft_receive(&s->soft, bytes[i]);
+}
+
 /* False when there are no more commands to come, or one was quit. */
 static bool take_commands(simulator *s)
 {
@@ -168,7 +210,7 @@ static bool take_commands(simulator *s)
         }
         s->command[s->command_length] = 0;
         s->command_length = 0;
-        if (!console_do(&s->board, s->command))
+        if (!console_do(&s->board, &s->sonar, s->command))
             return false;
     }
     return true;
@@ -186,7 +228,8 @@ static void show(simulator *s)
 /* Waits for something to do, at most for a slice of time. */
 static bool wait_for_work(simulator *s, bool *has_input)
 {
-    struct pollfd sources[] = {{s->line.master, POLLIN, 0}, {s->line.opens, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
+    struct pollfd sources[] = {{s->line.master, POLLIN, 0}, {s->line.opens, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0},
+                               {-1, POLLIN, 0}, {-1, POLLIN, 0}};
     struct timespec slice = {0, (long)SLICE_NS};
     int ready;
     /* Where the board has no room for more bytes, they wait in the terminal. */
@@ -194,7 +237,12 @@ static bool wait_for_work(simulator *s, bool *has_input)
         sources[0].fd = -1;
     if (!*has_input)
         sources[2].fd = -1;
-    ready = ppoll(sources, 3, &slice, NULL);
+    if (s->options.soft_receives >= 0) {
+        sources[3].fd = s->soft_line.opens;
+        if (soft_room(&s->soft) >= 256)
+            sources[4].fd = s->soft_line.master;
+    }
+    ready = ppoll(sources, 5, &slice, NULL);
     if (ready <= 0)
         return true;
     if (sources[1].revents && line_opened(&s->line) && s->options.reset_on_open) {
@@ -203,11 +251,22 @@ static bool wait_for_work(simulator *s, bool *has_input)
     }
     if (sources[0].revents & POLLIN && !booting(s))
         take_bytes(s);
+    if (sources[3].revents)
+        line_opened(&s->soft_line);
+    if (sources[4].revents & POLLIN)
+        take_soft_bytes(s);
     if (sources[2].revents && !take_commands(s)) {
         *has_input = false;
         return s->options.detached;
     }
     return true;
+}
+
+static bool open_soft(simulator *s)
+{
+    const options *o = &s->options;
+    soft_connect(&s->soft, &s->board, o->soft_receives, o->soft_sends, o->soft_baud, soft_byte_sent, s);
+    return line_open(&s->soft_line, NULL);
 }
 
 int main(int count, char **words)
@@ -223,14 +282,19 @@ int main(int count, char **words)
     }
     if (!board_load(&s.board, s.options.sketch, pin_changed, byte_sent, &s) || !line_open(&s.line, s.options.link))
         return 1;
+    sonar_connect(&s.sonar, &s.board);
+    if (s.options.soft_receives >= 0 && !open_soft(&s))
+        return 1;
     signal(SIGINT, end);
     signal(SIGTERM, end);
     signal(SIGPIPE, SIG_IGN);
     setvbuf(stdout, NULL, _IOLBF, 0);
     if (s.options.panel)
-        panel_open(&s.panel, &s.board, s.options.link ? s.options.link : s.line.path);
+        panel_open(&s.panel, &s.board, &s.sonar, s.options.link ? s.options.link : s.line.path);
     else
         printf("port %s\n", s.options.link ? s.options.link : s.line.path);
+    if (s.options.soft_receives >= 0)
+        printf("second port %s\n", s.soft_line.path);
     s.offset_ns = now_ns();
     boot(&s);
     while (runs && !ended && wait_for_work(&s, &has_input)) {
@@ -238,6 +302,8 @@ int main(int count, char **words)
         show(&s);
     }
     line_close(&s.line);
+    if (s.options.soft_receives >= 0)
+        line_close(&s.soft_line);
     if (s.options.panel)
         panel_close(&s.panel);
     if (!runs)

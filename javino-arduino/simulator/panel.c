@@ -61,8 +61,8 @@ static void describe(const panel *p, int pin, char *text, size_t size)
         snprintf(text, size, "%s out %s", name, state.kind == PIN_HIGH ? "HIGH" : "low");
     else if (input >= 0 && (b->converted[input] || p->is_set[pin]))
         snprintf(text, size, "%s in %d", name, value_of(b->millivolts[input][0]));
-    else if (pin < BOARD_PINS && p->sonar.pins[pin].is_echo)
-        snprintf(text, size, "%s in %dcm", name, p->sonar.pins[pin].cm);
+    else if (pin < BOARD_PINS && p->sonar->pins[pin].is_echo)
+        snprintf(text, size, "%s in %dcm", name, p->sonar->pins[pin].cm);
     else if (pin < BOARD_PINS && is_digital_input(p, pin))
         snprintf(text, size, "%s in %s", name, board_level(b, pin) ? "HIGH" : "low");
 }
@@ -153,7 +153,7 @@ static bool set_number(panel *p, const char *setting, int pin, long number, cons
     if (strcasecmp(unit, "cm") == 0) {
         if (pin >= BOARD_PINS || number < 0 || number > SONAR_MAX_CM)
             return refuse(p, setting, "an HC-SR04 measures up to 400 cm; 0cm is nothing in sight");
-        sonar_set(&p->sonar, pin, (int)number);
+        sonar_set(p->sonar, pin, (int)number);
         return true;
     }
     if (*unit)
@@ -262,12 +262,12 @@ static bool take_keys(struct termios *before)
     return tcsetattr(STDIN_FILENO, TCSANOW, &keys) == 0;
 }
 
-void panel_open(panel *p, board *board, const char *port)
+void panel_open(panel *p, board *board, sonar *sonar, const char *port)
 {
     memset(p, 0, sizeof *p);
     p->board = board;
     p->port = port;
-    sonar_connect(&p->sonar, board);
+    p->sonar = sonar;
     p->is_drawn = isatty(STDOUT_FILENO) && is_capable();
     p->is_typed = take_keys(&p->keyboard);
     printf("port %s\nin an agent: argo.port(\"%s\"); at the console: ./argo tools monitor %s\n%s\n", port, port, port, HELP);

@@ -13,7 +13,7 @@
 typedef struct {
     board *board;
     const char *port;
-    sonar sonar;
+    sonar *sonar;
     bool is_drawn;                   /* on a terminal, as a line that is redrawn */
     bool is_typed;                   /* the keyboard's settings are changed */
     struct termios keyboard;         /* as they were */
@@ -24,8 +24,8 @@ typedef struct {
     size_t typed_length;
 } panel;
 
-/** Prints the port's name and how inputs are set, and begins to show the pins of a board. */
-void panel_open(panel *panel, board *board, const char *port);
+/** Prints the port's name and how inputs are set, and begins to show the pins of a board. The sonar is connected to it. */
+void panel_open(panel *panel, board *board, sonar *sonar, const char *port);
 
 /** Shows what has changed. Meant to be called some ten times a second. */
 void panel_look(panel *panel);

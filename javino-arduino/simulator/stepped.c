@@ -62,12 +62,12 @@ static bool run(board *board, const char *command)
     return true;
 }
 
-static bool carry_out(board *board, char *command, bool *runs)
+static bool carry_out(board *board, sonar *sonar, char *command, bool *runs)
 {
     if (strncmp(command, "run ", 4) == 0)
         return *runs = run(board, command);
     if (strncmp(command, "send ", 5) != 0)
-        return console_do(board, command);
+        return console_do(board, sonar, command);
     if (send(board, command))
         printf("ok\n");
     return true;
@@ -76,12 +76,14 @@ static bool carry_out(board *board, char *command, bool *runs)
 bool stepped_run(const char *sketch)
 {
     static board board;
+    static sonar sonar;
     static char command[16384]; /* a send of all bytes that the line holds */
     bool runs = true;
     if (!board_load(&board, sketch, pin_changed, byte_left, NULL))
         return false;
+    sonar_connect(&sonar, &board);
     board_foretell(&board, byte_sent);
-    while (fgets(command, sizeof command, stdin) && carry_out(&board, command, &runs))
+    while (fgets(command, sizeof command, stdin) && carry_out(&board, &sonar, command, &runs))
         fflush(stdout);
     fflush(stdout);
     return runs;

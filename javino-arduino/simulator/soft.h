@@ -1,0 +1,40 @@
+/** @file A serial line on two pins of the board, for sketches with SoftwareSerial: 8 data bits, no parity, one stop bit. */
+#ifndef SOFT_H
+#define SOFT_H
+
+#include "board.h"
+
+/** What is on the line. The members are private. */
+typedef struct {
+    board *board;
+    int receives; /* the board's pins */
+    int sends;
+    avr_cycle_count_t bit;
+    byte_sink sink;
+    void *context;
+    uint8_t in[1024]; /* bytes to the board */
+    unsigned in_begin;
+    unsigned in_end;
+    unsigned bits; /* of the byte on its way to the board, the next one lowest */
+    int bits_left;
+    int taken; /* bits of the byte on its way from the board */
+    uint8_t byte;
+} soft;
+
+/**
+ * Connects the line.
+ *
+ * @param receives  the pin on which the board receives
+ * @param sends     the pin on which it sends
+ * @param baud      the rate, which is the sketch's
+ * @param sink      called with each byte that the board has sent whole
+ */
+void soft_connect(soft *soft, board *board, int receives, int sends, unsigned baud, byte_sink sink, void *context);
+
+/** @return how many bytes soft_receive takes at present */
+unsigned soft_room(const soft *soft);
+
+/** Sends a byte to the board, behind those before. */
+void soft_receive(soft *soft, uint8_t byte);
+
+#endif
