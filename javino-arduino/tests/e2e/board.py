@@ -226,14 +226,17 @@ class Board:
             simulator_of(self.kind, program, *options), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)
         self.buffer = b""
         self.pins = []  # (pin, state, ms) of watched pins, oldest first
-        self.port = self._next_line().split()[1]
+        self.port = self._next_line().split()[-1]
         self.line = Line(self.port)
+        self.second = Line(self._next_line().split()[-1]) if "--soft" in options else None
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
         self.line.close()
+        if self.second:
+            self.second.close()
         self.process.stdin.close()
         if self.process.wait(PATIENCE) != 0:
             raise AssertionError("the simulator has failed")

@@ -10,7 +10,7 @@ import select
 import sys
 import time
 
-from board import Board, Session, commands, frame1, frames, kind_of, version1
+from board import PATIENCE, Board, Session, commands, frame1, frames, kind_of, version1
 from cases import check, damage_one_in_200, equal, texts
 
 
@@ -191,6 +191,134 @@ def sketches_for_earlier_libraries_run():
         board.line.ready()
         board.line.write(frame1(b"lampOn"))
         equal(board.line.ask(), "light(511);lamp(1);")
+
+
+def the_distance_of_a_sonar_is_a_percept():
+    with Board("Ultrasonic") as board:
+        board.line.ready()
+        await_answer(board.line, "silent(sonar);")
+        session = Session(board.line)
+        for cm in (30, 5, 250, 400):
+            board.command(f"sonar 2 {cm}")
+            await_answer(session, f"dist({cm});")
+        board.command("sonar 2 0")
+        await_answer(session, "clear;")
+        # Under a stream of requests, whose bytes interrupt too.
+        board.command("sonar 2 77")
+        await_answer(session, "dist(77);")
+        seen = {session.ask() for _ in range(50)}
+        equal(seen - {"dist(76);", "dist(77);", "dist(78);"}, set())
+
+
+def a_servo_is_sent_pulses_of_the_angle_that_it_goes_to():
+    with Board("ServoArm") as board:
+        board.line.ready()
+        session = Session(board.line)
+        equal(session.ask(), "angle(90);")
+        board.watch(9)
+        check(abs(pulse(board) - 1472) < 20, "the pulse of 90 degrees has another length")
+        for refused in ("angle(181)", "angle(-1)", "angle(x)", "angle"):
+            session.send(refused)
+            equal(session.refused, True)
+        begin = float(board.command("time"))
+        equal((session.send("angle(150)"), session.refused), (1, False))
+        check("moving;" in session.ask(), "the arm does not move")
+        await_answer(session, "angle(150);")
+        took = float(board.command("time")) - begin
+        check(600 <= took < 1500, f"60 degrees took {took} ms")
+        check(abs(pulse(board) - 2091) < 20, "the pulse of 150 degrees has another length")
+        # Without a word from the computer the arm stays where it is.
+        session.send("angle(0)")
+        begin = float(board.command("time"))
+        while float(board.command("time")) < begin + 1300:
+            time.sleep(0.01)
+        angle = int(session.ask().split("(")[1].split(")")[0])
+        check(20 <= angle <= 60, f"the arm stopped at {angle}")
+        equal(session.ask(), f"angle({angle});")
+
+
+def pulse(board):
+    """The length in microseconds of a pulse on pin 9 that begins from now on."""
+    board.pins.clear()
+    board.await_pin(9, "low")
+    rose = board.await_pin(9, "high")
+    return (board.await_pin(9, "low") - rose) * 1000
+
+
+def a_pressed_button_is_reported_unasked():
+    with Board("Button") as board:
+        board.command("set 3 high")
+        board.line.ready()
+        equal(board.line.ask(), "pressed(0);")
+        for n in (1, 2, 3):
+            board.command("set 3 low")
+            equal(board.line.message(), f"pressed({n});")
+            hold(board, 30)
+            board.command("set 3 high")
+            hold(board, 30)
+        equal(board.line.messages(0.2), [])
+        equal(Session(board.line).ask(), "pressed(3);")
+
+
+def hold(board, ms):
+    begin = float(board.command("time"))
+    while float(board.command("time")) < begin + ms:
+        time.sleep(0.005)
+
+
+def the_agents_line_may_be_on_two_other_pins():
+    with Board("SoftwareLine", "--soft", "10,11,9600") as board:
+        agent = board.second
+        agent.ready()
+        equal(agent.ask(), "led(off);")
+        session = Session(agent)
+        board.watch(13)
+        for n in range(20):
+            state = ("on", "off")[n % 2]
+            equal((session.send("led" + state.capitalize()), session.refused), (1, False))
+            equal(session.ask(), f"led({state});")
+        board.await_pin(13, "high")
+        equal(read_text(board.line, "off\r\n", 10).count("on\r\n"), 10)
+
+
+def read_text(line, part, times):
+    """What a port prints until this part was there so many times."""
+    text, until = "", time.monotonic() + PATIENCE
+    while text.count(part) < times:
+        check(time.monotonic() < until, f"printed was {text!r}")
+        if select.select([line.fd], [], [], 0.1)[0]:
+            text += os.read(line.fd, 4096).decode("latin1")
+    return text
+
+
+def two_computers_have_a_conversation_each():
+    with Board("TwoComputers", "--soft", "10,11,9600") as board:
+        board.command("set A0 2500")
+        board.line.ready()
+        board.second.ready()
+        driver, watcher = Session(board.line), Session(board.second)
+        board.watch(5)
+        for n in range(10):
+            equal((driver.send(f"speed({100 + n})"), driver.refused), (1, False))
+            board.await_pin(5, f"pwm {100 + n}")
+            equal(watcher.ask(), f"motor({100 + n});light(511);")
+            watcher.send("speed(9)")
+            equal(watcher.refused, True)
+            equal((watcher.send("stop"), watcher.refused), (1, False))
+            board.await_pin(5, "low")
+            equal(driver.ask(), "motor(0);")
+        driver.send("speed(200)")
+        board.await_pin(5, "pwm 200")
+        # The watcher alone does not keep the motor going.
+        board.await_pin(5, "low")
+        equal(watcher.ask("(motor)"), "motor(0);")
+
+
+def await_answer(asked, expected):
+    """Asks until the answer is this one."""
+    end = time.monotonic() + PATIENCE
+    while (found := asked.ask()) != expected:
+        check(time.monotonic() < end, f"the answer was {found}, not {expected}")
 
 
 def a_robot_without_arduino_does_the_same():
@@ -480,6 +608,11 @@ CASES = [
     opening_the_line_resets_the_board_and_readiness_is_an_answer,
     messages_of_255_bytes_go_both_ways,
     sketches_for_earlier_libraries_run,
+    the_distance_of_a_sonar_is_a_percept,
+    a_servo_is_sent_pulses_of_the_angle_that_it_goes_to,
+    a_pressed_button_is_reported_unasked,
+    the_agents_line_may_be_on_two_other_pins,
+    two_computers_have_a_conversation_each,
     no_frame_is_lost_while_the_loop_stalls,
     a_slow_command_is_carried_out_once,
     an_outcome_is_reported_later_and_the_board_goes_on,

@@ -4,5 +4,6 @@
 #include <Arduino.h>
 
 FakeSerial Serial;
+FakeSerial Serial1;
 unsigned long stub_millis;
-int stub_pins[32];
+int stub_pins[40];

@@ -27,6 +27,17 @@
 #define A3 17
 /* As on an Uno: 63 bytes wait. */
 #define SERIAL_RX_BUFFER_SIZE 64
+#define A4 18
+#define A5 19
+#define CHANGE 3
+#define digitalPinToInterrupt(pin) (pin)
+
+#if defined(ESP32) || defined(ESP8266)
+#define IRAM_ATTR
+#endif
+#ifdef ESP32
+#include "esp32/freertos/FreeRTOS.h"
+#endif
 
 #define strlen_P strlen
 #define strcpy_P strcpy
@@ -90,6 +101,7 @@ public:
   int writes = 0;
 
   void begin(unsigned long rate) { baud = rate; }
+  template <typename Value> void print(const Value &) {}
   template <typename Value> void println(const Value &) {}
   void receive(const std::string &bytes) { in.insert(in.end(), bytes.begin(), bytes.end()); }
   std::string sent() { std::string bytes; bytes.swap(out); return bytes; }
@@ -125,14 +137,19 @@ public:
 
 #ifndef STUB_WITHOUT_SERIAL
 extern FakeSerial Serial;
+extern FakeSerial Serial1;
 #endif
 extern unsigned long stub_millis;
-extern int stub_pins[32];
+extern int stub_pins[40];
 
 inline unsigned long millis() { return stub_millis; }
+inline unsigned long micros() { return stub_millis * 1000; }
 inline void delay(unsigned long ms) { stub_millis += ms; }
 inline void delayMicroseconds(unsigned) {}
 inline unsigned long pulseIn(int pin, int, unsigned long) { return (unsigned long)stub_pins[pin]; }
+inline void attachInterrupt(int, void (*)(), int) {}
+inline void noInterrupts() {}
+inline void interrupts() {}
 inline void pinMode(int, int) {}
 inline void digitalWrite(int pin, int value) { stub_pins[pin] = value; }
 inline int digitalRead(int pin) { return stub_pins[pin]; }

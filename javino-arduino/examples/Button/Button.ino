@@ -1,0 +1,60 @@
+// A button that is reported when it is pressed: the board sends the percept by itself, and nobody has to ask.
+//
+//   wiring    a button from pin 3 to GND; the LED of the board
+//   actions   ledOn, ledOff
+//   percepts  pressed(N) when the button is pressed for the Nth time
+//   agent     !start.
+//             +!start <- argo.port(ttyACM0, [mode(listen)]); argo.percepts(open).
+//             +pressed(N) <- .print("pressed ", N, " times"); argo.act(ledOn).
+//
+// mode(listen) has the computer ask for nothing. Without it the agent asks too, and a press is perceived all the same. What is sent while
+// no computer listens is lost, so what must not be lost is a percept of look(), as the number of presses is here.
+
+#include <Javino.h>
+
+const uint8_t BUTTON = 3;
+const unsigned long BOUNCE_MS = 20;
+
+Javino javino;
+unsigned int presses = 0;
+bool isDown = false;
+unsigned long changed = 0;
+
+void ledOn() {
+  digitalWrite(LED_BUILTIN, HIGH);
+}
+
+void ledOff() {
+  digitalWrite(LED_BUILTIN, LOW);
+}
+
+void look() {
+  javino.percept("pressed", presses);
+}
+
+void watchButton() {
+  bool isDownNow = digitalRead(BUTTON) == LOW;
+  if (isDownNow == isDown || millis() - changed < BOUNCE_MS)
+    return;
+  changed = millis();
+  isDown = isDownNow;
+  if (!isDown)
+    return;
+  presses++;
+  look();
+  javino.sendPercepts();
+}
+
+void setup() {
+  pinMode(BUTTON, INPUT_PULLUP);
+  pinMode(LED_BUILTIN, OUTPUT);
+  javino.act["ledOn"] = ledOn;
+  javino.act["ledOff"] = ledOff;
+  javino.perceive(look);
+  javino.start(9600);
+}
+
+void loop() {
+  watchButton();
+  javino.run();
+}

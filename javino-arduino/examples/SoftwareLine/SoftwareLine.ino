@@ -1,0 +1,51 @@
+// An Uno has one serial port. Here the agent's line is on two other pins, where a Bluetooth module HC-05 or a Raspberry Pi is, and the port
+// of USB shows on the serial monitor what happens.
+//
+//   wiring    the far end's TX to pin 10, its RX to pin 11, GND to GND. A far end of 3.3 V takes no 5 V:
+//             two resistors divide pin 11's voltage
+//   actions   ledOn, ledOff
+//   percepts  led(on) or led(off)
+//   agent     !start.
+//             +!start <- argo.port(rfcomm0, [baud(9600)]); argo.percepts(open).
+//             +led(off) <- argo.act(ledOn).
+//             +led(on) <- argo.act(ledOff).
+//
+// SoftwareSerial hears nothing while it sends. In version 2 the computer sends again what was lost, so keep answers short, and 9600 baud or
+// less. For AVR and ESP8266; boards with more ports do without, see SecondPort. On a Mega receive on one of the pins 10-15, 50-53, A8-A15.
+
+#include <Javino.h>
+#include <SoftwareSerial.h>
+
+SoftwareSerial line(10, 11);  // receives, sends
+Javino javino(line);
+
+void setLed(bool on) {
+  digitalWrite(LED_BUILTIN, on ? HIGH : LOW);
+  Serial.println(on ? "on" : "off");
+}
+
+void ledOn() {
+  setLed(true);
+}
+
+void ledOff() {
+  setLed(false);
+}
+
+void look() {
+  javino.percept("led", digitalRead(LED_BUILTIN) ? "on" : "off");
+}
+
+void setup() {
+  pinMode(LED_BUILTIN, OUTPUT);
+  Serial.begin(115200);
+  Serial.println("ready");
+  javino.act["ledOn"] = ledOn;
+  javino.act["ledOff"] = ledOff;
+  javino.perceive(look);
+  javino.start(9600);
+}
+
+void loop() {
+  javino.run();
+}
