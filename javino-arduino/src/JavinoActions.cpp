@@ -25,9 +25,10 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
 
 const char *JavinoActions::keep(const __FlashStringHelper *name) {
   const char *text = reinterpret_cast<const char *>(name);
-  char *kept = static_cast<char *>(javino_board_take_front(board_, static_cast<uint16_t>(strlen_P(text) + 1)));
+  uint16_t size = static_cast<uint16_t>(strlen_P(text) + 1);
+  char *kept = static_cast<char *>(javino_board_take_front(board_, size));
   if (kept)
-    strcpy_P(kept, text);
+    memcpy_P(kept, text, size);
   else
     full_ = true;
   return kept;

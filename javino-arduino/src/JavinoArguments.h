@@ -7,7 +7,7 @@
 /** Declares a copy, on the stack, of a text in flash; such texts take no heap. */
 #define JAVINO_COPY(copy, in_flash) \
   char copy[strlen_P(reinterpret_cast<const char *>(in_flash)) + 1]; \
-  strcpy_P(copy, reinterpret_cast<const char *>(in_flash))
+  memcpy_P(copy, reinterpret_cast<const char *>(in_flash), sizeof copy)
 
 /**
  * The arguments of an action, in the order the agent wrote them: in `move(left, 30)` argument 0 is the atom

@@ -40,7 +40,7 @@
 #endif
 
 #define strlen_P strlen
-#define strcpy_P strcpy
+#define memcpy_P memcpy
 
 class __FlashStringHelper;
 #define F(text) (reinterpret_cast<const __FlashStringHelper *>(text))
