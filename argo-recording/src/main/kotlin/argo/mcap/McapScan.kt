@@ -77,6 +77,10 @@ internal class McapScan(private val input: McapInput) {
 
     /** Takes the record of kind [op] that begins at [start], with its content at [at]. */
     private fun take(op: Int, start: Long, at: Long, length: Long) {
+        if (op == Op.FOOTER) {
+            if (!isDataOver) contents.problem("the record is missing that ends the messages; the file is damaged before byte $start")
+            checkSummary(input.read(at, length), at)
+        }
         if (isDataOver) return
         when (op) {
             Op.HEADER -> contents.library = input.read(at, length).run { text(); text() }
@@ -86,7 +90,23 @@ internal class McapScan(private val input: McapInput) {
             Op.CHUNK -> chunk(at, length)
             Op.ATTACHMENT -> attachment(at, length)
             Op.METADATA -> input.read(at, length).run { contents.metadata += McapMetadata(text(), map()) }
-            Op.DATA_END -> isDataOver = true
+            Op.DATA_END -> {
+                isDataOver = true
+                checkSum(0, start, input.read(at, length).u32())
+            }
+        }
+    }
+
+    private fun checkSummary(footer: ByteBuffer, at: Long) {
+        val start = footer.u64()
+        footer.u64()
+        if (start >= at) throw McapException("the place of the summary is damaged")
+        if (start > 0) checkSum(start, at + footer.position(), footer.u32())
+    }
+
+    private fun checkSum(from: Long, until: Long, checksum: Long) {
+        if (checksum != 0L && checksum != input.checksum(from, until - from)) {
+            throw McapException("something between byte $from and here is damaged: the checksum is wrong")
         }
     }
 

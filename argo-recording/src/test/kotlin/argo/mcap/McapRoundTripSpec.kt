@@ -13,9 +13,6 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.long
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
-import java.nio.channels.FileChannel
-import java.nio.file.Path
-import java.nio.file.StandardOpenOption
 
 private class Written(val channel: Int, val timeNs: Long, val data: ByteArray) {
     override fun toString() = "$channel@$timeNs: ${data.toList()}"
@@ -28,9 +25,6 @@ private val messages = Arb.list(
     0..60,
 )
 
-private fun write(path: Path, chunkBytes: Int, write: McapWriter.() -> Unit) =
-    McapWriter(FileChannel.open(path, StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING), chunkBytes = chunkBytes).use(write)
-
 private fun McapWriter.channels() {
     val schema = schema("argo.Test", """{"type":"object"}""")
     listOf("/a", "/b", "/ü").forEach { channel(it, schema, mapOf("agent" to it)) }
@@ -39,8 +33,9 @@ private fun McapWriter.channels() {
 class McapRoundTripSpec : FunSpec({
     test("what is written is read: messages in their order, channels, schemas, attachments and metadata") {
         val file = tempfile(suffix = ".mcap").toPath()
-        checkAll(200, messages, Arb.int(1..2_000), Arb.string(0..20), Arb.byteArray(Arb.int(0..300), Arb.byte())) { all, chunk, text, data ->
-            write(file, chunk) {
+        val bytes = Arb.byteArray(Arb.int(0..300), Arb.byte())
+        checkAll(200, messages, Arb.int(1..2_000), Arb.string(0..20), bytes) { all, chunk, text, data ->
+            writeMcap(file, chunk) {
                 metadata("versions", mapOf("argo" to text, "java" to "17"))
                 attachment(text, "text/plain", data, 7)
                 channels()
@@ -59,7 +54,9 @@ class McapRoundTripSpec : FunSpec({
                 read.times shouldBe all.map { it.timeNs }.let { times -> times.minOrNull()?.rangeTo(times.max()) }
                 read.messages().map { Triple(it.channel.id, it.logTimeNs, it.data.toList()) }.toList() shouldBe
                     all.map { Triple(it.channel, it.timeNs, it.data.toList()) }
-                read.messages().groupBy { it.channel.id }.values.forEach { of -> of.map { it.sequence } shouldBe of.indices.map(Int::toLong) }
+                read.messages().groupBy { it.channel.id }.values.forEach { ofOne ->
+                    ofOne.map { it.sequence } shouldBe ofOne.indices.map(Int::toLong)
+                }
             }
         }
     }
@@ -67,7 +64,7 @@ class McapRoundTripSpec : FunSpec({
     test("messages are found by time and topic") {
         val file = tempfile(suffix = ".mcap").toPath()
         checkAll(100, messages, Arb.int(1..500), Arb.long(0L..1_000L), Arb.long(0L..1_000L)) { all, chunk, from, until ->
-            write(file, chunk) {
+            writeMcap(file, chunk) {
                 channels()
                 all.forEach { message(it.channel, it.timeNs, it.timeNs, it.data) }
             }

@@ -9,8 +9,8 @@ internal class ChannelWriter(private val writer: McapWriter) {
 
     fun message(channel: RecordChannel, timeNs: Long, data: ByteArray) {
         val number = channels.getOrPut(channel) {
-            val schema = schemas.getOrPut(channel.schemaName to channel.jsonSchema) { writer.schema(channel.schemaName, channel.jsonSchema) }
-            writer.channel(channel.topic, schema)
+            val schema = channel.schemaName to channel.jsonSchema
+            writer.channel(channel.topic, schemas.getOrPut(schema) { writer.schema(channel.schemaName, channel.jsonSchema) })
         }
         writer.message(number, timeNs, timeNs, data)
     }

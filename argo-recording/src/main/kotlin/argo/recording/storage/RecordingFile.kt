@@ -79,7 +79,11 @@ class RecordingFile internal constructor(
         var flushAt = System.nanoTime() + flushNs
         while (true) {
             val batch = waiting.take(flushAt - System.nanoTime()) ?: return
-            batch.forEach { write(it, writer, messages) }
+            try {
+                batch.forEach { write(it, writer, messages) }
+            } finally {
+                release(batch) // also those behind what could not be written
+            }
             if (System.nanoTime() - flushAt < 0) continue
             store(writer)
             flushAt = System.nanoTime() + flushNs
@@ -91,12 +95,11 @@ class RecordingFile internal constructor(
             is Waiting.Message -> messages.message(next.channel, next.timeNs, next.data)
             is Waiting.Attachment -> writer.attachment(next.name, next.mediaType, next.data)
             is Waiting.Metadata -> writer.metadata(next.name, next.values)
-            is Waiting.Flush -> {
-                store(writer)
-                next.done.countDown()
-            }
+            is Waiting.Flush -> store(writer)
         }
     }
+
+    private fun release(batch: List<Waiting>) = batch.forEach { if (it is Waiting.Flush) it.done.countDown() }
 
     private fun store(writer: McapWriter) {
         if (writer.pendingBytes == 0) return
@@ -108,10 +111,10 @@ class RecordingFile internal constructor(
         waiting.close()
         runCatching { channel.use { it.truncate(wholeBytes) } } // what cannot be cut off is skipped by readers
         warn(
-            "the recording $path ends here, since it cannot be written: ${failure.message ?: failure}. The agent runs on without; the file " +
-                "can be read up to its last chunk. Is the disk full? Free some space, or record to another disk",
+            "the recording $path ends here, since it cannot be written: ${failure.message ?: failure}. The agent runs on without, and " +
+                "the file can be read up to here. Is the disk full? Free some space, or record to another disk",
         )
-        while (true) waiting.take(0)?.forEach { if (it is Waiting.Flush) it.done.countDown() } ?: return
+        while (true) release(waiting.take(0) ?: return)
     }
 
     companion object {

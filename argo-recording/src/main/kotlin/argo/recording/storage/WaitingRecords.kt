@@ -16,8 +16,8 @@ internal sealed interface Waiting {
 }
 
 /**
- * Records on their way to the thread that writes them, at most [maxBytes] of messages. Those that find no room become a [Gap], in their place
- * among the others. Any thread may call; the lock is never held while something is written.
+ * Records on their way to the thread that writes them, at most [maxBytes] of messages. Those that find no room become a [Gap], in their
+ * place among the others. Any thread may call; the lock is never held while something is written.
  */
 internal class WaitingRecords(private val maxBytes: Long) {
     private val lock = ReentrantLock()
