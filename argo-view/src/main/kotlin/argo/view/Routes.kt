@@ -2,6 +2,7 @@ package argo.view
 
 import argo.filters.FilterException
 import argo.filters.FilterNotFoundException
+import argo.filters.Problem
 import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import kotlinx.serialization.Serializable
@@ -62,12 +63,17 @@ internal class Routes(private val agent: ObservedAgent) {
     } catch (missing: FilterNotFoundException) {
         HttpResponse.message(404, missing.message.orEmpty())
     } catch (refused: FilterException) {
-        HttpResponse.message(422, refused.message.orEmpty())
+        val files = refused.problems.groupBy { it.source }
+        HttpResponse.message(422, files.map { (source, problems) -> listed(source, problems) }.joinToString("\n"))
     } catch (broken: ServiceConfigurationError) {
         HttpResponse.message(500, "a filter provider on the class path cannot be used: ${broken.message}")
     } catch (broken: Exception) { // a file that cannot be read, or a provider, which is a project's own code
         HttpResponse.message(500, "looking for $what ended in $broken")
     }
+
+    /** The problems of one file, with its name once. */
+    private fun listed(source: String, problems: List<Problem>) =
+        problems.joinToString("\n", "$source is refused:\n") { "line ${it.line}, column ${it.column}: ${it.message}" }
 
     private fun explain(query: String): HttpResponse {
         val percept = query.split('&').find { it.startsWith(PERCEPT) }?.removePrefix(PERCEPT)

@@ -51,6 +51,7 @@ const PORTS = { on: 'good', off: 'bad', timeout: 'warn' };
 
 function text(element, words) { if (element.textContent !== words) element.textContent = words; }
 function showOrHide(element, words) { text(element, words || ''); element.hidden = !words; }
+function showProblem(words) { text($('problem'), words); $('trouble').hidden = !words; }
 function chip(element, words, kind) { text(element, words); element.className = `chip ${kind}`.trim(); }
 function element(tag, name) { const made = document.createElement(tag); if (name) made.className = name; return made; }
 
@@ -218,15 +219,24 @@ function showSensors(shown, since) {
   if (more) text($('sensors-words'), `${more} more percepts are not shown.`);
 }
 
+const sourcesOf = ({ sources }) => sources.join(', ') || 'self';
+
+/** Those of [beliefs] that have each word of the search in their text or source. */
+function found(beliefs) {
+  const words = $('find').value.toLowerCase().split(/\s+/).filter(Boolean);
+  return beliefs.filter(belief => words.every(word => `${belief.text} ${sourcesOf(belief)}`.toLowerCase().includes(word)));
+}
+
 function showBeliefs(shown) {
   const { beliefs, total } = shown.beliefs;
   const order = belief => (belief.sources.includes('percept') ? '1' : '0') + belief.text;
-  const sorted = [...beliefs].sort((a, b) => inOrder(order(a), order(b)));
-  text($('beliefs-count'), total ? `${total}` : '');
-  text($('beliefs-words'), total > beliefs.length ? `${total - beliefs.length} more are not shown.` : '');
-  rows($('beliefs'), sorted.map((belief, i) => [String(i), belief]), ([key]) => key, () => row(), (line, [, { text, sources }]) => fill(
-    line, text, sources.join(', ') || 'self', sources.includes('percept') ? 'good' : '',
-  ), shown.beliefs.ageMs === null ? 'Not seen yet.' : 'The agent believes nothing.');
+  const all = found(beliefs);
+  const sorted = all.sort((a, b) => inOrder(order(a), order(b)));
+  text($('beliefs-count'), all.length < beliefs.length ? `${all.length} of ${total}` : total ? `${total}` : '');
+  text($('beliefs-words'), total > beliefs.length ? `${total - beliefs.length} more are not shown, and not searched.` : '');
+  rows($('beliefs'), sorted.map((belief, i) => [String(i), belief]), ([key]) => key, () => row(), (line, [, belief]) => fill(
+    line, belief.text, sourcesOf(belief), belief.sources.includes('percept') ? 'good' : '',
+  ), shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
 }
 
 function showCommands(shown, since) {
@@ -341,12 +351,12 @@ async function ask(path, body) {
 
 async function order(path, body) {
   waits = true;
-  showOrHide($('problem'), '');
+  showProblem('');
   show();
   try {
     await ask(path, body);
   } catch (trouble) {
-    showOrHide($('problem'), trouble.message);
+    showProblem(trouble.message);
   } finally {
     waits = false;
     show();
@@ -397,7 +407,7 @@ async function loadFilters() {
   try {
     filters = (await ask('filters')).filters;
   } catch (trouble) {
-    showOrHide($('problem'), trouble.message);
+    showProblem(trouble.message);
   }
   show();
 }
@@ -438,6 +448,9 @@ $('freeze').addEventListener('click', () => {
   show();
 });
 $('percepts').addEventListener('click', () => order('percepts', { open: !(frozen ? frozen.state : state).perceiving }));
+
+$('find').addEventListener('input', show);
+$('dismiss').addEventListener('click', () => showProblem(''));
 
 $('send').addEventListener('submit', event => {
   event.preventDefault();

@@ -3,6 +3,7 @@ package argo.view
 import io.kotest.core.test.Enabled
 import org.openqa.selenium.By
 import org.openqa.selenium.OutputType
+import org.openqa.selenium.WindowType
 import org.openqa.selenium.chrome.ChromeDriver
 import org.openqa.selenium.chrome.ChromeDriverService
 import org.openqa.selenium.chrome.ChromeOptions
@@ -12,12 +13,55 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
-/** Chromium without a window, showing [address]. */
-internal class Chromium private constructor(private val driver: ChromeDriver, private val address: URI) : AutoCloseable {
-    init {
+/** Chromium without a window, for the tests of a spec: starting it takes as long as some of them. */
+internal class Chromium : AutoCloseable {
+    private val driver = start()
+
+    /** Tests the page of [address] in a window of its own, whose size and preferences are those of a new one. */
+    fun show(address: URI, test: Page.() -> Unit) {
+        val before = driver.windowHandles
+        driver.switchTo().newWindow(WindowType.WINDOW)
+        (before - driver.windowHandle).forEach { driver.switchTo().window(it).close() }
+        driver.switchTo().window(driver.windowHandles.single())
+        val page = Page(driver)
+        page.complaints() // of the page before
         driver.get("$address")
+        page.test()
     }
 
+    override fun close() = driver.quit()
+
+    companion object {
+        private val browser = program("chromium", "chromium-browser", "google-chrome")
+        private val chromeDriver = program("chromedriver")
+
+        /** Whether there is one here. */
+        val available: Enabled = when {
+            browser == null -> Enabled.disabled("needs a browser, and there is no chromium: install it with your package manager")
+            chromeDriver == null ->
+                Enabled.disabled("needs chromedriver beside chromium: install the package chromium-driver or chromium-chromedriver")
+            else -> Enabled.enabled
+        }
+
+        private fun start(): ChromeDriver {
+            val driver = checkNotNull(chromeDriver)
+            val service = ChromeDriverService.Builder().usingDriverExecutable(driver).usingAnyFreePort().withSilent(true).build()
+            val options = ChromeOptions().setBinary(checkNotNull(browser))
+            // a container's root has no sandbox to use, and a small /dev/shm
+            options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--window-size=1280,1000")
+            options.addArguments("--disable-background-networking")
+            options.setCapability("goog:loggingPrefs", mapOf("browser" to "ALL"))
+            return ChromeDriver(service, options)
+        }
+
+        private fun program(vararg names: String): File? =
+            System.getenv("PATH").orEmpty().split(File.pathSeparator).flatMap { folder -> names.map { File(folder, it) } }
+                .find { it.canExecute() }
+    }
+}
+
+/** The page in [driver]'s window. */
+internal class Page(private val driver: ChromeDriver) {
     /** What the first element that [selector] finds says. */
     fun text(selector: String): String = driver.findElement(By.cssSelector(selector)).text
 
@@ -56,7 +100,7 @@ internal class Chromium private constructor(private val driver: ChromeDriver, pr
     }
 
     /** Waits until [condition] holds of the page. */
-    fun await(condition: Chromium.() -> Boolean) {
+    fun await(condition: Page.() -> Boolean) {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_S)
         while (!condition()) {
             check(System.nanoTime() < deadline) { "not so within $DEADLINE_S s; the page says:\n${text("body")}" }
@@ -73,34 +117,7 @@ internal class Chromium private constructor(private val driver: ChromeDriver, pr
     /** What the browser complains of, such as a script that failed or a resource that was refused. */
     fun complaints(): String = driver.manage().logs().get("browser").all.joinToString("\n")
 
-    override fun close() = driver.quit()
-
-    companion object {
-        private const val DEADLINE_S = 30L
-        private val browser = program("chromium", "chromium-browser", "google-chrome")
-        private val chromeDriver = program("chromedriver")
-
-        /** Whether there is one here. */
-        val available: Enabled = when {
-            browser == null -> Enabled.disabled("needs a browser, and there is no chromium: install it with your package manager")
-            chromeDriver == null ->
-                Enabled.disabled("needs chromedriver beside chromium: install the package chromium-driver or chromium-chromedriver")
-            else -> Enabled.enabled
-        }
-
-        fun open(address: URI): Chromium {
-            val driver = checkNotNull(chromeDriver)
-            val service = ChromeDriverService.Builder().usingDriverExecutable(driver).usingAnyFreePort().withSilent(true).build()
-            val options = ChromeOptions().setBinary(checkNotNull(browser))
-            // a container's root has no sandbox to use, and a small /dev/shm
-            options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu", "--window-size=1280,1000")
-            options.addArguments("--disable-background-networking")
-            options.setCapability("goog:loggingPrefs", mapOf("browser" to "ALL"))
-            return Chromium(ChromeDriver(service, options), address)
-        }
-
-        private fun program(vararg names: String): File? =
-            System.getenv("PATH").orEmpty().split(File.pathSeparator).flatMap { folder -> names.map { File(folder, it) } }
-                .find { it.canExecute() }
+    private companion object {
+        const val DEADLINE_S = 30L
     }
 }

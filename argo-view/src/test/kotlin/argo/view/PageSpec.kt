@@ -6,7 +6,9 @@ import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
 import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
 import javino.sim.FakeBoard
 import org.openqa.selenium.Keys
 
@@ -33,19 +35,20 @@ private const val FRONT = """
 /** The page in a real browser. */
 class PageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
+    val chromium by autoClose(lazy { Chromium() })
 
-    fun shown(answer: String, test: Chromium.(ViewedMas, FakeBoard) -> Unit) = FakeBoard.plugIn("robot").use { board ->
+    fun shown(answer: String, test: Page.(ViewedMas, FakeBoard) -> Unit) = FakeBoard.plugIn("robot").use { board ->
         board.lenient().whenAsked("getPercepts").answer(answer)
         ViewedMas().use { mas ->
             mas.file("front.xml", FRONT)
             mas.agent("bob", AGENT)
-            Chromium.open(mas.viewOf("bob")).use { page ->
-                page.await {
+            chromium.show(mas.viewOf("bob")) {
+                await {
                     texts("#sensors .text").isNotEmpty() && texts("#beliefs .text").size > 2 && texts("#commands .text").size == 2
                 }
                 mas.agentView("bob").show { Picture(SVG, "73.2 cm – driving") }
-                page.await { run("return !document.getElementById('picture').hidden") }
-                page.test(mas, board)
+                await { run("return !document.getElementById('picture').hidden") }
+                test(mas, board)
             }
         }
     }
@@ -138,7 +141,27 @@ class PageSpec : FunSpec({
             mas.file("front.xml", "<PerceptionFilter><filter/></PerceptionFilter>")
             press("front")
             await { text("#problem").contains("predicate") }
+            text("#problem").lines().first() shouldEndWith "front.xml is refused:"
+            text("#problem").lines()[1] shouldStartWith "line 1, column 19: "
             texts("#filters [aria-pressed=true]") shouldBe listOf("none")
+            picture("refused")
+            press("Dismiss")
+            run<Boolean>("return document.getElementById('trouble').hidden") shouldBe true
+        }
+    }
+
+    test("beliefs are searched for words in their text and source").config(enabledOrReasonIf = browser) {
+        shown("dist(f,38);dist(b,90);light(4);") { _, board ->
+            text("#beliefs-count") shouldBe "4"
+            enter("#find", "percept F,")
+            await { texts("#beliefs .text") == listOf("dist(f,38)") && text("#beliefs-count") == "1 of 4" }
+            picture("found")
+            board.whenAsked("getPercepts").answer("dist(f,37);dist(b,90);light(4);")
+            await { texts("#beliefs .text") == listOf("dist(f,37)") }
+            enter("#find", "nothing of this")
+            await { texts("#beliefs li") == listOf("No belief has these words.") }
+            enter("#find", " ")
+            await { texts("#beliefs .text").size == 4 && text("#beliefs-count") == "4" }
         }
     }
 
@@ -214,8 +237,8 @@ class PageSpec : FunSpec({
                 eventually({ board.received() }) { "hello" in board.received() }
                 val view = mas.viewOf("bob")
                 OtherSite("$ATTACK('${view.resolve("command")}')").use { other ->
-                    Chromium.open(other.address).use { page ->
-                        page.await { run("return document.title === 'all tried'") }
+                    chromium.show(other.address) {
+                        await { run("return document.title === 'all tried'") }
                     }
                 }
                 view.post("command", """{"command":"last"}""").statusCode() shouldBe 200

@@ -41,17 +41,18 @@ private const val AHEAD = """
  */
 class SystemPageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
+    val chromium by autoClose(lazy { Chromium() })
     val pictures = Path.of("..", "docs", "pictures").takeIf { System.getProperty("argo.write.pictures") == "true" }
 
     /** Makes the picture [name] with colours of [scheme]. */
-    fun Chromium.show(name: String, scheme: String) {
+    fun Page.show(name: String, scheme: String) {
         prefer("prefers-color-scheme" to scheme, "prefers-reduced-motion" to "reduce")
         await { texts("#intentions .detail").any { it.startsWith("waits for") } }
         picture(name, pictures ?: Path.of("target", "view"))
     }
 
     /** A robot on its way to a wall, and a scout with two boards. */
-    fun system(test: Chromium.(ViewedMas, List<FakeBoard>) -> Unit) {
+    fun system(test: Page.(ViewedMas, List<FakeBoard>) -> Unit) {
         val boards = listOf("robot", "left", "right").map { FakeBoard.plugIn(it).lenient() }
         val begin = System.nanoTime()
         fun metres() = 2 - (System.nanoTime() - begin) / 1e9 / 40
@@ -68,7 +69,7 @@ class SystemPageSpec : FunSpec({
                 mas.agent("scout", SCOUT)
                 val view = mas.agentView("robot")
                 view.show { Picture(track(metres() * 100), String.format(Locale.ROOT, "%.1f cm from the wall", metres() * 100)) }
-                Chromium.open(mas.viewOf("robot")).use { it.test(mas, boards) }
+                chromium.show(mas.viewOf("robot")) { test(mas, boards) }
             }
         } finally {
             boards.forEach(FakeBoard::close)
