@@ -16,11 +16,22 @@ static bool fail(const char *what)
     return false;
 }
 
+/* Whether the link is there and leads to this pseudo-terminal. */
+static bool leads_to(const char *link, const char *path)
+{
+    char target[sizeof((line *)0)->path];
+    ssize_t length = readlink(link, target, sizeof target);
+    return length == (ssize_t)strlen(path) && memcmp(target, path, (size_t)length) == 0;
+}
+
+/* Takes the place of a link that a killed simulator has left, which leads nowhere or to its successor. */
 static bool make_link(const char *path, const char *link)
 {
     struct stat there;
-    if (lstat(link, &there) == 0 && !S_ISLNK(there.st_mode)) {
-        fprintf(stderr, "simulator: %s is there and is no symbolic link; give another path or remove it\n", link);
+    bool is_left = stat(link, &there) != 0 || leads_to(link, path);
+    if (lstat(link, &there) == 0 && !(S_ISLNK(there.st_mode) && is_left)) {
+        fprintf(stderr, "simulator: %s exists already, maybe as the port of another simulated board; end that, "
+                        "give another path with --link, or remove it\n", link);
         return false;
     }
     unlink(link);
@@ -86,7 +97,7 @@ void line_write(line *line, uint8_t byte)
 
 void line_close(line *line)
 {
-    if (line->link)
+    if (line->link && leads_to(line->link, line->path))
         unlink(line->link);
     close(line->opens);
     close(line->slave);

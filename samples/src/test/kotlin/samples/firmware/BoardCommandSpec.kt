@@ -44,6 +44,11 @@ class BoardCommandSpec : FunSpec({
             board.await("8=999cm: an HC-SR04 measures up to 400 cm")
             board.await("A0=1024: an analogue value is from 0 to 1023")
             board.await("set inputs: 7=1 a level")
+            Console("bash", "../argo", "board", "$sketch", "--link", "$link").use { other ->
+                other.await("$link exists already, maybe as the port of another simulated board")
+                other.status() shouldBe 1
+            }
+            tool("request", "$link", "getPercepts") shouldBe "light(1023);button(0);dist(front,0);\n"
             board.type("quit")
             board.status() shouldBe 0
         }
@@ -89,6 +94,7 @@ class BoardCommandSpec : FunSpec({
         Console("bash", "../argo", "board").use { it.await("board takes a sketch, such as"); it.status() shouldBe 2 }
         Console("bash", "../argo", "board", "a.ino", "b.ino").use { it.await("not also: b.ino"); it.status() shouldBe 2 }
         Console("bash", "../argo", "board", "none.ino").use { it.await("there is no sketch none.ino"); it.status() shouldBe 1 }
+        Console("bash", "../argo", "board", "pom.xml").use { it.await("a file that ends in .ino"); it.status() shouldBe 1 }
     }
 })
 
