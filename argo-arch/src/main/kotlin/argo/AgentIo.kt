@@ -7,6 +7,7 @@ import argo.boards.BoardLine
 import argo.boards.OneInstant
 import argo.boards.Perceiver
 import argo.calls.Failure
+import argo.calls.whileLost
 import argo.connecting.OpenPort
 import argo.connecting.PortOptions
 import argo.connecting.PortStates
@@ -276,7 +277,7 @@ internal class AgentIo(
         val commands = lines[port]?.commands
         if (commands != null) return coupling.submit(commands, text, options, left, report)
         left()
-        report(Failure("port_gone", "port ${port.link.port} was closed, or its device has gone"))
+        report(Failure("port_gone", "port ${port.link.port} was closed, or its device has gone").whileLost())
     }
 
     /** Takes in what is new for the agent since the last call, and returns whether [beliefs] may have changed. */

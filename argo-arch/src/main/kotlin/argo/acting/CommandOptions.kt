@@ -1,8 +1,8 @@
 package argo.acting
 
 import argo.calls.ArgumentException
-import argo.calls.optionsIn
 import argo.calls.whole
+import argo.calls.withOptions
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
@@ -28,17 +28,16 @@ internal data class CommandOptions(
          * Reads a list such as `[timeout(200), latest]`.
          * @throws ArgumentException if it is not a list of known options
          */
-        fun of(term: Term): CommandOptions =
-            optionsIn(term, "[timeout(200), latest]").fold(CommandOptions()) { options, option -> options.with(option) }
+        fun of(term: Term): CommandOptions = withOptions(CommandOptions(), term, "[timeout(200), latest]", KNOWN) { with(it) }
 
-        private fun CommandOptions.with(option: Term): CommandOptions {
+        private fun CommandOptions.with(option: Term): CommandOptions? {
             val literal = (option as? Literal)?.takeUnless { it.isVar }
             return when {
                 literal?.functor == "urgent" && literal.arity == 0 -> copy(urgent = true)
                 literal?.functor == "latest" && literal.arity == 0 -> copy(latest = true)
                 literal?.functor == "timeout" && literal.arity == 1 -> copy(timeoutMs = whole(literal, 1..MAX_MS))
                 literal?.functor == "port" && literal.arity == 1 -> copy(port = literal.getTerm(0))
-                else -> throw ArgumentException("$option is not an option; there are $KNOWN")
+                else -> null
             }
         }
     }

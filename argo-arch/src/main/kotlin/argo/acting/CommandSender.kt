@@ -2,6 +2,7 @@ package argo.acting
 
 import argo.calls.Failure
 import argo.calls.failureOf
+import argo.calls.whileLost
 import argo.links.BoardLink
 import argo.platform.Platform
 import javino.PortException
@@ -63,7 +64,7 @@ internal class CommandSender(
 
     private fun failed(trouble: Throwable): Failure {
         if (trouble is PortGoneException) lost(trouble)
-        return failureOf(trouble)
+        return failureOf(trouble).whileLost()
     }
 
     private fun writeCommands() {

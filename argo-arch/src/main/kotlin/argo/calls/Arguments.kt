@@ -18,6 +18,31 @@ internal fun optionsIn(list: Term, example: String): List<Term> =
     (list as? ListTerm)?.takeIf { it.isList && it.tail == null }?.asList
         ?: throw ArgumentException("the second argument is a list of options such as $example, not $list")
 
+/**
+ * [start] with each option in [list].
+ *
+ * @param example a list as it should be, for the message
+ * @param known the options there are, for the message
+ * @param with sets an option, or returns null for one that does not exist
+ * @throws ArgumentException as above, or with all options that cannot be used
+ */
+internal fun <T : Any> withOptions(start: T, list: Term, example: String, known: String, with: T.(Term) -> T?): T {
+    val wrong = ArrayList<String>()
+    var isUnknown = false
+    val options = optionsIn(list, example).fold(start) { options, option ->
+        val changed = try {
+            options.with(option).also { if (it == null) wrong += "$option is not an option" }
+        } catch (unusable: ArgumentException) {
+            wrong += unusable.message.orEmpty()
+            options
+        }
+        isUnknown = isUnknown || changed == null
+        changed ?: options
+    }
+    if (wrong.isNotEmpty()) throw ArgumentException(wrong.joinToString("; ") + if (isUnknown) "; there are $known" else "")
+    return options
+}
+
 /** The argument of [option], a whole number in [range]. */
 internal fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
     ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")

@@ -26,6 +26,10 @@ internal data class Failure(override val error: String, override val cause: Stri
     fun of(call: String): JasonException = JasonException("$call: $cause", ASSyntax.createAtom(error))
 }
 
+/** This failure of a command, with what becomes of a port whose device has gone. */
+internal fun Failure.whileLost(): Failure =
+    if (error == "port_gone") copy(cause = "$cause; a device that was unplugged is looked for, and its port opened again") else this
+
 /** The argument is not of the kind that the action takes. */
 internal fun wrongArgument(cause: String) = Failure("wrong_arguments", cause)
 

@@ -1,8 +1,8 @@
 package argo.connecting
 
 import argo.calls.ArgumentException
-import argo.calls.optionsIn
 import argo.calls.whole
+import argo.calls.withOptions
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import javino.LinkSettings
@@ -44,7 +44,7 @@ internal data class PortOptions(
          * Reads a list such as `[baud(115200), timeout(500)]`.
          * @throws ArgumentException if it is not a list of known options
          */
-        fun of(term: Term): PortOptions = optionsIn(term, "[baud(115200)]").fold(PortOptions()) { options, option -> options.with(option) }
+        fun of(term: Term): PortOptions = withOptions(PortOptions(), term, "[baud(115200)]", KNOWN) { with(it) }
     }
 
     /**
@@ -63,7 +63,7 @@ internal data class PortOptions(
     /** Whether a port that was opened with [other] is as it would be with these, whatever its namespace. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
-    private fun with(option: Term): PortOptions {
+    private fun with(option: Term): PortOptions? {
         val name = (option as? Literal)?.takeIf { it.arity == 1 && !it.isVar }?.functor
         return when (name) {
             "baud" -> copy(link = link.withBaud(whole(option, 1..MAX_BAUD)), hasBaud = true)
@@ -75,7 +75,7 @@ internal data class PortOptions(
             "mode" -> copy(listens = oneOf(option, "request", "listen") == "listen")
             "protocol" -> copy(link = link.withProtocol(PROTOCOLS.getValue(oneOf(option, *PROTOCOLS.keys.toTypedArray()))))
             "as" -> copy(namespace = namespaceIn(option))
-            else -> throw ArgumentException("$option is not an option; there are $KNOWN")
+            else -> null
         }
     }
 }

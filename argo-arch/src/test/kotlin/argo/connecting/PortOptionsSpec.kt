@@ -47,6 +47,8 @@ class PortOptionsSpec : FunSpec({
             "[timeout(-1)]" to "whole number",
             "[mode(push)]" to "request or listen",
             "[protocol(3)]" to "protocol is 1 or 2 or auto",
+            "[baudrate(9600), timeout(0), stop(1)]" to "baudrate(9600) is not an option; " +
+                "timeout(0): timeout takes a whole number from 1 to 600000; stop(1) is not an option; there are baud(Rate), timeout(Ms)",
             "[baud]" to "baud is not an option",
             "[X]" to "X is not an option",
             "baud(9600)" to "a list of options",

@@ -93,6 +93,8 @@ sealed interface GroundTerm {
     }
 
     companion object {
+        private val WORDS = Regex("[A-Za-z][A-Za-z0-9_]*(?:[ -][A-Za-z0-9_]+)+")
+
         /**
          * Reads a value as Jason reads a term: `front`, `-3.5`, `"text"`, `pos(1,2)`, `[a,b]`.
          *
@@ -107,6 +109,7 @@ sealed interface GroundTerm {
             val trimmed = text.trim()
             return when {
                 trimmed.isEmpty() -> "the value is missing"
+                WORDS.matches(trimmed) -> "'$trimmed' is not a value that Jason can read; a text stands in quotes (\"$trimmed\")"
                 trimmed[0] in 'A'..'Z' || trimmed[0] == '_' && Syntax.isWordCharacter(trimmed.last()) ->
                     "'$trimmed' is a variable to Jason; an atom starts with a lower-case letter " +
                         "(${trimmed.trimStart('_').replaceFirstChar(Char::lowercase)}) or stands in quotes"

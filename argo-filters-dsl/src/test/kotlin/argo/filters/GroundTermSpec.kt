@@ -22,7 +22,9 @@ class GroundTermSpec : StringSpec({
 
     "what is no ground term is refused with what is wrong" {
         for ((written, words) in listOf(
-            "" to "missing", "Front" to "variable", "_x" to "variable", "a b" to "not a value", "1d" to "not a value",
+            "" to "missing", "Front" to "variable", "_x" to "variable", "a b" to "not a value",
+            "Front Left" to "'Front Left' is not a value that Jason can read; a text stands in quotes (\"Front Left\")",
+            "1d" to "not a value",
             "0x10" to "not a value", "a+b" to "not a value", "[a|T]" to "not a value", "\"x" to "not a value",
         )) {
             shouldThrow<IllegalArgumentException> { GroundTerm.of(written) }.message shouldContain words
