@@ -40,6 +40,9 @@ class CommandLineSpec : FunSpec({
         listOf(
             "" to "name a command: ports, monitor",
             "fly" to "there is no command 'fly'; there are: ports",
+            "port" to "there is no command 'port'; did you mean ports? there are: ports",
+            "check-agents x" to "there is no command 'check-agents'; did you mean check-agent? there are: ports",
+            "filter chek f.xml" to "there is no command 'chek'; did you mean check? there are: check",
             "filter" to "name a command: check, explain, convert",
             "ports --fly" to "Unknown option: '--fly'",
             "ports --baud fast" to "fast is not a whole number",

@@ -3,8 +3,10 @@ package argo.tools.board
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
+import argo.tools.command.making
 import argo.tools.command.printable
 import argo.tools.command.requireFile
+import argo.tools.command.requireNew
 import javino.LineSettings
 import javino.PortException
 import javino.PortInterruptedException
@@ -38,8 +40,12 @@ internal class ReplayCommand : ToolCommand() {
     @Option(names = ["--in-turn"], description = ["answers the first request with the first answer and so on, ignoring times"])
     private var inTurn = false
 
+    @Option(names = ["--link"], paramLabel = "PATH", description = ["a symbolic link to the pseudo-terminal, such as /tmp/ttyBOARD"])
+    private var link: Path? = null
+
     override fun call(): Int {
         requireFile(file)
+        link?.let(::requireNew)
         val recording = Recording.read(file)
         val board = board(recording)
         if (!PseudoTerminals.available()) {
@@ -48,7 +54,8 @@ internal class ReplayCommand : ToolCommand() {
                     "the port replay:$file needs none",
             )
         }
-        return Interruption().use { PseudoTerminals.open().use { serve(it, board, waits = !recording.isOfRequests && !inTurn) } }
+        val waits = !recording.isOfRequests && !inTurn
+        return Interruption().use { PseudoTerminals.open().use { pair -> linked(pair) { serve(pair, it, board, waits) } } }
     }
 
     private fun board(recording: Recording): ReplayBoard {
@@ -60,9 +67,21 @@ internal class ReplayCommand : ToolCommand() {
         return board.let { if (loop) it.repeated() else it }.let { if (inTurn) it.inTurn() else it }
     }
 
-    private fun serve(pair: PseudoTerminals, board: ReplayBoard, waits: Boolean): Int {
-        out.println(pair.computer().path)
+    /** Calls [serve] with the name of the port, which is a link while it runs if one was asked for. */
+    private fun linked(pair: PseudoTerminals, serve: (String) -> Int): Int {
+        val link = link ?: return serve(pair.computer().path)
+        making(link) { Files.createSymbolicLink(it, pair.computer().toPath()) }
+        return try {
+            serve("$link")
+        } finally {
+            Files.deleteIfExists(link)
+        }
+    }
+
+    private fun serve(pair: PseudoTerminals, port: String, board: ReplayBoard, waits: Boolean): Int {
+        out.println(port)
         out.flush()
+        err.println("$file is a board on this port until Ctrl-C: argo.port(\"$port\") in an agent, or the commands monitor and request")
         try {
             if (waits) awaitListener(pair)
             Transports.open(pair.board().path, LineSettings.defaults()).use(board::run)

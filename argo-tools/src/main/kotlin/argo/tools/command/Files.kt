@@ -6,6 +6,8 @@ import java.nio.file.FileSystemException
 import java.nio.file.Files
 import java.nio.file.LinkOption
 import java.nio.file.Path
+import kotlin.io.path.extension
+import kotlin.io.path.name
 
 /**
  * Checks before any work that [file] does not exist and that its folder does.
@@ -51,3 +53,10 @@ internal fun requireFile(file: Path) {
     if (Files.isDirectory(file)) throw ToolException("$file is a folder, no file")
     if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy into one what it is to give")
 }
+
+/** The files below [folder] with one of these [extensions], sorted; without hidden files and outputs of builds. */
+internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = Files.walk(folder).use { found ->
+    found.filter { it.extension in extensions && Files.isRegularFile(it) && !isBuilt(folder.relativize(it)) }.sorted().toList()
+}
+
+private fun isBuilt(path: Path) = path.any { it.name in setOf("build", "target", "bin") || it.name.startsWith(".") }

@@ -45,7 +45,10 @@ private fun reason(wrong: ParameterException, kind: String): String? {
         unknown != null -> "Unknown option: '$unknown'"
         surplus == null -> wrong.message
         commands.isEmpty() -> "'$surplus' is one argument too many"
-        else -> "there is no $kind '$surplus'; there are: ${commands.joinToString()}"
+        else -> {
+            val meant = closest(surplus, commands)?.let { "did you mean $it? " }.orEmpty()
+            "there is no $kind '$surplus'; ${meant}there are: ${commands.joinToString()}"
+        }
     }
 }
 

@@ -8,24 +8,32 @@ import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
 import argo.tools.command.messageOf
 import argo.tools.command.printable
+import argo.tools.command.sourcesIn
 import picocli.CommandLine.Command
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
+import kotlin.io.path.isDirectory
 
 /** `filter check`: describes filters, or lists their problems. */
 @Command(name = "check", description = ["Describes the filter of each file, or lists all its problems; then the exit status is 1."])
 internal class FilterCheckCommand : DataCommand() {
-    @Parameters(arity = "1..*", paramLabel = "FILE", description = ["XML or JSON"])
+    @Parameters(arity = "1..*", paramLabel = "FILE", description = ["XML or JSON, or folders with such files"])
     private lateinit var files: List<Path>
 
     override fun call(): Int {
-        val checks = files.map(::check)
+        val checks = files.flatMap(::checked)
         if (json) out.println(jsonArrayOf(checks.map(::json))) else checks.forEach(::print)
         return if (checks.all { it.filter != null }) ExitStatus.DONE else ExitStatus.FAILED
     }
 
     /** @property filter its description; null if it is refused */
     private class Check(val file: Path, val filter: String?, val problems: List<Problem>)
+
+    private fun checked(file: Path): List<Check> {
+        if (!file.isDirectory()) return listOf(check(file))
+        val none = Problem("$file", 1, 1, "there is no filter in this folder: no file with <PerceptionFilter> in it, or with \"rules\"")
+        return filtersIn(file).map(::check).ifEmpty { listOf(Check(file, null, listOf(none))) }
+    }
 
     private fun check(file: Path): Check = try {
         Check(file, filterIn(file).toString(), emptyList())

@@ -5,9 +5,12 @@ import argo.filters.format.JsonFilters
 import argo.filters.format.XmlFilters
 import argo.tools.command.ToolException
 import argo.tools.command.requireFile
+import argo.tools.command.sourcesIn
 import java.io.InputStream
 import java.nio.file.Path
+import kotlin.io.path.extension
 import kotlin.io.path.inputStream
+import kotlin.io.path.readText
 
 /**
  * Reads the filter in [file]; the suffix of the name selects XML or JSON.
@@ -24,3 +27,10 @@ internal fun filterIn(file: Path): PerceptionFilter {
     requireFile(file)
     return file.inputStream().use(read)
 }
+
+/** The files below [folder] that are filters, or meant to be: other XML and JSON files have neither this element nor this name in them. */
+internal fun filtersIn(folder: Path): List<Path> = sourcesIn(folder, MARKS.keys).filter { file ->
+    MARKS.getValue(file.extension) in file.readText(Charsets.ISO_8859_1)
+}
+
+private val MARKS = mapOf("xml" to "<PerceptionFilter", "json" to "\"rules\"")

@@ -1,5 +1,6 @@
 package argo.tools.migration
 
+import argo.tools.command.closest
 import java.nio.file.Path
 import kotlin.math.roundToLong
 import kotlin.time.Duration.Companion.milliseconds
@@ -33,6 +34,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
     private fun program() {
         val foreign = text.indexOfFirst(::isForeign)
         val last = tokens.lastOrNull()
+        val bracket = wrongBracketIn(tokens)
         if (foreign >= 0) {
             val line = 1 + text.take(foreign).count { it == '\n' }
             val code = "U+%04X".format(text[foreign].code)
@@ -40,6 +42,11 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         } else if (last != null && !last.isSymbol('.') && !last.isSymbol('}')) {
             val what = "no program of AgentSpeak ends like this: a belief, a goal and a plan end with a full stop"
             advices.change(last.line, what, "check whether the file is complete, and of the right kind")
+        } else if (bracket != null) {
+            advices.change(bracket.line, "Jason cannot read this: the bracket ${bracket.text} has no counterpart", "balance the brackets")
+        } else if (last != null && last.isSymbol('}') && !isStatement(lastStatementIn(tokens))) {
+            val what = "this is no program of AgentSpeak: no belief, goal, plan or directive begins with ${lastStatementIn(tokens).text}"
+            advices.change(lastStatementIn(tokens).line, what, "check whether the file is of the right kind")
         }
     }
 
@@ -47,7 +54,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         if (!ArgoActions.exists(call.name)) {
             advices.change(
                 call.line, "there is no internal action ${call.name}: Jason would take it for an action of the environment",
-                "the actions are ${ArgoActions.NAMES.joinToString { "argo.$it" }}",
+                meant(action) + "the actions are ${ArgoActions.NAMES.joinToString { "argo.$it" }}",
             )
             return
         }
@@ -59,6 +66,8 @@ internal class AgentCheck(private val file: Path, private val text: String) {
             "filter", "change_filter" -> filter(call)
         }
     }
+
+    private fun meant(action: String) = closest(action, ArgoActions.NAMES)?.let { "probably argo.$it; " }.orEmpty()
 
     private fun port(call: Call) {
         val port = call.arguments.firstOrNull() ?: return arity(call, "the port")
@@ -91,6 +100,11 @@ internal class AgentCheck(private val file: Path, private val text: String) {
     private fun limit(call: Call) {
         val argument = call.arguments.singleOrNull() ?: return arity(call, "the interval in milliseconds")
         val written = argument.joinToString("") { it.text }
+        val single = argument.singleOrNull()
+        if (single != null && !single.isVariable && single.kind != Token.Kind.NUMBER) {
+            advices.change(call.line, "the interval of ${call.name} is a number of milliseconds, not $written", "such as ${call.name}(100)")
+            return
+        }
         val ms = written.toDoubleOrNull() ?: return
         when {
             ms < 0 || ms != Math.rint(ms) -> advices.change(
@@ -137,6 +151,8 @@ internal class AgentCheck(private val file: Path, private val text: String) {
                 call.line, "${call.name}($form, …) $IN_PLAN", "write a filter file (docs/filters.md), and call argo.change_filter(NAME)",
             )
             call.arguments.size != 1 -> arity(call, "the name of a filter")
+            call.arguments.single().first().isSymbol('[') || first?.kind == Token.Kind.NUMBER ->
+                advices.change(call.line, "${call.name} takes one name", "an atom or a string, such as argo.change_filter(front), or none")
             first != null && !first.isVariable && form != "none" -> filters += nameOf(first) to call.line
         }
     }
@@ -180,6 +196,9 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         const val BLANKS = "\t\n\u000B\u000C\r"
 
         fun isForeign(character: Char): Boolean = character < ' ' && character !in BLANKS
+
+        /** Whether a statement that ends with a brace may begin with [first]: a directive, a plan or its label. */
+        fun isStatement(first: Token) = first.kind == Token.Kind.SYMBOL && first.text[0] in "{+-@"
 
         fun mayBeList(argument: List<Token>) = argument.firstOrNull()?.let { it.isSymbol('[') || it.isVariable } == true
 

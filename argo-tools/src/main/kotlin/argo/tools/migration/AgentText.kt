@@ -80,3 +80,28 @@ private fun arguments(tokens: List<Token>, open: Int): List<List<Token>> {
     }
     return if (arguments.size == 1 && arguments[0].isEmpty()) emptyList() else arguments
 }
+
+/** The first bracket that closes nothing or one of another kind; else the last one that is never closed; null if all are balanced. */
+internal fun wrongBracketIn(tokens: List<Token>): Token? {
+    val open = ArrayDeque<Token>()
+    for (token in tokens.filter { it.kind == Token.Kind.SYMBOL }) {
+        if (token.text in CLOSED_BY) open.addLast(token)
+        if (token.text in CLOSED_BY.values && (open.isEmpty() || CLOSED_BY[open.removeLast().text] != token.text)) return token
+    }
+    return open.lastOrNull()
+}
+
+/** The first token of the last belief, goal, plan or directive in [tokens], which are not empty. */
+internal fun lastStatementIn(tokens: List<Token>): Token {
+    var depth = 0
+    var first = tokens.first()
+    tokens.zipWithNext { token, next ->
+        if (token.isSymbol('{')) depth++
+        if (token.isSymbol('}')) depth--
+        val ends = token.isSymbol('.') && next.start > token.end || token.isSymbol('}') && first.isSymbol('{')
+        if (depth == 0 && ends) first = next
+    }
+    return first
+}
+
+private val CLOSED_BY = mapOf("(" to ")", "[" to "]", "{" to "}")

@@ -1,6 +1,7 @@
 package argo.tools.migration
 
 import argo.tools.command.ToolException
+import argo.tools.command.sourcesIn
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

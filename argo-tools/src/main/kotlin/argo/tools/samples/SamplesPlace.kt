@@ -5,6 +5,7 @@ import java.io.File
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readText
 
 /**
@@ -16,7 +17,7 @@ import kotlin.io.path.readText
 internal fun samplesClassPath(jar: Path): String {
     val file = jar.toAbsolutePath().normalize()
     val release = file.resolveSibling("samples")
-    if (release.isDirectory()) return "$release${File.separator}*"
+    if (release.isDirectory() && release.listDirectoryEntries("*.jar").isNotEmpty()) return "$release${File.separator}*"
     val built = file.resolve("../../../samples/target").normalize()
     val libraries = built.resolve("run.classpath")
     if (!libraries.exists()) {

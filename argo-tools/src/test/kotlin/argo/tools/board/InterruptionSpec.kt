@@ -1,5 +1,7 @@
 package argo.tools.board
 
+import argo.tools.Output
+import argo.tools.argo
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -9,9 +11,11 @@ import io.kotest.matchers.string.shouldContain
 import javino.sim.PseudoTerminals
 import javino.sim.Recording
 import java.io.BufferedReader
+import java.nio.file.LinkOption
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.exists
+import kotlin.io.path.readSymbolicLink
 import kotlin.io.path.writeText
 
 /** The effect of Ctrl-C on commands that run until then. The signal here is SIGTERM, because a build in the background ignores SIGINT. */
@@ -38,13 +42,18 @@ class InterruptionSpec : FunSpec({
     }
 
     test("a replay that is interrupted takes its pseudo-terminal away").config(enabledOrReasonIf = pairs) {
-        tool("replay", "$board") { process, said ->
-            val port = Path.of(said.readLine())
+        val link = folder.resolve("ttyBOARD")
+        tool("replay", "$board", "--link", "$link") { process, said ->
+            said.readLine() shouldBe "$link"
+            said.readLine() shouldContain "argo.port(\"$link\") in an agent"
+            val port = link.readSymbolicLink()
             port.exists() shouldBe true
+            argo("replay", "$board", "--link", "$link") shouldBe Output(1, "", "$link exists already, and is not overwritten\n")
             process.toHandle().destroy() // process.destroy() would close its output too
             process.waitFor(LIMIT_S, TimeUnit.SECONDS) shouldBe true
             process.exitValue() shouldBe TERMINATED
             port.parent.exists() shouldBe false
+            link.exists(LinkOption.NOFOLLOW_LINKS) shouldBe false
         }
     }
 })

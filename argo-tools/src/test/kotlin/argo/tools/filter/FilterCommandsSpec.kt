@@ -9,6 +9,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
@@ -39,6 +40,21 @@ class FilterCommandsSpec : FunSpec({
         said.err shouldContain "there is no file no-such.xml"
         said.err shouldContain "names end in .xml or .json"
         said.out shouldContain "front.xml: ok"
+    }
+
+    test("check takes a folder, and what is a filter in it") {
+        val project = folder.resolve("project/filters").apply { mkdirs() }
+        project.resolve("f.xml").writeText("""<PerceptionFilter><filter><predicat>d</predicat></filter></PerceptionFilter>""")
+        project.resolve("g.json").writeText("""{"rules": [{"predicate": "d"}]}""")
+        project.resolve("pom.xml").writeText("<project/>")
+        project.resolve("package.json").writeText("{}")
+        val said = argo("filter", "check", "${project.parent}")
+        said.status shouldBe 1
+        said.err.lines().filter(String::isNotEmpty).forEach { it shouldStartWith "$project/f.xml:1:" }
+        said.out shouldBe "$project/g.json: ok: filter g drops d\n"
+        val empty = folder.resolve("empty").apply { mkdirs() }
+        argo("filter", "check", "$empty") shouldBe
+            Output(1, "", "$empty:1:1: there is no filter in this folder: no file with <PerceptionFilter> in it, or with \"rules\"\n")
     }
 
     test("check refuses what is no regular file") {

@@ -8,6 +8,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
@@ -53,6 +54,9 @@ class MigrationSpec : FunSpec({
             "+!s <- .argo.limit(1000000000)." to ".argo.limit(1000000000) is in milliseconds: one perception in 16667 minutes",
             "+!s <- .limit(0.5)." to "is a whole number of milliseconds from 0, not 0.5",
             "+!s <- .limit(-1)." to "is a whole number of milliseconds from 0, not -1",
+            "+!s <- argo.limit(\"fast\")." to "the interval of argo.limit is a number of milliseconds, not \"fast\"",
+            "+!s <- argo.change_filter([a])." to "argo.change_filter takes one name",
+            "+!s <- argo.change_filter(3)." to "argo.change_filter takes one name",
             "+!s <- .percepts(opened)." to "perception is set to open, block or close, not opened",
             "+!s <- .act(move, 3)." to ".act has 2 arguments",
             "+!s <- .argo.filter(only, led(X), X = on)." to ".argo.filter(only, …) is a filter written into the plan",
@@ -77,6 +81,12 @@ class MigrationSpec : FunSpec({
                 }
             }
         }
+    }
+
+    test("an action whose name is nearly right is guessed") {
+        of("+!s <- argo.expain(d(1), W).").single().remedy shouldStartWith "probably argo.explain; the actions are argo.port"
+        of("+!s <- argo.Limit(50).").single().remedy shouldStartWith "probably argo.limit; "
+        of("+!s <- argo.sleep(3).").single().remedy shouldStartWith "the actions are argo.port"
     }
 
     context("what may matter is a note") {
@@ -156,6 +166,10 @@ class MigrationSpec : FunSpec({
             "+!s.\n+!s <- .act(x).\u001B" to "a.asl:2 this is no program of AgentSpeak: it contains the control character U+001B",
             "<html>\n</html>\n" to "a.asl:2 no program of AgentSpeak ends like this",
             "+!s <- .print(x).\n\n+!t <- .print(" to "a.asl:3 no program of AgentSpeak ends like this",
+            "+!s.\n+!t <- .print((x)." to "a.asl:2 Jason cannot read this: the bracket ( has no counterpart",
+            "+!s.\n+!t <- .print([x)." to "a.asl:2 Jason cannot read this: the bracket ) has no counterpart",
+            "class Foo { }" to "a.asl:1 this is no program of AgentSpeak: no belief, goal, plan or directive begins with class",
+            "a.\nimport java.util.List;\nclass Foo { int a; }" to "a.asl:2 this is no program of AgentSpeak",
         ).forEach { (text, what) ->
             test(what) {
                 val advice = advices("a.asl" to text).single()
@@ -163,7 +177,7 @@ class MigrationSpec : FunSpec({
                 "${Path.of(advice.file).name}:${advice.line} ${advice.what}" shouldContain what
             }
         }
-        listOf("", "// nothing yet\n", "{ include(\"b.asl\") }", "!s. // and so on\n").forEach { text ->
+        listOf("", "// nothing yet\n", "{ include(\"b.asl\") }", "!s. // and so on\n", NESTED).forEach { text ->
             test("not \"${text.trim()}\"") { advices("a.asl" to text).shouldBeEmpty() }
         }
     }
@@ -203,3 +217,11 @@ class MigrationSpec : FunSpec({
         ArgoActions.DOT_NAMES shouldBe Regex("^class (\\w+)", RegexOption.MULTILINE).findAll(dotForms).map { it.groupValues[1] }.toSet()
     }
 })
+
+/** Plans within a plan, and directives. */
+private const val NESTED = """
+    a(1). { begin namespace(x) } b. !s.
+    +!s <: false { <- .print("}"). +!t <- if (true) { c }. }
+    { end }
+    @l +!u <: false { <- d. }
+"""

@@ -13,7 +13,7 @@ import kotlin.io.path.writeText
 class SamplesPlaceSpec : FunSpec({
     test("a release has the samples beside its jar") {
         val release = tempdir().toPath()
-        release.resolve("samples").createDirectories()
+        release.resolve("samples").createDirectories().resolve("samples.jar").writeText("")
         samplesClassPath(release.resolve("argo.jar")) shouldBe release.resolve("samples").toString() + File.separator + "*"
     }
 
@@ -27,6 +27,7 @@ class SamplesPlaceSpec : FunSpec({
 
     test("where there are none it is said where they were looked for, and how to get them") {
         val alone = tempdir().toPath()
+        alone.resolve("samples").createDirectories()
         val refused = shouldThrow<ToolException> { samplesClassPath(alone.resolve("argo.jar")) }
         refused.message shouldContain "${alone.resolve("samples")}"
         refused.message shouldContain "mvn package"

@@ -1,0 +1,23 @@
+package argo.tools.command
+
+/** Which of [names] [word] is probably meant to be: one that differs by a letter or two, or only by case; null if there is none. */
+internal fun closest(word: String, names: Collection<String>): String? =
+    names.minByOrNull { distance(word, it) }?.takeIf { distance(word, it) <= if (word.length > LONG) 2 else 1 }
+
+/** How many letters must be added, removed or replaced to make [b] of [a], whatever their case. */
+private fun distance(a: String, b: String): Int {
+    var row = IntArray(b.length + 1) { it }
+    for (i in a.indices) {
+        val next = IntArray(b.length + 1)
+        next[0] = i + 1
+        for (j in b.indices) {
+            val replaced = row[j] + if (a[i].equals(b[j], ignoreCase = true)) 0 else 1
+            next[j + 1] = minOf(replaced, row[j + 1] + 1, next[j] + 1)
+        }
+        row = next
+    }
+    return row[b.length]
+}
+
+/** Words with more letters may differ by two. */
+private const val LONG = 4
