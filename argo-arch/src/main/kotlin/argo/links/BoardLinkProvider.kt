@@ -3,10 +3,12 @@ package argo.links
 import javino.LineClock
 import javino.PortException
 import javino.Services
+import java.lang.ref.SoftReference
+import java.util.WeakHashMap
 
 /**
  * Opens boards that are reached otherwise than by bytes on a line. Found by [java.util.ServiceLoader]: a class with a public constructor
- * without arguments, named in `META-INF/services/argo.links.BoardLinkProvider`. Boards on lines come by [javino.TransportProvider].
+ * without arguments, named in `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. Boards on lines come by [javino.TransportProvider].
  *
  * Called by any thread. Unlike a line, what it opens may be opened by several agents at once.
  */
@@ -28,10 +30,20 @@ interface BoardLinkProvider {
     fun isPresent(port: String): Boolean = true
 
     companion object {
+        /** Those that a thread with this class loader sees. They refer to their class loader, which they must not keep alive. */
+        private val known = WeakHashMap<ClassLoader, SoftReference<List<BoardLinkProvider>>>()
+
         /** The provider for [port]; null: it is on a line, or of no known kind. */
         fun of(port: String): BoardLinkProvider? {
             val scheme = port.substringBefore(':', "").takeIf { it.isNotEmpty() } ?: return null
-            return Services.providers(BoardLinkProvider::class.java).mapNotNull { Services.make(it) }.find { it.scheme == scheme }
+            return all().find { it.scheme == scheme }
+        }
+
+        private fun all(): List<BoardLinkProvider> {
+            val loader = Thread.currentThread().contextClassLoader ?: ClassLoader.getSystemClassLoader()
+            synchronized(known) { known[loader]?.get() }?.let { return it }
+            val found = Services.providers(BoardLinkProvider::class.java).mapNotNull { Services.make(it) }.distinctBy { it.javaClass }
+            return synchronized(known) { known[loader]?.get() ?: found.also { known[loader] = SoftReference(it) } }
         }
     }
 }
