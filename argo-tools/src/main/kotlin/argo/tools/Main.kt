@@ -1,9 +1,11 @@
 package argo.tools
 
 import argo.tools.command.ExitStatus
+import argo.tools.command.ToolProvider
 import argo.tools.command.WatchedOutput
 import argo.tools.command.messageOf
 import argo.tools.command.refusingInWords
+import javino.Services
 import picocli.CommandLine
 import picocli.CommandLine.Help.Ansi
 import java.io.FileDescriptor
@@ -41,7 +43,7 @@ private fun standardCharset(): Charset {
 }
 
 /** The tools, to be run in this program or in a test. */
-internal fun tools(): CommandLine = CommandLine(Tools())
+internal fun tools(): CommandLine = allTools()
     .refusingInWords("command")
     .setColorScheme(CommandLine.Help.defaultColorScheme(if (System.getenv("TERM") == "dumb") Ansi.OFF else Ansi.AUTO))
     .setExecutionExceptionHandler { failure, command, _ ->
@@ -49,3 +51,9 @@ internal fun tools(): CommandLine = CommandLine(Tools())
         if (message != null) command.err.println(message) else failure.printStackTrace(command.err)
         ExitStatus.FAILED
     }
+
+/** The commands, with those of other modules. */
+internal fun allTools(): CommandLine = CommandLine(Tools()).apply {
+    val others = Services.providers(ToolProvider::class.java).distinctBy { it.type() }.mapNotNull { Services.make(it) }
+    others.forEach { addSubcommand(it.command()) }
+}

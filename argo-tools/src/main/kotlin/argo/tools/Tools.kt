@@ -15,7 +15,6 @@ import argo.tools.project.NewCommand
 import argo.tools.samples.DemoCommand
 import argo.tools.samples.ExperimentCommand
 import argo.tools.samples.SampleCommand
-import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.IVersionProvider
 import picocli.CommandLine.Model.CommandSpec
@@ -64,7 +63,7 @@ internal class JarVersion : IVersionProvider {
 )
 internal class CompletionCommand : ToolCommand() {
     override fun call(): Int {
-        out.print(picocli.AutoComplete.bash("argo", CommandLine(Tools())))
+        out.print(picocli.AutoComplete.bash("argo", allTools()))
         out.flush()
         return ExitStatus.DONE
     }

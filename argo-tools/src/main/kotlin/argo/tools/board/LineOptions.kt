@@ -11,8 +11,8 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 
-/** The options of a line, as those of `argo.port`. */
-internal class LineOptions {
+/** The options of a line, as those of `argo.port`; picocli mixes them into a command. */
+class LineOptions {
     @Spec(Spec.Target.MIXEE)
     private lateinit var spec: CommandSpec
 
@@ -28,6 +28,7 @@ internal class LineOptions {
     )
     private lateinit var protocol: String
 
+    /** How long an answer may take, in ms. */
     @Option(
         names = ["--timeout"], paramLabel = "MS", defaultValue = "500",
         description = ["how long an answer may take, milliseconds (\${DEFAULT-VALUE})"],
@@ -44,7 +45,11 @@ internal class LineOptions {
     /** Opens the bare line at [port], after a check of all options. */
     fun openRaw(port: String): Transport = Transports.open(port, settings().line())
 
-    /** Opens [port], after a check of all options. */
+    /**
+     * Opens [port], after a check of all options.
+     *
+     * @throws javino.PortException if it cannot be opened
+     */
     fun open(port: String): Link = Link.open(port, settings(), spec.qualifiedName())
 
     private fun settings(): LinkSettings {

@@ -1,0 +1,10 @@
+package argo.tools.command
+
+/**
+ * Adds a command to the tools. [java.util.ServiceLoader] finds it: a class with a public constructor without arguments, named in
+ * `META-INF/services/argo.tools.command.ToolProvider`.
+ */
+interface ToolProvider {
+    /** A new object of a class that picocli takes for a command: a `Callable<Int>` whose result is the exit status. */
+    fun command(): Any
+}
