@@ -15,6 +15,8 @@ import argo.platform.Platform
 import argo.platform.Waker
 import jason.asSemantics.Circumstance
 import jason.bb.BeliefBase
+import javino.SendOptions
+import javino.wire.BoardAction
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.logging.Logger
 
@@ -54,7 +56,10 @@ internal class ObservedArch(
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = later(done) { arch.perceiveThrough(filter) }
     override fun perceive(open: Boolean, done: () -> Unit) = later(done) { arch.io.perceive(open) }
 
-    override fun act(command: String, done: (CommandFailure?) -> Unit) {
+    override val actions: List<BoardAction>?
+        get() = arch.io.perceivedBoards().mapNotNull { it.actions }.takeIf { it.isNotEmpty() }?.flatten()?.distinct()
+
+    override fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit) {
         val term = try {
             commandTerm(command)
         } catch (wrong: ArgumentException) {
@@ -63,7 +68,7 @@ internal class ObservedArch(
         later({}) {
             try {
                 when (val route = Routing(arch.io).routeOf(term, null, null)) {
-                    is Routing.Route.To -> arch.io.send(route.port, commandText(term), CommandOptions(), null, done)
+                    is Routing.Route.To -> arch.io.send(route.port, commandText(term), options.toCommandOptions(), null, done)
                     is Routing.Route.Nowhere -> done(route.failure)
                 }
             } catch (wrong: ArgumentException) {
@@ -85,3 +90,5 @@ internal class ObservedArch(
         waker.wake(isDone::get)
     }
 }
+
+private fun SendOptions.toCommandOptions() = CommandOptions(limitMillis().takeIf { it > 0 }, urgent(), latest())

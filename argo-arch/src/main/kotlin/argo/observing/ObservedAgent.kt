@@ -4,6 +4,8 @@ import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import jason.asSemantics.Circumstance
 import jason.bb.BeliefBase
+import javino.SendOptions
+import javino.wire.BoardAction
 import java.util.logging.Logger
 
 /** An agent as its observers see it, and what they can ask of it. Any thread may call, but for [beliefs]. */
@@ -24,6 +26,9 @@ interface ObservedAgent {
 
     /** Whether it perceives its boards. */
     val isPerceiving: Boolean
+
+    /** The actions that its boards have registered; null: no board that it perceives has described itself. */
+    val actions: List<BoardAction>?
 
     /** What it believes. For the agent's thread only: see [AgentObserver.cycleFinished]. */
     val beliefs: BeliefBase
@@ -66,7 +71,10 @@ interface ObservedAgent {
      * Sends [command], a literal or a string in quotes, before its next cycle, by the same way as the internal action `argo.act(command)`
      * of a plan. Whichever thread finds the outcome calls [done] once: with null, or why the command was not carried out.
      */
-    fun act(command: String, done: (CommandFailure?) -> Unit)
+    fun act(command: String, done: (CommandFailure?) -> Unit) = act(command, SendOptions.defaults(), done)
+
+    /** As the other [act], with [options], which are those of `argo.act`. */
+    fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit)
 
     /** Has it run a reasoning cycle soon. */
     fun wake()

@@ -10,6 +10,8 @@ import io.kotest.matchers.shouldBe
 import jason.asSemantics.Circumstance
 import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
+import javino.SendOptions
+import javino.wire.BoardAction
 import java.net.InetSocketAddress
 import java.net.Socket
 import java.util.concurrent.atomic.AtomicLong
@@ -73,7 +75,8 @@ internal object Nobody : ObservedAgent {
     override val beliefs: BeliefBase = DefaultBeliefBase()
     override val circumstance = Circumstance()
     override val printed: Logger = Logger.getLogger("argo.view.test.nobody")
-    override fun act(command: String, done: (CommandFailure?) -> Unit) = done(null)
+    override val actions: List<BoardAction>? = null
+    override fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit) = done(null)
     override fun nanos() = System.nanoTime()
     override fun ports() = emptyList<ObservedPort>()
     override fun filterNames() = emptyList<String>()
