@@ -4,9 +4,13 @@ dependencies {
     compileOnly(libs.jason) // the user's project brings Jason
     api(project(":argo-arch"))
     implementation(libs.serialization.json) // what a bridge is sent and sends
+    implementation(libs.java.websocket) // what ROS clients connect to
+    runtimeOnly(libs.slf4j.jdk14) // where it logs to
+    compileOnly(project(":argo-tools")) // the tool ros-serve; argo.jar has the tools, other projects need them not
+    compileOnly(libs.picocli)
     testImplementation(libs.jason)
-    testImplementation(libs.java.websocket) // the tests' own bridge
-    testImplementation(libs.slf4j.jdk14) // where it logs to
+    testImplementation(project(":argo-tools"))
+    testImplementation(libs.picocli)
 }
 
 // Java-WebSocket asks for another version than slf4j-jdk14

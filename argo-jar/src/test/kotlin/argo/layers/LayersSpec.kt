@@ -52,7 +52,7 @@ class LayersSpec : FunSpec({
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
             "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.tools", "argo.ros",
-            "argo.ros.bridge", "argo.ros.mapping", "argo.mcap", "argo.recording.storage", "javino", "javino.serial",
+            "argo.ros.bridge", "argo.ros.mapping", "argo.ros.serving", "argo.mcap", "argo.recording.storage", "javino", "javino.serial",
             "javino.tcp", "javino.sim",
         )
     }
@@ -112,8 +112,13 @@ class LayersSpec : FunSpec({
 
     context("robots that speak ROS") {
         test("know links and filters, and of ARGO nothing else") {
-            noClasses().that().resideInAPackage("argo.ros..").should()
+            noClasses().that().resideInAnyPackage("argo.ros", "argo.ros.bridge", "argo.ros.mapping").should()
                 .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", "javino", "javino.wire")).check(product)
+        }
+        test("are served knowing links, observed agents, filters and what a tool is") {
+            val known = arrayOf("argo.links", "argo.observing", "argo.filters..", "argo.tools.board", "argo.tools.command", "javino")
+            noClasses().that().resideInAPackage("argo.ros.serving").should()
+                .dependOnClassesThat(productBut("argo.ros.serving", "argo.ros.bridge", "javino.wire", *known)).check(product)
         }
         test("are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.ros..").should()

@@ -3,46 +3,11 @@ package argo.ros
 import argo.ros.bridge.part
 import argo.ros.bridge.text
 import io.kotest.assertions.nondeterministic.eventually
-import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldNotContainDuplicates
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
-import jason.infra.local.RunLocalMAS
-import jason.runtime.RuntimeServicesFactory
-import jason.runtime.Settings
-import java.nio.file.Files
 import java.util.concurrent.atomic.AtomicInteger
-import kotlin.io.path.createTempDirectory
-import kotlin.io.path.writeText
-
-/** Jason in this process, with one agent. */
-private class Mas(program: String) : AutoCloseable {
-    private val directory = createTempDirectory("argo-ros-mas")
-    private val mas = RunLocalMAS()
-
-    init {
-        val logging = directory.resolve("logging.properties").apply { writeText("handlers =\n.level = INFO\n") }
-        mas.init(arrayOf("--empty-mas", "--no-net", "--log-conf", "$logging"))
-        mas.create()
-        mas.start()
-        val source = directory.resolve("bob.asl").apply { writeText(program) }
-        val services = RuntimeServicesFactory.get()
-        services.startAgent(services.createAgent("bob", "$source", null, listOf("argo.Arch"), null, Settings(), null))
-    }
-
-    fun beliefs(): Set<String> = mas.getAg("bob").ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toSet()
-
-    suspend fun awaitBelief(belief: String) = eventually(LIMIT) { withClue({ beliefs() }) { (belief in beliefs()) shouldBe true } }
-
-    suspend fun awaitNoBelief(belief: String) = eventually(LIMIT) { withClue({ beliefs() }) { (belief in beliefs()) shouldBe false } }
-
-    override fun close() {
-        mas.finish(0, false, 0) // on a thread of its own
-        kotlinx.coroutines.runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
-        Files.walk(directory).use { files -> files.sorted(Comparator.reverseOrder()).forEach(Files::delete) }
-    }
-}
 
 class RosAgentSpec : FunSpec({
     fun TestBridge.sent(topic: String) = heard("publish").filter { it.text("topic") == topic }.map { checkNotNull(it.part("msg")) }

@@ -158,7 +158,10 @@ internal class Commands(
             operation.flag("result") == false && status == null ->
                 fail(entry, operation.text("values") ?: "${operation["values"] ?: "no reason is given"}")
             status == null || status == SUCCEEDED_2 -> entry.outcome.complete(Unit)
-            else -> fail(entry, "its goal was ${STATES_2[status] ?: "left in state $status"}")
+            else -> {
+                val reason = operation.part("values")?.text("message").orEmpty()
+                fail(entry, "its goal was ${STATES_2[status] ?: "left in state $status"}" + if (reason.isEmpty()) "" else ": $reason")
+            }
         }
     }
 

@@ -1,0 +1,153 @@
+package argo.ros.serving
+
+import argo.links.BoardLink
+import argo.links.Wish
+import javino.ActionFailedException
+import javino.ActionRefusedException
+import javino.ActionUnconfirmedException
+import javino.CommandReplacedException
+import javino.CommandWithdrawnException
+import javino.PerceptsRequest
+import javino.PortException
+import javino.PortInterruptedException
+import javino.PortTimeoutException
+import javino.SendOptions
+import javino.wire.BoardAction
+import kotlinx.serialization.json.JsonPrimitive
+import java.util.concurrent.CompletionException
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+
+/**
+ * A board that is offered without an agent: it is asked for its percepts at an interval, and opened again when it has gone. Each command is
+ * sent once at most.
+ *
+ * @param port its port, for messages
+ * @param intervalMs from one request to the next
+ * @param timeoutMs how long an answer may take
+ * @param listens whether it sends its percepts unasked
+ * @param open opens it
+ * @param tell takes what a person should know
+ */
+internal class ServedBoard(
+    override val name: String,
+    private val port: String,
+    private val topics: Topics,
+    private val intervalMs: Int,
+    private val timeoutMs: Int,
+    private val listens: Boolean,
+    private val open: () -> BoardLink,
+    private val tell: (String) -> Unit,
+) : Participant, AutoCloseable {
+    private val closed = CountDownLatch(1)
+    private val publisher = PerceptPublisher("/$name", topics)
+    private val thread = Thread(::run, "argo-ros-$name").apply { isDaemon = true }
+    private var status = ""
+
+    @Volatile
+    private var link: BoardLink? = null
+
+    @Volatile
+    private var known: List<BoardAction>? = null
+
+    override val actions: List<BoardAction>?
+        get() = (link?.actions ?: known)?.takeIf { it.isNotEmpty() }?.also { known = it }
+
+    /** Begins to ask it. Called once. */
+    fun start() = thread.start()
+
+    private val isClosed get() = closed.count == 0L
+
+    private fun run() {
+        while (!isClosed) {
+            try {
+                open().use(::serve)
+            } catch (_: PortInterruptedException) {
+                return
+            } catch (gone: PortException) {
+                link = null
+                report("off", "/$name: ${gone.message}; it is opened again as soon as it is there")
+            }
+            try {
+                closed.await(RETRY_MS, TimeUnit.MILLISECONDS)
+            } catch (_: InterruptedException) {
+                return
+            }
+        }
+    }
+
+    private fun serve(opened: BoardLink) {
+        opened.wants(Wish(true, intervalMs, null))
+        link = opened
+        Thread({ writeCommands(opened) }, "argo-ros-$name-acting").apply { isDaemon = true }.start()
+        while (!isClosed) {
+            val begun = System.nanoTime()
+            try {
+                val message = if (listens || opened.speaksUnasked) opened.listen(timeoutMs)
+                else opened.request({ PerceptsRequest.ALL }, timeoutMs, intervalMs)
+                report("on", "/$name: the board at port $port is there")
+                if (message != null) publisher.publish(message.text)
+            } catch (late: PortTimeoutException) {
+                report("timeout", "/$name: ${late.message}")
+            }
+            if (!listens && !opened.speaksUnasked) waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
+        }
+    }
+
+    private fun waitUntil(nanos: Long) {
+        try {
+            closed.await(nanos - System.nanoTime(), TimeUnit.NANOSECONDS)
+        } catch (_: InterruptedException) {
+            throw PortInterruptedException(port)
+        }
+    }
+
+    private fun writeCommands(opened: BoardLink) {
+        try {
+            opened.writeCommands()
+        } catch (_: PortException) {
+            // the thread that senses finds it gone
+        }
+    }
+
+    private fun report(word: String, message: String) {
+        if (word == status) return
+        status = word
+        topics.publish("/$name/port", STRING, data(JsonPrimitive(word)))
+        tell(message)
+    }
+
+    override fun act(command: String, options: SendOptions, done: (Outcome) -> Unit) {
+        val opened = link ?: return done(Outcome("no_port", "the board at port $port is not there now"))
+        try {
+            opened.send(command, options).outcome.whenComplete { _, trouble -> done(outcomeOf(trouble)) }
+        } catch (unsendable: IllegalArgumentException) { // what fits into no frame
+            done(Outcome("wrong_arguments", unsendable.message.orEmpty()))
+        }
+    }
+
+    override fun close() {
+        closed.countDown()
+        thread.interrupt()
+        link?.close()
+    }
+
+    private companion object {
+        const val RETRY_MS = 500L
+    }
+}
+
+/** What an agent calls the failure [trouble] of a command; null: it was carried out. */
+internal fun outcomeOf(trouble: Throwable?): Outcome {
+    val cause = if (trouble is CompletionException) trouble.cause else trouble
+    val error = when (cause) {
+        null -> return Outcome.DONE
+        is ActionRefusedException -> "act_refused"
+        is ActionFailedException -> "act_failed"
+        is ActionUnconfirmedException -> "act_unconfirmed"
+        is CommandWithdrawnException -> "act_timeout"
+        is CommandReplacedException -> "act_replaced"
+        else -> "port_gone"
+    }
+    return Outcome(error, cause.message ?: "$cause")
+}
