@@ -1,12 +1,12 @@
-// A motor on WiFi, for an ESP32, an ESP8266 or a Raspberry Pi Pico W (core of E. F. Philhower). Set the network's name and password below, read
-// the board's address on the serial monitor, and let the agent call argo.port("tcp://192.168.1.20:4000").
+// A motor on WiFi, for an ESP32, an ESP8266 or a Raspberry Pi Pico W (core of E. F. Philhower). Set the network's name and password below,
+// read the board's address on the serial monitor, and let the agent call argo.port("tcp://192.168.1.20:4000").
 //
 //   actions   speed(0..255)
 //   percepts  motor(Speed), signal(Decibels)
 //
 // The motor stops when nothing has come from the computer for a second, whatever has failed: the computer, the network, the router. The
 // newest connection counts, so that a computer whose connection was cut comes back. Anybody on the network can do so: Javino has no
-// passwords, so use a network of your own.
+// passwords, so use a network of your own, or TlsRobot.
 
 #include <JavinoNetwork.h>
 

@@ -1,0 +1,24 @@
+// Put yours here. They are made so, first those of the board, then those of the computer:
+//
+//   openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 3650 -subj /CN=robot -keyout robot.key -out robot.crt
+//   openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 3650 -subj /CN=me -keyout computer.key -out computer.crt
+//
+// The computer keeps computer.crt and computer.key in ~/.argo/tls, and robot.crt there as HOST_4433.crt, where HOST is the board's in the
+// port's name. Who has robot.key can pass for the board: keep the sketch with it to yourself.
+
+#ifndef CERTIFICATES_H
+#define CERTIFICATES_H
+
+const char BOARD_CERTIFICATE[] = R"(
+the text of robot.crt
+)";
+
+const char BOARD_KEY[] = R"(
+the text of robot.key
+)";
+
+const char COMPUTER_CERTIFICATE[] = R"(
+the text of computer.crt
+)";
+
+#endif
