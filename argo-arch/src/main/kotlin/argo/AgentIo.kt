@@ -2,6 +2,7 @@ package argo
 
 import argo.acting.CommandLedger
 import argo.acting.CommandOptions
+import argo.acting.Transmission
 import argo.boards.Board
 import argo.boards.BoardLine
 import argo.boards.OneInstant
@@ -256,28 +257,37 @@ internal class AgentIo(
     override fun answers(port: Any) =
         port is OpenPort && states.statusOf(port.terms) == PortStatus.ON && perceivedOn(port)?.let { port.terms.any(it::isStale) } != true
 
-    /**
-     * Sends [text] to the board on [port].
-     *
-     * @param cause the percept that the agent sends it on account of, so that the board of this percept holds the command; else, or if no
-     *     board says it, the board holds it that it goes to
-     * @param outcome is called once, by any thread, with null when the last byte has left the line or a version 2 board has acted, else
-     *     with the reason why not
-     */
-    fun send(port: OpenPort, text: String, options: CommandOptions, cause: Literal?, outcome: (Failure?) -> Unit) {
-        val causing = cause?.let(::boardsOf).orEmpty()
-        val holder = causing.find { it.port === port } ?: causing.firstOrNull() ?: perceivedOn(port)
-        val ledger = holder?.ledger ?: return transmit(port, text, options, outcome = outcome)
-        val number = ledger.issue(port)
-        transmit(port, text, options, { ledger.done(port, number) }, outcome)
+    override fun send(port: OpenPort, text: String, options: CommandOptions): Transmission {
+        val issued = observers().commandIssued(port.link.port, text)
+        val commands = lines[port]?.commands
+        val transmission = if (commands != null) coupling.send(commands, text, options) else unsent(port)
+        if (issued == null) return transmission
+        return Transmission { left, outcome ->
+            transmission.follow(left) { failure ->
+                observers().commandEnded(issued, failure)
+                outcome(failure)
+            }
+        }
     }
 
-    override fun transmit(port: OpenPort, text: String, options: CommandOptions, left: () -> Unit, outcome: (Failure?) -> Unit) {
-        val report = observers().commandIssued(port.link.port, text, outcome)
-        val commands = lines[port]?.commands
-        if (commands != null) return coupling.submit(commands, text, options, left, report)
+    private fun unsent(port: OpenPort) = Transmission { left, outcome ->
         left()
-        report(Failure("port_gone", "port ${port.link.port} was closed, or its device has gone").whileLost())
+        outcome(Failure("port_gone", "port ${port.link.port} was closed, or its device has gone").whileLost())
+    }
+
+    /**
+     * Has the snapshots of a board wait for a command that was [sent][send] on [port].
+     *
+     * @param cause the percept that the agent has sent it on account of, so that the board of this percept holds the command; else, or if
+     *     no board says it, the board holds it that it goes to
+     * @param outcome as of [Transmission.follow]
+     */
+    fun hold(transmission: Transmission, port: OpenPort, cause: Literal?, outcome: (Failure?) -> Unit) {
+        val causing = cause?.let(::boardsOf).orEmpty()
+        val holder = causing.find { it.port === port } ?: causing.firstOrNull() ?: perceivedOn(port)
+        val ledger = holder?.ledger ?: return transmission.follow({ }, outcome)
+        val number = ledger.issue(port)
+        transmission.follow({ ledger.done(port, number) }, outcome)
     }
 
     /** Takes in what is new for the agent since the last call, and returns whether [beliefs] may have changed. */

@@ -2,7 +2,7 @@ package argo
 
 import argo.acting.CommandOptions
 import argo.acting.CommandSender
-import argo.calls.Failure
+import argo.acting.Transmission
 import argo.platform.Platform
 import argo.platform.Waker
 import argo.sensing.Sensing
@@ -21,8 +21,8 @@ internal interface Coupling {
      */
     fun perceiving(sensings: List<Sensing>, intervalMs: Int)
 
-    /** Has [text] sent; [left] and [outcome] as of [CommandSender.submit]. Any thread. */
-    fun submit(commands: CommandSender, text: String, options: CommandOptions, left: () -> Unit, outcome: (Failure?) -> Unit)
+    /** Has [text] sent. Any thread. */
+    fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission
 }
 
 /** No reasoning cycle waits for a line: boards are sensed, and commands written, by other threads. */
@@ -31,8 +31,7 @@ internal object Decoupled : Coupling {
 
     override fun perceiving(sensings: List<Sensing>, intervalMs: Int) = Unit
 
-    override fun submit(commands: CommandSender, text: String, options: CommandOptions, left: () -> Unit, outcome: (Failure?) -> Unit) =
-        commands.submit(text, options, left, outcome)
+    override fun send(commands: CommandSender, text: String, options: CommandOptions) = commands.send(text, options)
 }
 
 /**
@@ -53,9 +52,11 @@ internal class InCycle(private val platform: Platform, private val waker: Waker)
         waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
     }
 
-    override fun submit(commands: CommandSender, text: String, options: CommandOptions, left: () -> Unit, outcome: (Failure?) -> Unit) {
+    override fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission {
         val failure = commands.sendNow(text, options)
-        left()
-        outcome(failure)
+        return Transmission { left, outcome ->
+            left()
+            outcome(failure)
+        }
     }
 }

@@ -68,7 +68,10 @@ internal class ObservedArch(
         later({}) {
             try {
                 when (val route = Routing(arch.io).routeOf(term, null, null)) {
-                    is Routing.Route.To -> arch.io.send(route.port, commandText(term), options.toCommandOptions(), null, done)
+                    is Routing.Route.To -> {
+                        val sent = arch.io.send(route.port, commandText(term), options.toCommandOptions())
+                        arch.io.hold(sent, route.port, null, done)
+                    }
                     is Routing.Route.Nowhere -> done(route.failure)
                 }
             } catch (wrong: ArgumentException) {

@@ -44,6 +44,7 @@ open class act : BoardAction("argo.act", 1..2) {
             is Routing.Route.To -> route.port
             is Routing.Route.Nowhere -> throw route.failure.of(call.text)
         }
-        io.send(port, text, options, perceptBehind(call.ts), call.suspendIntention())
+        val sent = io.send(port, text, options)
+        io.hold(sent, port, perceptBehind(call.ts), call.suspendIntention())
     }
 }

@@ -4,6 +4,7 @@ import argo.calls.Failure
 import argo.calls.failureOf
 import argo.calls.whileLost
 import argo.links.BoardLink
+import argo.links.SentCommand
 import argo.platform.Platform
 import javino.PortException
 import javino.PortGoneException
@@ -27,24 +28,19 @@ internal class CommandSender(
 ) {
     private val writer = lazy { platform.start("argo-$owner-acting-${link.port}", ::writeCommands) }
 
-    /**
-     * Queues [text], see [BoardLink.send].
-     *
-     * With a time limit its outcome is known when that is over: `act_timeout` if it has not begun to go out, and then it never will;
-     * `act_unconfirmed` if it has, but is not known to have been carried out. One whose place a later command has taken fails with
-     * `act_replaced`.
-     *
-     * @param left is called once, by any thread, when the command is no longer under way to the board; before [outcome]
-     * @param outcome is called once, by any thread, with null when the command's last byte has left the line or, in version 2, the board
-     *     has acted, else with the reason why not
-     */
-    fun submit(text: String, options: CommandOptions, left: () -> Unit = { }, outcome: (Failure?) -> Unit) {
+    /** Queues [text], see [BoardLink.send], and writes it at once if the line is free for it. */
+    fun send(text: String, options: CommandOptions): Transmission {
         val sent = link.send(text, options.forLink())
         if (link.isOpen) writer.value
-        sent.left.handle { _, _ -> left() }.thenCombine(sent.outcome.handle { _, trouble -> trouble }) { _, trouble ->
-            outcome(trouble?.let(::failed))
-        }.exceptionally { broken ->
-            LOG.log(Level.WARNING, "what waited for the outcome of \"$text\" has failed", broken)
+        return Transmission { left, outcome -> follow(text, sent, left, outcome) }
+    }
+
+    private fun follow(text: String, sent: SentCommand, left: () -> Unit, outcome: (Failure?) -> Unit) {
+        val ended =
+            if (sent.left === sent.outcome) sent.outcome.handle { _, trouble -> trouble.also { left() } }
+            else sent.left.handle { _, _ -> left() }.thenCombine(sent.outcome.handle { _, trouble -> trouble }) { _, trouble -> trouble }
+        ended.thenAccept { trouble -> outcome(trouble?.let(::failed)) }.exceptionally { broken ->
+            null.also { LOG.log(Level.WARNING, "what waited for the outcome of \"$text\" has failed", broken) }
         }
     }
 

@@ -228,7 +228,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     fun isStale(port: Term): Boolean = stale.isStale(port)
 
     private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) =
-        agent.transmit(port, command, CommandOptions(urgent = true), outcome = outcome)
+        agent.send(port, command, CommandOptions(urgent = true)).follow({ }, outcome)
 
     private fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
         agent.observers().reflexEnded(rule, watcher, failure)

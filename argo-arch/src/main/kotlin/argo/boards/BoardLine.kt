@@ -26,7 +26,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
     /** The critical rules that the board watches. */
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
-        { command, outcome -> commands.submit(command, CommandOptions(urgent = true), outcome = outcome) },
+        { command, outcome -> commands.send(command, CommandOptions(urgent = true)).follow({ }, outcome) },
     )
 
     override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs

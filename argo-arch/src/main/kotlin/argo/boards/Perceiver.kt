@@ -1,8 +1,7 @@
 package argo.boards
 
 import argo.acting.CommandOptions
-import argo.acting.CommandSender
-import argo.calls.Failure
+import argo.acting.Transmission
 import argo.connecting.OpenPort
 import argo.connecting.PortStatus
 import argo.filters.CriticalRule
@@ -55,8 +54,8 @@ internal interface Perceiver {
     /** Where the snapshots of [board] are left for the agent. */
     fun handOverOf(board: Board): HandOver
 
-    /** Sends [text] on [port]; no snapshot waits for it. [left], then [outcome] is called once, by any thread: see [CommandSender.submit]. */
-    fun transmit(port: OpenPort, text: String, options: CommandOptions, left: () -> Unit = { }, outcome: (Failure?) -> Unit)
+    /** Sends [text] on [port]; no snapshot waits for it. Any thread. The caller is to [follow][Transmission.follow] it. */
+    fun send(port: OpenPort, text: String, options: CommandOptions): Transmission
 
     /** Wakes the agent until [seen], which other threads ask. */
     fun wake(seen: () -> Boolean)

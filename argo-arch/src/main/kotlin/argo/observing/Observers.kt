@@ -22,15 +22,15 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
 
     fun messagePerceived(message: PerceivedMessage) = each { it.messagePerceived(message) }
 
-    /** Reports that [text] is to be sent on [port]; what it returns reports the command's end and calls [outcome]. */
-    fun <F : CommandFailure> commandIssued(port: String, text: String, outcome: (F?) -> Unit): (F?) -> Unit {
-        if (guarded.isEmpty()) return outcome
-        val command = IssuedCommand(commands.incrementAndGet(), port, text, nanos())
-        each { it.commandIssued(command) }
-        return { failure ->
-            each { it.commandEnded(command, failure) }
-            outcome(failure)
-        }
+    /** Reports that [text] is to be sent on [port]. Returns the command, for [commandEnded]; null: nobody observes. */
+    fun commandIssued(port: String, text: String): IssuedCommand? {
+        if (guarded.isEmpty()) return null
+        return IssuedCommand(commands.incrementAndGet(), port, text, nanos()).also { command -> each { it.commandIssued(command) } }
+    }
+
+    /** Reports the end of [command], which [commandIssued] has returned. */
+    fun commandEnded(command: IssuedCommand?, failure: CommandFailure?) {
+        if (command != null) each { it.commandEnded(command, failure) }
     }
 
     fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: CommandFailure?) {
