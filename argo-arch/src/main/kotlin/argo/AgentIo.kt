@@ -295,7 +295,7 @@ internal class AgentIo(
         val isOther = isOtherBoards
         isOtherBoards = false
         val boards = perceived.get().boards
-        coupling.perceiving(boards.filter { isPerceiving && it.port.link.isOpen }.mapNotNull { lines[it.port]?.sensing }, intervalMs)
+        coupling.perceiving(intervalMs) { boards.filter { isPerceiving && it.port.link.isOpen }.mapNotNull { lines[it.port]?.sensing } }
         if (isPerceiving) boards.forEach(Board::putDue)
         val snapshots = if (instant.isAwaited(boards, begins = true)) emptyList() else take(boards)
         if (snapshots.isNotEmpty()) perceived.updateAndGet { Perceived(it.boards, emptyList()) }

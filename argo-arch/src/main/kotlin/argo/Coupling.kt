@@ -9,7 +9,7 @@ import argo.sensing.Sensing
 import argo.sensing.SensingPolicy
 import java.util.concurrent.TimeUnit
 
-/** How closely reasoning cycles and lines are coupled, after the [SensingPolicy]. Belongs to the agent's thread but for [submit]. */
+/** How closely reasoning cycles and lines are coupled, after the [SensingPolicy]. Belongs to the agent's thread but for [send]. */
 internal interface Coupling {
     /** Whether messages are written at the pace of the line, see [javino.LinkSettings.paced]. */
     val isPaced: Boolean
@@ -17,9 +17,9 @@ internal interface Coupling {
     /**
      * The agent begins to perceive.
      *
-     * @param sensings the sensing of each port in use; none while perceiving is blocked
+     * @param sensings returns the sensing of each port in use; none while perceiving is blocked
      */
-    fun perceiving(sensings: List<Sensing>, intervalMs: Int)
+    fun perceiving(intervalMs: Int, sensings: () -> List<Sensing>)
 
     /** Has [text] sent. Any thread. */
     fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission
@@ -29,7 +29,7 @@ internal interface Coupling {
 internal object Decoupled : Coupling {
     override val isPaced get() = true
 
-    override fun perceiving(sensings: List<Sensing>, intervalMs: Int) = Unit
+    override fun perceiving(intervalMs: Int, sensings: () -> List<Sensing>) = Unit
 
     override fun send(commands: CommandSender, text: String, options: CommandOptions) = commands.send(text, options)
 }
@@ -43,12 +43,13 @@ internal class InCycle(private val platform: Platform, private val waker: Waker)
 
     override val isPaced get() = false
 
-    override fun perceiving(sensings: List<Sensing>, intervalMs: Int) {
+    override fun perceiving(intervalMs: Int, sensings: () -> List<Sensing>) {
         val start = platform.clock.nanos()
         val isEarly = lastStart?.let { start - it < TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()) } == true
-        if (sensings.isEmpty() || isEarly) return
+        val toAsk = if (isEarly) emptyList() else sensings()
+        if (toAsk.isEmpty()) return
         lastStart = start
-        sensings.forEach(Sensing::exchange)
+        toAsk.forEach(Sensing::exchange)
         waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
     }
 

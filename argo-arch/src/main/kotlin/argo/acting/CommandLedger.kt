@@ -40,7 +40,11 @@ internal class CommandLedger(
     /** Whether every command up to [number] that counts is done. */
     fun allDoneUpTo(number: Long): Boolean {
         val own = port() ?: return true
-        return lock.withLock { pending[own]?.let { it.firstKey() > number } ?: true } && dueInMs(number) == null
+        lock.withLock {
+            if (pending.isEmpty()) return true
+            if (pending[own]?.let { it.firstKey() <= number } == true) return false
+        }
+        return dueInMs(number) == null
     }
 
     /** The time in ms until commands up to [number] to other ports do not count any more; null: there are none that count. */
