@@ -46,7 +46,7 @@ internal interface HandOver {
  *
  * A snapshot with a critical percept that the one before did not have is handed over at once, and no newer one takes its place that does
  * not meet its critical rules. So that a board which is critical all the time cannot make events pile up, this ends when [MANY_EVENTS]
- * wait; then each critical rule may do it once until both conditions hold again.
+ * wait; then each critical rule may do it once until all three conditions hold again.
  */
 internal class FreshHandOver(
     private val commands: CommandLedger,
