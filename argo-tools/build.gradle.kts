@@ -3,6 +3,7 @@ plugins { `java-library` }
 dependencies {
     implementation(project(":javino-java"))
     implementation(project(":argo-filters-dsl"))
+    implementation(project(":argo-recording"))
     implementation(libs.picocli)
     implementation(libs.serialization.json)
 }

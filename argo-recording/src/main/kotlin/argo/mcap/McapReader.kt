@@ -3,6 +3,7 @@ package argo.mcap
 import java.io.Closeable
 import java.nio.ByteBuffer
 import java.nio.file.Path
+import kotlin.io.path.inputStream
 
 /**
  * Reads a file of MCAP version 0 with uncompressed chunks, also one that was cut off or has damaged parts: it gives what is whole.
@@ -67,6 +68,11 @@ class McapReader(path: Path) : Closeable {
     }
 
     override fun close() = input.close()
+
+    companion object {
+        /** Whether the file [path] begins as one of MCAP, of any version. Throws [java.io.IOException] if it cannot be read. */
+        fun isMcap(path: Path): Boolean = path.inputStream().use { it.readNBytes(VERSION_AT) }.contentEquals(MAGIC.copyOf(VERSION_AT))
+    }
 }
 
 /** The message in this record; null: it is of a channel that is not in [channels]. */

@@ -12,6 +12,7 @@ import argo.tools.doctor.DoctorCommand
 import argo.tools.filter.FilterCommand
 import argo.tools.migration.CheckAgentCommand
 import argo.tools.project.NewCommand
+import argo.tools.recording.RecordingCommand
 import argo.tools.samples.DemoCommand
 import argo.tools.samples.ExperimentCommand
 import argo.tools.samples.SampleCommand
@@ -27,9 +28,9 @@ import picocli.CommandLine.Spec
     description = ["Tools for boards, filters and projects of ARGO.", ""],
     versionProvider = JarVersion::class,
     subcommands = [
-        PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class, FilterCommand::class,
-        DoctorCommand::class, CheckAgentCommand::class, NewCommand::class, DemoCommand::class, SampleCommand::class,
-        ExperimentCommand::class, CompletionCommand::class,
+        PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class,
+        RecordingCommand::class, FilterCommand::class, DoctorCommand::class, CheckAgentCommand::class, NewCommand::class, DemoCommand::class,
+        SampleCommand::class, ExperimentCommand::class, CompletionCommand::class,
     ],
     footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],
 )

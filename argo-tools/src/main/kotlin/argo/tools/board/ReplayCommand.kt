@@ -1,5 +1,6 @@
 package argo.tools.board
 
+import argo.mcap.McapReader
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
@@ -45,6 +46,9 @@ internal class ReplayCommand : ToolCommand() {
 
     override fun call(): Int {
         requireFile(file)
+        if (McapReader.isMcap(file)) {
+            throw ToolException("$file is a recording in the MCAP format, and none of a board; \"recording $file\" shows what it holds")
+        }
         link?.let(::requireNew)
         val recording = Recording.read(file)
         val board = board(recording)

@@ -1,0 +1,109 @@
+package argo.tools.recording
+
+import argo.mcap.McapMessage
+import argo.mcap.McapReader
+import argo.tools.command.DataCommand
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolException
+import argo.tools.command.jsonOf
+import argo.tools.command.printable
+import argo.tools.command.requireFile
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+import picocli.CommandLine.Parameters
+import java.math.BigDecimal
+import java.nio.file.Path
+
+/** `recording`: shows what a recording in the MCAP format holds. */
+@Command(
+    name = "recording",
+    description = [
+        "Shows what a recording in the MCAP format (FILE.mcap) holds, with --messages each message, with --file a file inside.",
+        "Of a recording that was cut off or is damaged, all that is whole; then the exit status is 1.",
+    ],
+)
+internal class RecordingCommand : DataCommand() {
+    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording in the MCAP format"])
+    private lateinit var file: Path
+
+    @Option(names = ["--messages"], description = ["prints the messages in their order, with their seconds since the first one"])
+    private var wantsMessages = false
+
+    @Option(names = ["--topic"], paramLabel = "TOPIC", description = ["messages of this topic alone; may be given several times"])
+    private var topics: Set<String>? = null
+
+    @Option(names = ["--from"], paramLabel = "S", description = ["messages from this second on"])
+    private var from: BigDecimal? = null
+
+    @Option(names = ["--until"], paramLabel = "S", description = ["messages before this second"])
+    private var until: BigDecimal? = null
+
+    @Option(names = ["--file"], paramLabel = "NAME", description = ["prints the file of this name inside, and nothing else"])
+    private var inside: String? = null
+
+    override fun call(): Int {
+        if (wantsMessages && inside != null) misuse("--messages and --file exclude each other")
+        if (!wantsMessages && (topics != null || from != null || until != null)) misuse("--topic, --from and --until go with --messages")
+        requireFile(file)
+        return McapReader(file).use { recording ->
+            val name = inside
+            when {
+                name != null -> printFile(recording, name)
+                wantsMessages -> printMessages(recording)
+                json -> out.println(RecordingContents(recording).json())
+                else -> RecordingContents(recording).lines("$file").forEach { out.println(printable(it)) }
+            }
+            recording.problems.forEach { err.println("$file: ${printable(it)}") }
+            if (recording.isComplete) ExitStatus.DONE else ExitStatus.FAILED
+        }
+    }
+
+    private fun printFile(recording: McapReader, name: String) {
+        val found = recording.attachments.find { it.name == name }
+        if (found == null) {
+            val names = recording.attachments.joinToString { it.name }.ifEmpty { "none" }
+            throw ToolException("$file holds no file $name; those that it holds: $names")
+        }
+        out.print(found.text)
+    }
+
+    private fun printMessages(recording: McapReader) {
+        val unknown = topics.orEmpty() - recording.channels.map { it.topic }.toSet()
+        if (unknown.isNotEmpty()) {
+            throw ToolException("$file has no topic ${unknown.first()}; those that it has: ${recording.channels.joinToString { it.topic }}")
+        }
+        val start = recording.times?.first ?: return
+        recording.messages(start.after(from) ?: start, start.after(until) ?: Long.MAX_VALUE, topics).forEach { print(it, start) }
+    }
+
+    private fun print(message: McapMessage, start: Long) {
+        val seconds = (message.logTimeNs - start) / NANOS
+        if (json) {
+            val members = arrayOf("topic" to message.channel.topic, "seconds" to seconds, "ns" to message.logTimeNs)
+            out.println(jsonOf(*members, "message" to parsed(message)))
+        } else {
+            out.println("%9.3f s  %s  %s".format(seconds, printable(message.channel.topic), printable(message.text)))
+        }
+    }
+
+    private fun parsed(message: McapMessage): JsonElement? = try {
+        Json.parseToJsonElement(message.text)
+    } catch (_: SerializationException) {
+        null // of another program's recording
+    }
+
+    /** This time and so many seconds. Null: [seconds] is. */
+    private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {
+        val ns = it.movePointRight(NANO_DIGITS).toBigInteger()
+        if (ns.signum() < 0 || ns.bitLength() >= Long.SIZE_BITS - 1) misuse("$it is no second of a recording")
+        this + minOf(ns.toLong(), Long.MAX_VALUE - this)
+    }
+
+    private companion object {
+        const val NANOS = 1e9
+        const val NANO_DIGITS = 9
+    }
+}

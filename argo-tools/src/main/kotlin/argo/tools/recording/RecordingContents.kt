@@ -1,0 +1,80 @@
+package argo.tools.recording
+
+import argo.mcap.McapChannel
+import argo.mcap.McapReader
+import argo.tools.command.jsonArrayOf
+import argo.tools.command.jsonOf
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/** A channel, and how many messages it has from when to when, in seconds since the first message of the recording. */
+private class ChannelContents(val channel: McapChannel, val messages: Long, val first: Double?, val last: Double?)
+
+/** What [recording] holds, in short. */
+internal class RecordingContents(private val recording: McapReader) {
+    private val times = recording.times
+    private val seconds = times?.let { (it.last - it.first) / NANOS } ?: 0.0
+    private val channels = channels()
+
+    private fun channels(): List<ChannelContents> {
+        val counts = HashMap<Int, Long>()
+        val ranges = HashMap<Int, LongRange>()
+        recording.messages().forEach { message ->
+            counts.merge(message.channel.id, 1, Long::plus)
+            val time = message.logTimeNs
+            ranges.merge(message.channel.id, time..time) { all, _ -> minOf(all.first, time)..maxOf(all.last, time) }
+        }
+        fun since(time: Long?) = time?.let { (it - (times?.first ?: it)) / NANOS }
+        return recording.channels.map { channel ->
+            val range = ranges[channel.id]
+            ChannelContents(channel, counts[channel.id] ?: 0, since(range?.first), since(range?.last))
+        }
+    }
+
+    /** For a person, of a recording in the file [name]. */
+    fun lines(name: String): List<String> = buildList {
+        val state = if (recording.isComplete) "complete" else "not complete"
+        add("$name: ${recording.messageCount} messages in %.3f s, written by ${recording.library}, $state".format(seconds))
+        addAll(
+            table(
+                listOf("TOPIC", "SCHEMA", "MESSAGES", "FIRST", "LAST"),
+                channels.map {
+                    listOf(it.channel.topic, it.channel.schema?.name ?: "-", "${it.messages}", clock(it.first), clock(it.last))
+                },
+            ),
+        )
+        addAll(table(listOf("FILE", "TYPE", "BYTES"), recording.attachments.map { listOf(it.name, it.mediaType, "${it.data.size}") }))
+        recording.metadata.forEach { of -> add("${of.name}: ${of.values.entries.joinToString { (name, value) -> "$name=$value" }}") }
+    }
+
+    fun json(): JsonObject = jsonOf(
+        "messages" to recording.messageCount, "seconds" to seconds, "library" to recording.library, "complete" to recording.isComplete,
+        "problems" to recording.problems,
+        "channels" to jsonArrayOf(
+            channels.map {
+                jsonOf(
+                    "topic" to it.channel.topic, "schema" to it.channel.schema?.name, "messages" to it.messages,
+                    "first" to it.first, "last" to it.last,
+                )
+            },
+        ),
+        "files" to jsonArrayOf(recording.attachments.map { jsonOf("name" to it.name, "type" to it.mediaType, "bytes" to it.data.size) }),
+        "metadata" to JsonObject(
+            recording.metadata.associate { of -> of.name to JsonObject(of.values.mapValues { JsonPrimitive(it.value) }) },
+        ),
+    )
+
+    private fun clock(seconds: Double?) = seconds?.let { "%.3f s".format(it) } ?: "-"
+
+    /** [rows] below [head], in columns; nothing without rows. */
+    private fun table(head: List<String>, rows: List<List<String>>): List<String> {
+        if (rows.isEmpty()) return emptyList()
+        val all = listOf(head) + rows
+        val widths = head.indices.map { column -> all.maxOf { it[column].length } }
+        return all.map { line -> line.mapIndexed { column, text -> text.padEnd(widths[column]) }.joinToString("  ").trimEnd() }
+    }
+
+    private companion object {
+        const val NANOS = 1e9
+    }
+}
