@@ -123,27 +123,25 @@ private:
 
   /** Adds a function that needs a caller. */
   bool addCalled(const char *name, Function function, Caller caller) {
-    read(callFound);
+    Reader &place = reader();
+    if (!place)
+      place = callFound;
     return add(name, function, caller);
   }
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
-    read(callByFunctor);
+    reader() = callByFunctor; /* which does more */
     return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
 
   /**
-   * Carries out what a function without the board and arguments is not there for. Found is the action of which the text is the whole name, or
-   * null; certain is whether the text is whole.
+   * Carries out what a function without the board and arguments is not there for. Found is the action of which the text is the whole
+   * name, or null; certain is whether the text is whole.
    */
   typedef Outcome (*Reader)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
 
-  /** Has this reader called, unless one is that does more. */
-  void read(Reader reader) {
-    Reader &place = described_ ? reader_ : known_;
-    if (place != callByFunctor)
-      place = reader;
-  }
+  /** The reader of actions that are known. */
+  Reader &reader() { return described_ ? reader_ : known_; }
 
   static Outcome callFound(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
   static Outcome callByFunctor(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);

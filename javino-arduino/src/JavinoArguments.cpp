@@ -36,6 +36,7 @@ private:
   bool quoted_;
 };
 
+#ifndef JAVINO_NO_DECIMALS
 /** As many digits of a number as a double tells apart, and a power of ten. */
 class Decimal {
 public:
@@ -84,6 +85,7 @@ private:
   uint8_t digits_; /* of the mantissa */
   int16_t exponent_;
 };
+#endif
 
 }  // namespace
 
@@ -109,6 +111,7 @@ long JavinoArguments::number(uint8_t index, long otherwise) const {
   return bytes && javino_number(argument, bytes, &value) ? value : otherwise;
 }
 
+#ifndef JAVINO_NO_DECIMALS
 double JavinoArguments::decimal(uint8_t index, double otherwise) const {
   const char *text;
   uint8_t bytes = javino_argument(literal_, length_, index, &text);
@@ -132,6 +135,7 @@ double JavinoArguments::decimal(uint8_t index, double otherwise) const {
   double value = decimal.value();
   return negative ? -value : value;
 }
+#endif
 
 bool JavinoArguments::is(uint8_t index, const char *text) const {
   Characters characters(literal_, length_, index);

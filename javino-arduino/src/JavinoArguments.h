@@ -27,11 +27,13 @@ public:
   /** The whole number, or otherwise where there is none. */
   long number(uint8_t index, long otherwise = 0) const;
 
+#ifndef JAVINO_NO_DECIMALS
   /**
    * The number, which may have decimals and an exponent, or otherwise where there is none: never an infinity or what is no
    * number. A string is none.
    */
   double decimal(uint8_t index, double otherwise = 0) const;
+#endif
 
   /** Whether the argument is this atom or string. */
   bool is(uint8_t index, const char *text) const;

@@ -155,7 +155,7 @@ bool JavinoBoard::carryOutAction() {
     return true;
   const javino_link &link = board_.link;
   javino_follows follows = JAVINO_FOLLOWS_HEADER;
-  if (link.version == 1)
+  if (!JAVINO_IS_2(&link))
     follows = javino_decoder_follows(&board_.link.decoder, receive());
   JavinoActions::Outcome outcome = act.carryOut(link.text, link.length, follows == JAVINO_FOLLOWS_HEADER);
   waiting_ = outcome == JavinoActions::UNCERTAIN && follows == JAVINO_FOLLOWS_UNKNOWN;
@@ -242,6 +242,7 @@ void JavinoBoard::longTerm(uint64_t magnitude, bool negative) {
   putDigits(&board_, magnitude, 1);
 }
 
+#ifndef JAVINO_NO_DECIMALS
 void JavinoBoard::term(const JavinoDecimals &number) {
   uint8_t digits = number.digits < 1 ? 1 : number.digits > 9 ? 9 : number.digits;
   uint32_t parts = 1; /* of a whole */
@@ -282,5 +283,6 @@ void JavinoBoard::term(double value) {
   javino_percept_put(&board_, static_cast<char>('0' + hundredths / 10));
   javino_percept_put(&board_, static_cast<char>('0' + hundredths % 10));
 }
+#endif
 
 #endif

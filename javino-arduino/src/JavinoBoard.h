@@ -24,6 +24,7 @@
 /** The library's version: 0.1.0 is 100, 1.2.3 is 10203. */
 #define JAVINO_LIBRARY_VERSION 100
 
+#ifndef JAVINO_NO_DECIMALS
 /** A number with so many decimals, see decimals(). */
 struct JavinoDecimals {
   double value;
@@ -39,6 +40,7 @@ inline JavinoDecimals decimals(double value, uint8_t digits) {
   JavinoDecimals number = {value, digits};
   return number;
 }
+#endif
 
 class JavinoBoard;
 
@@ -124,8 +126,8 @@ public:
    * Has the function called for an action, with its arguments.
    *
    * @param name       the functor, which is not copied; one in flash is copied into the board's memory, before anything has arrived
-   * @param function   takes the board, the arguments, both in this order, or neither; one that takes no arguments refuses an action that has
-   *                   some. It returns `void`; or `bool`, where false refuses the action because of its arguments or otherwise
+   * @param function   takes the board, the arguments, both in this order, or neither; one that takes no arguments refuses an action that
+   *                   has some. It returns `void`; or `bool`, where false refuses the action because of its arguments or otherwise
    * @param arguments  how many it takes: with another number the action is refused and the function not called
    * @return false if there is no memory left for it
    */
@@ -165,8 +167,8 @@ public:
    * While it is set the board does not tell computers which actions it has, since ARGO sends a board that does only those. So every action
    * comes as text, and reaches it.
    *
-   * @param function  is handed the action's whole text, such as `fly(3)`, good until it returns. It returns `void`, and the action is refused,
-   *                  so that it may count or show it; or `bool`: whether it has carried it out. NULL: none
+   * @param function  is handed the action's whole text, such as `fly(3)`, good until it returns. It returns `void`, and the action is
+   *                  refused, so that it may count or show it; or `bool`: whether it has carried it out. NULL: none
    */
   void onUnknownAction(void (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
   /** The same. A template, so that NULL is a function of the other kind. */
@@ -346,8 +348,8 @@ private:
   JavinoBoard &operator=(const JavinoBoard &);
 
   /**
-   * For what most sketches are spared the code of. Called before messages are looked for, and with an action in hand: whether it has handled
-   * that.
+   * For what most sketches are spared the code of. Called before messages are looked for, and with an action in hand: whether it has
+   * handled that.
    */
   typedef bool (*Hook)(JavinoBoard &board, bool action);
 
@@ -398,9 +400,14 @@ private:
   void term(long long value) { longTerm(value < 0 ? 0 - static_cast<uint64_t>(value) : static_cast<uint64_t>(value), value < 0); }
   void term(unsigned long long value) { longTerm(value, false); }
   void longTerm(uint64_t magnitude, bool negative);
+#ifdef JAVINO_NO_DECIMALS
+  void term(double) = delete;
+  void term(float) = delete;
+#else
   void term(const JavinoDecimals &number);
   void term(double value);
   void term(float value) { term(static_cast<double>(value)); }
+#endif
   void term(const char *value) { javino_percept_term(&board_, value); }
   void term(char *value) { javino_percept_term(&board_, value); }
   void term(const __FlashStringHelper *value);

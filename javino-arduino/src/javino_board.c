@@ -42,7 +42,7 @@ JAVINO_OUTLINE void javino_board_place(javino_board *board, uint16_t base)
     uint16_t room = b->memory - base;
     /* In version 1 a message is one frame; while an answer is written, bytes arrive. */
 #if JAVINO_TEXT_MAX > 255
-    if (b->link.version == 1)
+    if (!JAVINO_IS_2(&b->link))
         room = least(room, JAVINO_MAX_PAYLOAD + HEADER);
     else if (b->link.event == JAVINO_REQUEST)
         room = least(room, PART_MAX);
@@ -51,7 +51,7 @@ JAVINO_OUTLINE void javino_board_place(javino_board *board, uint16_t base)
 #elif defined JAVINO_VERSION_1_ONLY
     room = least(room, JAVINO_MAX_PAYLOAD);
 #else
-    room = least(room, b->link.event == JAVINO_REQUEST && b->link.version == 1 ? JAVINO_MAX_PAYLOAD : PART_MAX);
+    room = least(room, b->link.event == JAVINO_REQUEST && !JAVINO_IS_2(&b->link) ? JAVINO_MAX_PAYLOAD : PART_MAX);
 #endif
     b->room = (javino_room)room;
     d->size = b->memory - room;
@@ -106,18 +106,14 @@ void *javino_board_take_front(javino_board *board, uint16_t size)
     return front;
 }
 
-bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length)
+#ifndef JAVINO_NO_FUNCTOR_LISTS
+/* Whether the request's list has this functor, or there is none. */
+static bool is_named(const javino_link *link, const char *functor, uint8_t length)
 {
-    const char *p = board->link.text;
-    uint8_t left = board->link.length;
+    const char *p = link->text;
+    uint8_t left = link->length;
     uint8_t same = NOT_SAME; /* bytes of a name that are those of the functor */
     bool all = true;
-#ifndef JAVINO_VERSION_1_ONLY
-    if (board->link.event == JAVINO_WATCH)
-        return board->watches(board, functor, length);
-#endif
-    if (board->link.event != JAVINO_REQUEST)
-        return true;
     /* Each name stands between a bracket or comma and another. */
     for (; left; left--) {
         char c = *p++;
@@ -133,6 +129,23 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
         }
     }
     return all;
+}
+#endif
+
+bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length)
+{
+#ifndef JAVINO_VERSION_1_ONLY
+    if (board->link.event == JAVINO_WATCH)
+        return board->watches(board, functor, length);
+#endif
+#ifdef JAVINO_NO_FUNCTOR_LISTS
+    (void)board;
+    (void)functor;
+    (void)length;
+    return true;
+#else
+    return board->link.event != JAVINO_REQUEST || is_named(&board->link, functor, length);
+#endif
 }
 
 /* ---- Sending ---- */
@@ -177,12 +190,16 @@ static void send_item(javino_board *b, bool last, uint8_t head, const char *text
 void javino_board_send_text(javino_board *board, bool last, javino_room n)
 {
     javino_board *b = board;
-#ifndef JAVINO_VERSION_1_ONLY
-    if (b->link.version == 2)
+#ifdef JAVINO_VERSION_1_ONLY
+    javino_encoder_begin(&b->link.encoder, (uint8_t)n);
+#elif defined(JAVINO_VERSION_2_ONLY)
+    begin_part(b, last, (uint8_t)n);
+#else
+    if (JAVINO_IS_2(&b->link))
         begin_part(b, last, (uint8_t)n);
     else
-#endif
         javino_encoder_begin(&b->link.encoder, (uint8_t)n);
+#endif
     (void)last;
     b->link.answered = true;
     javino_encoder_finish(&b->link.encoder, b->text, (uint8_t)n);
@@ -219,7 +236,7 @@ static void send_ahead(javino_board *b)
 {
     javino_room n = b->whole;
 #ifdef SPLITS
-    if (n == 0 && b->link.version == 2) {
+    if (n == 0 && JAVINO_IS_2(&b->link)) {
         b->split = true;
         b->text[0] = JAVINO_ITEM_CONTINUED;
         b->text[1] = (char)(b->length - JAVINO_ITEM_HEADER);
@@ -228,7 +245,7 @@ static void send_ahead(javino_board *b)
         begin_item(b);
         return;
     }
-    if (n > PART_MAX && b->link.version == 2)
+    if (n > PART_MAX && JAVINO_IS_2(&b->link))
         n = PART_MAX;
 #endif
 #ifndef JAVINO_VERSION_1_ONLY
@@ -362,6 +379,12 @@ bool javino_percept_end(javino_board *board)
 void javino_board_answer(javino_board *board)
 {
     javino_board *b = board;
+#ifdef JAVINO_VERSION_2_ONLY
+    if (!b->link.session) {
+        javino_board_clear(b);
+        return;
+    }
+#endif
     b->length = b->whole;
     code(b);
 #ifndef JAVINO_VERSION_1_ONLY
@@ -369,7 +392,7 @@ void javino_board_answer(javino_board *board)
         return;
 #endif
 #if JAVINO_TEXT_MAX > 255
-    while (b->length > PART_MAX && b->link.version == 2)
+    while (b->length > PART_MAX && JAVINO_IS_2(&b->link))
         javino_board_send_text(b, false, PART_MAX);
 #endif
     if (b->length || IS_OPEN(b) || !b->link.answered)
@@ -394,7 +417,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
     javino_link_poll(&b->link, now_ms);
 #if JAVINO_TEXT_MAX > 255
     /* What has waited for version 2 may be too long for version 1. */
-    if (b->length == 0 || (b->link.version == 1 && b->room > JAVINO_MAX_PAYLOAD + HEADER))
+    if (b->length == 0 || (!JAVINO_IS_2(&b->link) && b->room > JAVINO_MAX_PAYLOAD + HEADER))
         javino_board_clear(b);
 #endif
     if (b->link.event == JAVINO_REQUEST) {
@@ -410,6 +433,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
     return b->link.event;
 }
 
+#ifndef JAVINO_VERSION_2_ONLY
 /* In parts of whole percepts. */
 static bool send_in_parts(javino_link *link, const char *text, size_t length)
 {
@@ -437,14 +461,19 @@ static bool send_in_parts(javino_link *link, const char *text, size_t length)
         javino_link_send(link, text + sent, (uint8_t)(length - sent));
     return complete;
 }
+#endif
 
 bool javino_board_send(javino_board *board, const char *text, size_t length)
 {
     javino_link *link = &board->link;
 #ifndef JAVINO_VERSION_1_ONLY
     const uint8_t most = PART_MAX - JAVINO_ITEM_HEADER;
+#ifdef JAVINO_VERSION_2_ONLY
+    if (!link->session)
+        return false;
+#endif
     rule(board, JAVINO_RULES_ALL);
-    if (link->version == 2) {
+    if (JAVINO_IS_2(link)) {
         for (; length > most; length -= most, text += most)
             send_item(board, false, JAVINO_ITEM_CONTINUED, text, most);
         if (length) {
@@ -456,8 +485,10 @@ bool javino_board_send(javino_board *board, const char *text, size_t length)
         return true;
     }
 #endif
+#ifndef JAVINO_VERSION_2_ONLY
     if (length > JAVINO_MAX_PAYLOAD)
         return send_in_parts(link, text, length);
     javino_link_send(link, text, (uint8_t)length);
     return true;
+#endif
 }

@@ -2,11 +2,14 @@
 
 #include <string.h>
 
-#define PREAMBLE_LENGTH 4
 #define HEADER JAVINO_PAYLOAD_AT_1
+
+#ifndef JAVINO_VERSION_2_ONLY
+#define PREAMBLE_LENGTH 4
 #define NO_DIGIT 16
 
 static const char PREAMBLE[] = "fffe";
+#endif
 
 #define START JAVINO_START
 #define ESCAPE 0xA4
@@ -18,8 +21,15 @@ static const char PREAMBLE[] = "fffe";
 #define IS_FRAME_2(bytes) (*(bytes) == START)
 #endif
 
+#ifdef JAVINO_VERSION_2_ONLY
+#define WRITES_2(encoder) true
+#else
+#define WRITES_2(encoder) ((encoder)->version2)
+#endif
+
 /* ---- Hex and CRC ---- */
 
+#ifndef JAVINO_VERSION_2_ONLY
 static uint8_t digit_value(uint8_t c)
 {
     c = (uint8_t)(c - '0');
@@ -28,6 +38,7 @@ static uint8_t digit_value(uint8_t c)
     c = (uint8_t)((c | 0x20) - ('a' - '0')); /* of either case */
     return c < 6 ? c + 10 : NO_DIGIT;
 }
+#endif
 
 JAVINO_OUTLINE uint16_t javino_crc16(uint16_t crc, uint8_t byte)
 {
@@ -173,8 +184,10 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     uint16_t stop = d->gap ? d->gap : d->end;
     const uint8_t *end = p + stop;
     const uint8_t *next = p;
+#ifndef JAVINO_VERSION_2_ONLY
     uint8_t length = 0;
     uint8_t i;
+#endif
     if (d->held) {
         if (IS_FRAME_2(p))
             return JAVINO_FOLLOWS_HEADER;
@@ -185,6 +198,11 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
 #ifndef JAVINO_VERSION_1_ONLY
     if (IS_FRAME_2(next))
         return d->held ? JAVINO_FOLLOWS_HEADER : read_frame2(d, p, end);
+#endif
+#ifdef JAVINO_VERSION_2_ONLY
+    return JAVINO_FOLLOWS_OTHER;
+#else
+#ifndef JAVINO_VERSION_1_ONLY
     if (!d->quiet && !d->held)
         return JAVINO_FOLLOWS_OTHER;
 #endif
@@ -214,6 +232,7 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     return JAVINO_FOLLOWS_HEADER;
 cut:
     return d->gap ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_UNKNOWN;
+#endif
 }
 
 JAVINO_OUTLINE const uint8_t *javino_decoder_next(javino_decoder *decoder, uint16_t now_ms)
@@ -277,6 +296,7 @@ static JAVINO_NOINLINE void put_plain(javino_encoder *e, uint8_t byte)
     e->write(e->context, byte);
 }
 
+#ifndef JAVINO_VERSION_2_ONLY
 static JAVINO_NOINLINE void put_digit(javino_encoder *e, uint8_t digit)
 {
     put_plain(e, (uint8_t)(digit + (digit < 10 ? '0' : 'A' - 10)));
@@ -289,6 +309,7 @@ void javino_encoder_begin(javino_encoder *encoder, uint8_t length)
     put_digit(encoder, length >> 4);
     put_digit(encoder, length & 0x0F);
 }
+#endif
 
 #ifdef JAVINO_VERSION_1_ONLY
 
@@ -312,7 +333,7 @@ void javino_encoder_begin2(javino_encoder *encoder, uint8_t kind, uint8_t number
 void javino_encoder_put(javino_encoder *encoder, uint8_t byte)
 {
     encoder->crc = javino_crc16(encoder->crc, byte);
-    if (encoder->version2 && (byte == START || byte == ESCAPE)) {
+    if (WRITES_2(encoder) && (byte == START || byte == ESCAPE)) {
         put_plain(encoder, ESCAPE);
         byte ^= ESCAPED;
     }
@@ -326,7 +347,7 @@ JAVINO_NOINLINE void javino_encoder_finish(javino_encoder *encoder, const char *
     while (length--)
         javino_encoder_put(encoder, (uint8_t)*text++);
 #ifndef JAVINO_VERSION_1_ONLY
-    if (encoder->version2) {
+    if (WRITES_2(encoder)) {
         uint16_t crc = encoder->crc;
         javino_encoder_put(encoder, (uint8_t)(crc >> 8));
         javino_encoder_put(encoder, (uint8_t)crc);

@@ -12,7 +12,9 @@
  *  - javino_link.h: the conversation, that is versions, sessions, commands and their outcomes, a lost link;
  *  - javino_board.h: answers made of percepts; javino_literal.h: the texts of actions.
  *
- * JAVINO_VERSION_1_ONLY, defined for all files, leaves version 2 out.
+ * Defined for all files, JAVINO_VERSION_1_ONLY leaves version 2 out; JAVINO_VERSION_2_ONLY version 1: without a session nothing is
+ * sent, and javino_link_send() is not there; JAVINO_NO_FUNCTOR_LISTS, that a request may name the functors that are wanted: the board
+ * then answers with all percepts; JAVINO_NO_DECIMALS, numbers with decimals, in the Arduino class.
  */
 #ifndef JAVINO_FRAME_H
 #define JAVINO_FRAME_H
@@ -33,6 +35,10 @@ extern "C" {
 #else
 #define JAVINO_OUTLINE
 #define JAVINO_NOINLINE
+#endif
+
+#if defined(JAVINO_VERSION_1_ONLY) && defined(JAVINO_VERSION_2_ONLY)
+#error "JAVINO_VERSION_1_ONLY and JAVINO_VERSION_2_ONLY leave nothing"
 #endif
 
 /** Payload bytes that a frame holds at most. */
@@ -180,8 +186,10 @@ typedef struct {
     bool version2;
 } javino_encoder;
 
+#ifndef JAVINO_VERSION_2_ONLY
 /** Begins a frame of version 1. Exactly length calls of javino_encoder_put and one of javino_encoder_end must follow. */
 void javino_encoder_begin(javino_encoder *encoder, uint8_t length);
+#endif
 
 /**
  * Begins a frame of version 2, as javino_encoder_begin.

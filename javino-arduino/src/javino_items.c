@@ -55,7 +55,7 @@ void javino_items_code(javino_board *board)
         uint8_t length = in[1];
         uint8_t id = in[0];
         in += JAVINO_ITEM_HEADER;
-        if (b->link.version == 2) {
+        if (JAVINO_IS_2(&b->link)) {
             if (id == JAVINO_ITEM_NEW)
                 id = id_of(b, (const char *)in, length);
             if (id < b->link.known) {

@@ -2,7 +2,9 @@
 
 #include <string.h>
 
+#ifndef JAVINO_VERSION_2_ONLY
 #define REQUEST_LENGTH 11 /* of getPercepts */
+#endif
 
 /* Frames that one poll deals with by itself, so that a flood of them cannot keep the program. */
 #define FRAMES_PER_POLL 8
@@ -15,12 +17,6 @@
 #define BY_NUMBER 0x80
 #define NO_COMMAND 0xFE
 #define NO_ITEM 0xFF
-
-#ifdef JAVINO_VERSION_1_ONLY
-#define IS_VERSION_2(link) false
-#else
-#define IS_VERSION_2(link) ((link)->version == 2)
-#endif
 
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
@@ -46,12 +42,14 @@ void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms)
     javino_decoder_put(&link->decoder, byte, now_ms);
 }
 
+#ifndef JAVINO_VERSION_2_ONLY
 void javino_link_send(javino_link *link, const char *text, uint8_t length)
 {
     link->answered = true;
     javino_encoder_begin(&link->encoder, length);
     javino_encoder_finish(&link->encoder, text, length);
 }
+#endif
 
 /* ---- Version 2 ---- */
 
@@ -210,7 +208,9 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
 /* What the frame that has just arrived means to the program. */
 static javino_event meaning(javino_link *l, const uint8_t *frame)
 {
+#ifndef JAVINO_VERSION_2_ONLY
     const uint8_t n = REQUEST_LENGTH;
+#endif
     l->version = 1;
     l->answered = false;
     l->heard = true;
@@ -221,6 +221,9 @@ static javino_event meaning(javino_link *l, const uint8_t *frame)
         return meaning2(l, frame);
     }
 #endif
+#ifdef JAVINO_VERSION_2_ONLY
+    return JAVINO_NOTHING;
+#else
     l->text = (const char *)frame + JAVINO_PAYLOAD_AT_1;
     l->length = (uint8_t)(l->decoder.taken - JAVINO_PAYLOAD_AT_1);
     if (l->length < n || memcmp(l->text, "getPercepts", n) != 0 || (l->length > n && l->text[n] != '('))
@@ -228,6 +231,7 @@ static javino_event meaning(javino_link *l, const uint8_t *frame)
     l->text += n;
     l->length -= n;
     return JAVINO_REQUEST;
+#endif
 }
 
 JAVINO_NOINLINE void javino_link_finish(javino_link *link, bool done)
@@ -238,7 +242,7 @@ JAVINO_NOINLINE void javino_link_finish(javino_link *link, bool done)
     (void)action;
     (void)done;
 #else
-    if (action && IS_VERSION_2(link))
+    if (action && JAVINO_IS_2(link))
         settle(link, done);
     link->request = 0;
     link->version = link->session ? 2 : 1;
@@ -251,7 +255,7 @@ javino_later javino_link_later(javino_link *link)
     (void)link;
     return 0;
 #else
-    if (link->event != JAVINO_ACTION || !IS_VERSION_2(link))
+    if (link->event != JAVINO_ACTION || !JAVINO_IS_2(link))
         return 0;
     link->event = JAVINO_NOTHING;
     link->flags = JAVINO_BUSY;

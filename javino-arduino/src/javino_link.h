@@ -81,6 +81,15 @@ typedef struct {
     uint32_t drained_ms;
 } javino_link;
 
+/** Whether the message in hand is, or what is sent without one will be, of version 2. */
+#if defined(JAVINO_VERSION_1_ONLY)
+#define JAVINO_IS_2(link) false
+#elif defined(JAVINO_VERSION_2_ONLY)
+#define JAVINO_IS_2(link) true
+#else
+#define JAVINO_IS_2(link) ((link)->version == 2)
+#endif
+
 /**
  * Prepares a link. It speaks version 1 until a computer begins a session of version 2.
  *
@@ -152,8 +161,10 @@ void javino_link_supervise(javino_link *link, uint32_t now_ms);
  */
 bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms);
 
+#ifndef JAVINO_VERSION_2_ONLY
 /** Sends one frame of version 1. Counts as an answer to the request in hand. */
 void javino_link_send(javino_link *link, const char *text, uint8_t length);
+#endif
 
 /**
  * Begins a frame of version 2, with what is due next. Exactly length calls of javino_encoder_put and one of

@@ -42,8 +42,8 @@ struct javino_rules {
 };
 
 /**
- * Takes memory for rules, before the first byte arrives. From now on answers go out in parts of JAVINO_SHORT_PART bytes while a rule is set, a part with each
- * javino_board_poll.
+ * Takes memory for rules, before the first byte arrives. From now on answers go out in parts of JAVINO_SHORT_PART bytes while a rule is
+ * set, a part with each javino_board_poll.
  *
  * @param size     bytes, at most 255; a rule takes about 20
  * @param act      handed the board's context, as write is
