@@ -66,4 +66,16 @@ class FrontDoorSpec : FunSpec({
             status shouldBe 2
         }
     }
+
+    mapOf(
+        "new" to "new takes the name of a project, such as my-robot", "sample" to "sample takes the name of one: blink",
+        "site here" to "site takes no arguments, not: here", "dist here" to "dist takes no arguments, not: here",
+        "install here" to "install takes no arguments, not: here",
+    ).forEach { (line, reason) ->
+        test("./argo $line is refused before anything is built") {
+            val (status, said) = bash("../argo", *line.split(' ').toTypedArray())
+            said shouldStartWith "./argo: $reason"
+            status shouldBe 2
+        }
+    }
 })
