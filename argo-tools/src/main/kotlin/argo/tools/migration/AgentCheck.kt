@@ -14,6 +14,11 @@ internal class AgentCheck(private val file: Path, private val text: String) {
     private val calls = callsIn(tokens)
     private val ports = calls.filter { ArgoActions.actionIn(it.name) == "port" }.mapNotNull { it.arguments.firstOrNull()?.singleOrNull() }
 
+    /** The first interval that may be meant in nanoseconds: only programs for other versions write the dot. */
+    private val firstSlow = calls.find {
+        it.name.startsWith('.') && ArgoActions.actionIn(it.name) == "limit" && (intervalIn(it) ?: 0.0) in MIN_SLOW_MS..<MIN_NANOSECONDS
+    }
+
     /** The names of the filters that it changes to, with their lines. */
     val filters = ArrayList<Pair<String, Int>>()
 
@@ -105,7 +110,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
             advices.change(call.line, "the interval of ${call.name} is a number of milliseconds, not $written", "such as ${call.name}(100)")
             return
         }
-        val ms = written.toDoubleOrNull() ?: return
+        val ms = intervalIn(call) ?: return
         when {
             ms < 0 || ms != Math.rint(ms) -> advices.change(
                 call.line, "the interval of ${call.name} is a whole number of milliseconds from 0, not $written",
@@ -117,7 +122,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
                 val what = "${call.name}($written) is in milliseconds: one perception in $minutes minutes"
                 advices.change(call.line, what, "for nanoseconds write ${call.name}($fromNanos)")
             }
-            ms >= MIN_SLOW_MS -> advices.note(
+            ms >= MIN_SLOW_MS && call == firstSlow -> advices.note(
                 call.line, "${call.name}($written): one perception in $written ms. Some versions of ARGO read nanoseconds, without effect",
                 "write a smaller number if the agent must be faster; 0 is as fast as the line allows",
             )
@@ -192,6 +197,9 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         /** From this interval on nanoseconds were meant. */
         const val MIN_NANOSECONDS = 1_000_000.0
         const val MIN_SLOW_MS = 200.0
+
+        /** The number that [call], one of `argo.limit`, is given. */
+        fun intervalIn(call: Call): Double? = call.arguments.singleOrNull()?.joinToString("") { it.text }?.toDoubleOrNull()
 
         const val BLANKS = "\t\n\u000B\u000C\r"
 

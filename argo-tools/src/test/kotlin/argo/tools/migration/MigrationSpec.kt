@@ -42,6 +42,7 @@ class MigrationSpec : FunSpec({
             "+port(P,S) : S = off | S = timeout <- .argo.percepts(close).",
             "+port(ttyACM0,on)[source(percept)] <- .print(x). +!s <- .argo.port(ttyACM0).",
             "+!s <- .send(bob, tell, port(1,2,3)); .my.act(x); .wait(1000).",
+            "+!s <- argo.limit(1000); argo.limit(2000).",
         ).forEach { line -> test(line) { of(line).shouldBeEmpty() } }
     }
 
@@ -92,7 +93,7 @@ class MigrationSpec : FunSpec({
     context("what may matter is a note") {
         listOf(
             "+!s <- .port(COM5)." to "COM5 is a variable to Jason",
-            "+!s <- .argo.limit(1000)." to "one perception in 1000 ms",
+            "+!s <- .argo.limit(50); .argo.limit(1000); .argo.limit(2000)." to "one perception in 1000 ms",
             "+!s <- .act(\"led\")." to "the string \"led\" is sent without its quotes here",
             "+!s <- .port(ttyACM0); .port(ttyACM1)." to "ttyACM1 is another port than ttyACM0 before",
             "+!s <- .change_filter(byValue)." to "there is no file of the filter byValue",
