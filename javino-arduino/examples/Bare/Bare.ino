@@ -1,5 +1,11 @@
 // Messages one by one, without callbacks: every action is answered with its own text, and a request with the
 // time since the start.
+//
+//   actions   any
+//   percepts  uptime(Seconds)
+//   agent     !start.
+//             +!start <- argo.port(ttyACM0); argo.percepts(open).
+//             +uptime(S) : S > 60 <- .print("the board has been on for a minute").
 
 #include <Javino.h>
 

@@ -2,6 +2,10 @@
 //
 //   actions   ledOn, ledOff
 //   percepts  ledStatus(on) or ledStatus(off)
+//   agent     !start.
+//             +!start <- argo.port(ttyACM0); argo.percepts(open).
+//             +ledStatus(off) <- .wait(500); argo.act(ledOn).
+//             +ledStatus(on) <- .wait(500); argo.act(ledOff).
 
 #include <Javino.h>
 

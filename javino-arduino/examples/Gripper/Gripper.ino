@@ -3,6 +3,10 @@
 //
 //   actions   open, close
 //   percepts  gripper(open), gripper(closing) or gripper(closed)
+//   agent     !start.
+//             +!start <- argo.port(ttyACM0); argo.percepts(open); !take.
+//             +!take <- argo.act(close); .print("I have it").
+//             -!take <- .print("there is nothing between the fingers"); argo.act(open).
 //
 // What must be stopped on the way had better be reported as carried out when it begins: other actions wait for the outcome.
 

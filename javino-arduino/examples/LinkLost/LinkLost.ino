@@ -6,6 +6,9 @@
 //
 //   actions   speed(0..255)
 //   percepts  motor(Speed), stopped(linkLost) once after the link was lost
+//   agent     !start.
+//             +!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(speed(120)).
+//             +stopped(linkLost) <- .print("the motor has stopped by itself"); argo.act(speed(120)).
 
 #include <Javino.h>
 

@@ -3,6 +3,9 @@
 //   percepts  dist(Side,Cm)  light(Side,Percent)  temp(Side,Celsius)   Side is f, b, r or l
 //   actions   front  back  left  right  stop  speed(0..255)
 //             ledLightOn  ledLightOff  ledTempOn  ledTempOff
+//   agent     !start.
+//             +!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(front).
+//             +dist(f,Cm) : Cm < 40 <- argo.act(stop).
 //
 // It stops by itself when the computer has been silent for a second, and watches critical rules that the computer sets, such as
 // "stop when dist(f,_) is less than 40".

@@ -3,6 +3,9 @@
 //
 //   actions   speed(0..255)
 //   percepts  motor(Speed), signal(Decibels)
+//   agent     !start.
+//             +!start <- argo.port("tcp://192.168.1.20:4000"); argo.percepts(open); argo.act(speed(120)).
+//             +signal(DB) : DB < -80 <- argo.act(speed(0)).
 //
 // The motor stops when nothing has come from the computer for a second, whatever has failed: the computer, the network, the router. The
 // newest connection counts, so that a computer whose connection was cut comes back. Anybody on the network can do so: Javino has no
