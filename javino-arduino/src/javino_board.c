@@ -250,7 +250,7 @@ static void send_ahead(javino_board *b)
 #endif
 #ifndef JAVINO_VERSION_1_ONLY
     /* While rules are set only what must go out now: the rest follows when they can be watched. */
-    if (n > JAVINO_SHORT_PART && b->link.rules)
+    if (n > JAVINO_SHORT_PART && b->link.rules && JAVINO_IS_2(&b->link))
         n = JAVINO_SHORT_PART;
 #endif
     if (n)

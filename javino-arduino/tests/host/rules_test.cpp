@@ -321,6 +321,30 @@ TEST_CASE("while rules are set an answer that does not fit takes the line no lon
   CHECK(w.percepts.read(answer, 1) == all);
 }
 
+TEST_CASE("while rules are set an answer in version 1 is messages of whole percepts all the same") {
+  Watcher w(368);
+  w.set(rule(1, "dist", {"1<40"}, "stop"));
+  w.now += 200;
+  w.poll();
+  REQUIRE(w.hear(frame1("getPercepts")) == JAVINO_REQUEST);
+  std::string all;
+  for (int i = 0; i < 30; i++) {
+    w.percept(std::string(1, static_cast<char>('a' + i % 26)) + "light(1000)");
+    all += std::string(1, static_cast<char>('a' + i % 26)) + "light(1000);";
+  }
+  javino_board_answer(&w.board);
+  std::string answer;
+  std::vector<std::string> messages = payloads1(w.sent());
+  CHECK(messages.size() > 1);
+  CHECK(messages[0].size() > 100);
+  for (const std::string &message : messages) {
+    CHECK(message.size() % 13 == 0);
+    CHECK(message.back() == ';');
+    answer += message;
+  }
+  CHECK(answer == all);
+}
+
 TEST_CASE("while another request has an answer end, rules are watched between its parts") {
   Watcher w;
   w.set(rule(1, "dist", {"1<40"}, "stop"));
