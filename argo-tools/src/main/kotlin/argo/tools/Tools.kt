@@ -29,8 +29,8 @@ import picocli.CommandLine.Spec
     versionProvider = JarVersion::class,
     subcommands = [
         PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class,
-        RecordingCommand::class, FilterCommand::class, DoctorCommand::class, CheckAgentCommand::class, NewCommand::class, DemoCommand::class,
-        SampleCommand::class, ExperimentCommand::class, CompletionCommand::class,
+        RecordingCommand::class, FilterCommand::class, DoctorCommand::class, CheckAgentCommand::class, NewCommand::class,
+        DemoCommand::class, SampleCommand::class, ExperimentCommand::class, CompletionCommand::class,
     ],
     footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],
 )
