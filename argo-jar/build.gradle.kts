@@ -11,6 +11,9 @@ dependencies {
     testImplementation(libs.archunit) // which package may know which
 }
 
+// Java-WebSocket asks for another version than slf4j-jdk14
+configurations.all { resolutionStrategy.force("org.slf4j:slf4j-api:${libs.versions.slf4j.get()}") }
+
 /** The one jar that a Jason project adds: everything but Jason. */
 val argoJar by tasks.registering(JavaExec::class) {
     description = "Packs argo.jar."

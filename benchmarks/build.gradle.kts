@@ -10,6 +10,8 @@ configure<KotlinJvmProjectExtension> {
 dependencies {
     implementation(project(":argo-arch"))
     implementation(project(":argo-testkit")) // the bench of stops runs in its virtual time
+    implementation(project(":argo-ros")) // the bench of robots that speak ROS
+    implementation(libs.java.websocket) // its bridge
     implementation(libs.jason)
     implementation(libs.jmh.core)
     implementation(libs.lets.plot.kotlin)
@@ -17,6 +19,9 @@ dependencies {
     implementation(libs.slf4j.jdk14) // where Lets-Plot logs to
     annotationProcessor(libs.jmh.processor)
 }
+
+// Java-WebSocket asks for another version than slf4j-jdk14
+configurations.all { resolutionStrategy.force("org.slf4j:slf4j-api:${libs.versions.slf4j.get()}") }
 
 application {
     mainClass = "benchmarks.MainKt"

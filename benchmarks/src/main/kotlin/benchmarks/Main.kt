@@ -5,6 +5,7 @@ import benchmarks.boards.BoardsCourse
 import benchmarks.boards.ManyBoards
 import benchmarks.boards.boards
 import benchmarks.boards.hostBoards
+import benchmarks.ros.ros
 import benchmarks.stops.stops
 import java.io.File
 import kotlin.system.exitProcess
@@ -20,6 +21,7 @@ fun main(args: Array<String>) {
         "faults" -> if (!faults()) exitProcess(1)
         "boards" -> if (!boards(File(args.getOrElse(1) { "boards.txt" }))) exitProcess(1)
         "tls" -> tls()
+        "ros" -> if (!ros()) exitProcess(1)
         "soak" -> if (!soak()) exitProcess(1)
         Crowd.NAME -> Crowd().run()
         BoardsCourse.NAME -> BoardsCourse(args[1].toInt(), args[2].toInt()).run()
@@ -27,7 +29,7 @@ fun main(args: Array<String>) {
         BoardHost.NAME -> hostBoards(args.drop(1))
         LATENCY_COURSE -> latencyCourse(args[1])
         else -> {
-            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls")
+            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros")
             exitProcess(2)
         }
     }

@@ -23,8 +23,8 @@ import java.util.concurrent.CountDownLatch
 @Command(
     name = "ros-serve",
     description = [
-        "Offers boards to clients of the rosbridge protocol, as roslibpy, roslibjs and agents with ros://: each percept is a topic, each",
-        "action a service and an action. Boards that go are opened again when they are back. Ctrl-C ends it.",
+        "Offers boards to clients of the rosbridge protocol, as roslibpy: percepts are topics, commands are services and actions.",
+        "Boards that go are opened again when they are back. Ctrl-C ends it.",
         "Opening a port resets most boards.",
     ],
 )

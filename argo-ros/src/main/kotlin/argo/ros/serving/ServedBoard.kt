@@ -80,8 +80,8 @@ internal class ServedBoard(
         opened.wants(Wish(true, intervalMs, null))
         link = opened
         Thread({ writeCommands(opened) }, "argo-ros-$name-acting").apply { isDaemon = true }.start()
+        var due = System.nanoTime()
         while (!isClosed) {
-            val begun = System.nanoTime()
             try {
                 val message = if (listens || opened.speaksUnasked) opened.listen(timeoutMs)
                 else opened.request({ PerceptsRequest.ALL }, timeoutMs, intervalMs)
@@ -90,7 +90,8 @@ internal class ServedBoard(
             } catch (late: PortTimeoutException) {
                 report("timeout", "/$name: ${late.message}")
             }
-            if (!listens && !opened.speaksUnasked) waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
+            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // what was late is not caught up with
+            if (!listens && !opened.speaksUnasked) waitUntil(due)
         }
     }
 

@@ -1,0 +1,98 @@
+package benchmarks.ros
+
+import org.java_websocket.WebSocket
+import org.java_websocket.handshake.ClientHandshake
+import org.java_websocket.server.WebSocketServer
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.ScheduledThreadPoolExecutor
+import java.util.concurrent.TimeUnit
+
+/**
+ * A bridge whose topic `/n` counts. As rosbridge 0.11.17 does with `queue_length` 1, it sends the newest message once a `throttle_rate`.
+ *
+ * @param number its TCP port; 0: a free one
+ * @param first the first number
+ * @param hz how many numbers a second
+ * @param published is called with each number before it is published
+ */
+internal class CountingBridge(number: Int, first: Int, hz: Int, private val published: (Int) -> Unit) : AutoCloseable {
+    private val started = CountDownLatch(1)
+    private val timer = ScheduledThreadPoolExecutor(1) { Thread(it, "counting-bridge").apply { isDaemon = true } }
+    private var next = first
+    private var waiting: Int? = null
+
+    @Volatile
+    private var throttleNanos: Long? = null // null: nobody subscribes
+    private var sentNanos = System.nanoTime()
+
+    /** The numbers that commands had, in their order. */
+    val done = ConcurrentLinkedQueue<Int>()
+
+    private val server = object : WebSocketServer(InetSocketAddress(InetAddress.getLoopbackAddress(), number), 1) {
+        override fun onOpen(client: WebSocket, handshake: ClientHandshake) = Unit
+
+        override fun onClose(client: WebSocket, code: Int, reason: String, remote: Boolean) {
+            if (connections.isEmpty()) throttleNanos = null
+        }
+
+        override fun onMessage(client: WebSocket, message: String) = hear(client, message)
+
+        override fun onError(client: WebSocket?, trouble: Exception) = Unit
+
+        override fun onStart() = started.countDown()
+    }.apply {
+        isReuseAddr = true
+        isDaemon = true
+        isTcpNoDelay = true
+        start()
+    }
+
+    init {
+        check(started.await(START_S, TimeUnit.SECONDS)) { "the bridge does not start" }
+        timer.scheduleAtFixedRate(::count, 0, TimeUnit.SECONDS.toNanos(1) / hz, TimeUnit.NANOSECONDS)
+    }
+
+    /** The TCP port that it listens at. */
+    val number: Int get() = server.port
+
+    /** How many clients there are. */
+    val clients: Int get() = server.connections.size
+
+    private fun hear(client: WebSocket, message: String) {
+        val id = ID.find(message)?.groupValues?.get(1)
+        when {
+            "\"subscribe\"" in message && "\"/n\"" in message ->
+                throttleNanos = TimeUnit.MILLISECONDS.toNanos(THROTTLE.find(message)?.groupValues?.get(1)?.toLong() ?: 0)
+            "\"unsubscribe\"" in message -> throttleNanos = null
+            "\"/did\"" in message && "\"publish\"" in message -> DATA.find(message)?.let { done += it.groupValues[1].toInt() }
+            "\"call_service\"" in message -> client.send("""{"op":"service_response","id":"$id","values":"there is none","result":false}""")
+        }
+    }
+
+    private fun count() {
+        published(next)
+        waiting = next++
+        val interval = throttleNanos ?: return
+        val now = System.nanoTime()
+        val number = waiting?.takeIf { now - sentNanos >= interval } ?: return
+        waiting = null
+        sentNanos = now
+        server.connections.forEach { if (it.isOpen) it.send("""{"op":"publish","topic":"/n","msg":{"data":$number}}""") }
+    }
+
+    override fun close() {
+        timer.shutdownNow()
+        timer.awaitTermination(START_S, TimeUnit.SECONDS)
+        server.stop(0)
+    }
+
+    private companion object {
+        const val START_S = 20L
+        val ID = Regex("\"id\":\"([^\"]*)\"")
+        val THROTTLE = Regex("\"throttle_rate\":(\\d+)")
+        val DATA = Regex("\"data\":(\\d+)")
+    }
+}

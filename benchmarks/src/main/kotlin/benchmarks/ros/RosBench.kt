@@ -1,0 +1,100 @@
+package benchmarks.ros
+
+import benchmarks.Agents
+import benchmarks.Distribution
+import benchmarks.acts
+import benchmarks.awaitAtMost
+import benchmarks.machine
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.TimeUnit
+
+private const val RESTARTS = 10
+private const val PATIENCE_S = 20
+private const val OFF_MS = 300L
+private const val WORK_MS = 100L
+
+/**
+ * How old what an agent acts on is that takes 100 ms for each message of a bridge, after a minute at three rates; and how long an agent
+ * takes to act again behind a bridge that is restarted. Prints the figures.
+ *
+ * @param seconds how long each rate is
+ * @return whether nothing was lost, carried out twice or left behind
+ */
+fun ros(seconds: Int = 60, rates: List<Int> = listOf(50, 200, 1_000)): Boolean {
+    println("robots behind ros://, ${machine()}:")
+    println("age of what an agent acts on that takes $WORK_MS ms a message, $seconds s each:")
+    rates.forEach { hz -> println("$hz Hz: ${ages(hz, seconds)}") }
+    return Restarts().run()
+}
+
+private fun program(number: Int) = """
+    !start.
+    +!start <- argo.port("ros://127.0.0.1:$number#rosbench"); argo.percepts(open).
+    +n(K) <- benchmarks.acts(K); argo.act(did(K)).
+"""
+
+private fun ages(hz: Int, seconds: Int): String {
+    val published = ConcurrentHashMap<Int, Long>()
+    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // when, and how old
+    acts.heard = { number, now ->
+        ages += now to now - published.getValue(number)
+        Thread.sleep(WORK_MS)
+    }
+    CountingBridge(0, 0, hz) { published[it] = System.nanoTime() }.use { bridge ->
+        Agents().use {
+            it.start("bob", program(bridge.number))
+            Thread.sleep(TimeUnit.SECONDS.toMillis(seconds.toLong()))
+        }
+    }
+    val all = Distribution(ages.map { (_, age) -> age }.toLongArray())
+    val end = ages.lastOrNull()?.first ?: return "nothing came"
+    val last = Distribution(ages.filter { (now, _) -> end - now < TimeUnit.SECONDS.toNanos(1) }.map { (_, age) -> age }.toLongArray())
+    return "median %.0f, longest %.0f ms of %d; in the last second at most %.0f ms".format(all.ms(0.5), all.ms(1.0), all.size, last.ms(1.0))
+}
+
+private class Restarts {
+    private val done = ArrayList<Int>()
+    private var next = 0
+
+    fun run(): Boolean {
+        val times = ArrayList<Long>()
+        var threads = 0
+        acts.heard = { _, _ -> }
+        var bridge = CountingBridge(0, 0, RATE) { next = it + 1 }
+        var isGood = true
+        Agents().use { agents ->
+            agents.start("bob", program(bridge.number))
+            isGood = awaitAtMost(PATIENCE_S) { bridge.done.isNotEmpty() }
+            threads = threads()
+            repeat(RESTARTS) {
+                bridge.close()
+                done += bridge.done
+                Thread.sleep(OFF_MS)
+                val begun = System.nanoTime()
+                bridge = CountingBridge(bridge.number, next, RATE) { next = it + 1 }
+                isGood = awaitAtMost(PATIENCE_S) { bridge.done.isNotEmpty() } && bridge.clients == 1 && isGood
+                times += System.nanoTime() - begun
+                isGood = awaitAtMost(PATIENCE_S) { bridge.done.size >= COMMANDS } && isGood
+            }
+            isGood = awaitAtMost(PATIENCE_S) { threads() <= threads } && isGood
+        }
+        done += bridge.done
+        isGood = awaitAtMost(PATIENCE_S) { bridge.clients == 0 } && isGood
+        bridge.close()
+        val twice = done.size - done.distinct().size
+        val again = Distribution(times.toLongArray())
+        println("bridge restarted $RESTARTS times: acts again after %.0f ms, %.0f at most".format(again.ms(0.5), again.ms(1.0)))
+        println("commands: ${done.size}, of these twice: $twice; threads of ports at most as before, and one connection: $isGood")
+        return isGood && twice == 0
+    }
+
+    private fun threads() = Thread.getAllStackTraces().keys.count { it.name.startsWith("argo-bob") }
+
+    private companion object {
+        const val RATE = 50
+
+        /** Commands between two restarts, at least. */
+        const val COMMANDS = 20
+    }
+}
