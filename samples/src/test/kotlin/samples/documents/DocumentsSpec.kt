@@ -8,6 +8,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldBeIn
 import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Agent
 import jason.asSyntax.parser.as2j
@@ -18,6 +19,8 @@ import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.io.StringReader
 import java.nio.file.Path
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
@@ -55,6 +58,16 @@ class DocumentsSpec : FunSpec({
 
     context("Jason reads the AgentSpeak of") {
         written("agentspeak").forEach { test("$it") { readAgent(it.text) } }
+    }
+
+    context("Jason reads the agents at the head of the example") {
+        root.resolve("javino-arduino/examples").listDirectoryEntries().forEach { example ->
+            test(example.name) {
+                val agents = agentsOf(example.resolve("${example.name}.ino").readText())
+                agents.shouldNotBeEmpty()
+                agents.forEach(::readAgent)
+            }
+        }
     }
 
     context("Jason reads the project of") {
@@ -119,6 +132,11 @@ private val LANGUAGES = setOf(
 private val GRADLE = Regex("\"argo:(.+?):(.+?)\"")
 
 private const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
+
+/** The agents that the comment at the head of a sketch shows, without the comment's marks. */
+private fun agentsOf(sketch: String) = SKETCH_AGENT.findAll(sketch).map { it.groupValues[1].replace("\n//", "\n") }.toList()
+
+private val SKETCH_AGENT = Regex("""^//   (?:agent|watcher) +(.*(?:\n// {13}.*)*)""", RegexOption.MULTILINE)
 
 private fun readAgent(text: String) {
     Config.get()[Config.START_WEB_MI] = "false" // else a server would show each of these agents
