@@ -14,6 +14,7 @@ import argo.perception.filterOf
 import argo.platform.Platform
 import argo.platform.Waker
 import jason.asSemantics.Circumstance
+import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
 import javino.SendOptions
 import javino.wire.BoardAction
@@ -33,6 +34,7 @@ internal class ObservedArch(
     override val isPerceiving get() = arch.io.isPerceiving
     override val beliefs: BeliefBase get() = arch.ts.ag.bb
     override val circumstance: Circumstance get() = arch.ts.c
+    override val reasoning: TransitionSystem get() = arch.ts
     override val printed: Logger get() = arch.ts.logger
 
     override fun nanos() = platform.clock.nanos()
@@ -81,6 +83,7 @@ internal class ObservedArch(
     }
 
     override fun wake() = waker.wake { true }
+    override fun wakeUntil(seen: () -> Boolean) = waker.wake(seen)
 
     /** Has the agent's own thread do [work] before its next cycle. */
     private fun later(done: () -> Unit, work: () -> Unit) {

@@ -32,8 +32,8 @@ interface Boundary {
     fun call(call: InternalCall, live: () -> Any): Any
 
     /**
-     * An intention waits for something outside. Any thread may call what this returns, once, when that has ended; then [complete] is called,
-     * at once or in a later cycle of the agent, with null or with the reason why it failed.
+     * An intention waits for something outside. Any thread may call what this returns, once, when that has ended; then [complete] is
+     * called, at once or in a later cycle of the agent, with null or with the reason why it failed.
      */
     fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit
 

@@ -44,6 +44,9 @@ interface AgentObserver : AutoCloseable {
     /** The agent perceives through [filter] from now on; null: through none. Called by the agent's thread. */
     fun filterChanged(filter: PerceptionFilter?) = Unit
 
+    /** The agent has called `argo.record(Why)`: returns whether what led here is kept. Called by the agent's thread. */
+    fun recordWanted(why: String): Boolean = false
+
     /** A reasoning cycle is over. Called by the agent's thread, and the place to read [ObservedAgent.beliefs]. */
     fun cycleFinished() = Unit
 

@@ -3,6 +3,7 @@ package argo.observing
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import jason.asSemantics.Circumstance
+import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
 import javino.SendOptions
 import javino.wire.BoardAction
@@ -35,6 +36,9 @@ interface ObservedAgent {
 
     /** What it does: its intentions and events. For the agent's thread only, as [beliefs]. */
     val circumstance: Circumstance
+
+    /** Jason's reasoning of it, with its program and options. For the agent's thread only, as [beliefs]. */
+    val reasoning: TransitionSystem
 
     /** The log that its plans print to with `.print`. Jason's reports of it go there too. */
     val printed: Logger
@@ -78,6 +82,9 @@ interface ObservedAgent {
 
     /** Has it run a reasoning cycle soon. */
     fun wake()
+
+    /** Has it run a reasoning cycle soon, and does so again, ever more slowly, until it has [seen] what it is woken for. */
+    fun wakeUntil(seen: () -> Boolean)
 }
 
 /** A critical rule of an agent's filter, and who watches it now. */

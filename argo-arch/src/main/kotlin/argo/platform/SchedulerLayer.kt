@@ -16,9 +16,10 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
     final override fun schedule(command: Runnable, delay: Long, unit: TimeUnit): ScheduledFuture<*> =
         later(Callable { command.run() }, delay, unit)
 
-    final override fun <V : Any?> schedule(callable: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> = later(callable, delay, unit)
+    final override fun <V : Any?> schedule(callable: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> =
+        later(callable, delay, unit)
 
-    final override fun execute(command: Runnable) {
+    override fun execute(command: Runnable) {
         schedule(command, 0, TimeUnit.NANOSECONDS)
     }
 
@@ -28,7 +29,8 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     companion object {
         /**
-         * Puts what [make] returns for the scheduler in use in its place, for all agents of this program, unless a layer of [kind] is there.
+         * Puts what [make] returns for the scheduler in use in its place, for all agents of this program, unless a layer of [kind] is
+         * there.
          * @throws IllegalStateException if this version of Jason keeps its scheduler elsewhere
          */
         @Synchronized

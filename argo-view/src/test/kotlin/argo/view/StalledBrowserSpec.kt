@@ -8,6 +8,7 @@ import argo.observing.WatchedRule
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Circumstance
+import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
 import javino.SendOptions
@@ -74,6 +75,7 @@ internal object Nobody : ObservedAgent {
     override val isPerceiving = false
     override val beliefs: BeliefBase = DefaultBeliefBase()
     override val circumstance = Circumstance()
+    override val reasoning: TransitionSystem get() = throw UnsupportedOperationException()
     override val printed: Logger = Logger.getLogger("argo.view.test.nobody")
     override val actions: List<BoardAction>? = null
     override fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit) = done(null)
@@ -86,4 +88,5 @@ internal object Nobody : ObservedAgent {
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = done()
     override fun perceive(open: Boolean, done: () -> Unit) = done()
     override fun wake() = Unit
+    override fun wakeUntil(seen: () -> Boolean) = Unit
 }

@@ -1,0 +1,12 @@
+package argo.recording
+
+import java.nio.file.Path
+
+/** The version of what a recording of an agent holds; a reader refuses a newer one. */
+const val FORMAT = "1"
+
+/** The name of the metadata of the agent called [name]. */
+internal fun agentMetadata(name: String) = "agent/$name"
+
+/** The name of the attachment with the file [file] of the program of [agent]. */
+internal fun programName(agent: String, file: Path) = "program/$agent/${file.joinToString("/")}"

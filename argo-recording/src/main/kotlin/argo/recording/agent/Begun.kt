@@ -1,0 +1,47 @@
+package argo.recording.agent
+
+import argo.boundary.InternalCall
+import argo.recording.CallFailure
+import argo.recording.End
+import jason.JasonException
+import jason.asSemantics.ActionExec
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+import jason.asSyntax.Structure
+
+/** What an agent has begun outside of its thread and what has not ended yet. Belongs to the agent's thread. */
+internal class Begun {
+    private val open = HashMap<Int, (End) -> Unit>()
+    private var last = 0
+
+    /** The agent begins something; [complete] is for its end. Returns its number. */
+    fun begin(complete: (End) -> Unit): Int = (++last).also { open[it] = complete }
+
+    /** Carries [end] out; false if it is not of something that has begun. */
+    fun carryOut(end: End): Boolean = open.remove(end.number)?.let { it(end) } != null
+}
+
+/** Puts [end], the environment's, into [action]. */
+internal fun complete(action: ActionExec, end: End) {
+    action.result = end.failure == null
+    end.failure?.let { action.setFailureReason(if (it.error.isEmpty()) null else ASSyntax.parseLiteral(it.error), it.message) }
+}
+
+/** How [action] ended. */
+internal fun failureOf(action: ActionExec): CallFailure? =
+    if (action.result) null else CallFailure(action.failureReason?.let(Literal::toString).orEmpty(), action.failureMsg.orEmpty())
+
+/** An action whose outcome goes to [ended], and not into Jason's queue. */
+internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {
+    /** Jason asks whoever hands it an outcome; without an intention it forgets it. */
+    override fun getIntention() = null.also { ended(this) }
+}
+
+/** The texts of the arguments of [call] as they are bound now. */
+internal fun bound(call: InternalCall, un: Unifier = call.un): List<String> = call.args.map { textOf(it.capply(un)) }
+
+/** How a call failed that threw [failed]. */
+internal fun callFailure(failed: JasonException) = CallFailure(
+    (failed.errorTerms.firstOrNull() as? Structure)?.terms?.firstOrNull()?.let(::textOf).orEmpty(), failed.message.orEmpty(),
+)

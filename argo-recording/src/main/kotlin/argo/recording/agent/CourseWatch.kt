@@ -1,0 +1,101 @@
+package argo.recording.agent
+
+import argo.recording.Course
+import argo.recording.Mail
+import argo.recording.Place
+import argo.recording.Step
+import jason.asSemantics.Intention
+import jason.asSemantics.Message
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.Plan
+import jason.asSyntax.PlanBody
+import jason.asSyntax.SourceInfo
+import jason.asSyntax.Term
+import java.util.IdentityHashMap
+import java.util.WeakHashMap
+
+/** What comes of the cycles of the agent of [ts]. Belongs to the agent's thread. */
+internal class CourseWatch(private val ts: TransitionSystem) {
+    private val numbers = WeakHashMap<Intention, Int>()
+    private var intentions = 0
+    private val places = IdentityHashMap<Plan, Place>()
+    private val texts = IdentityHashMap<PlanBody, String>()
+    private var selected: Intention? = null
+    private var step: Step? = null
+    private var mail = ArrayList<Mail>()
+    private val prints = PrintWatch(ts)
+
+    /** A cycle begins. */
+    fun begin() {
+        selected = ts.c.selectedIntention
+        step = null
+        prints.begin()
+    }
+
+    /** Jason may have chosen an intention. */
+    fun ruleApplied() {
+        val now = ts.c.selectedIntention
+        if (now === selected) return
+        selected = now
+        if (now != null && !now.isFinished) step = stepOf(now)
+    }
+
+    /** The agent has sent [message]. */
+    fun sent(message: Mail) {
+        mail += message
+    }
+
+    /** What came of the cycle that ends. */
+    fun end(): Course {
+        val event = ts.c.selectedEvent
+        val sent = mail
+        if (sent.isNotEmpty()) mail = ArrayList()
+        return Course(
+            event = event?.trigger?.toString(),
+            plan = if (event == null) null else ts.c.selectedOption?.plan?.let(::placeOf),
+            step = step,
+            action = ts.c.action?.actionTerm?.toString(),
+            mail = sent,
+            printed = prints.take(),
+            beliefs = ts.ag.bb.size(),
+        )
+    }
+
+    /** Nothing is watched any more. */
+    fun close() = prints.close()
+
+    private fun stepOf(intention: Intention): Step {
+        val means = intention.peek()
+        val body: PlanBody? = means.currentStep?.takeUnless { it.isEmptyBody }
+        return Step(
+            numbers.getOrPut(intention) { ++intentions }, intention.size(), placeOf(means.plan),
+            body?.srcInfo?.srcLine, body?.let(::textOf),
+        )
+    }
+
+    private fun textOf(body: PlanBody): String {
+        if (texts.size >= MAX_CACHED) texts.clear()
+        return texts.getOrPut(body) { "${body.bodyType}${body.bodyTerm}" }
+    }
+
+    private fun placeOf(plan: Plan): Place {
+        if (places.size >= MAX_CACHED) places.clear()
+        return places.getOrPut(plan) {
+            val source: SourceInfo? = plan.trigger.literal.srcInfo ?: plan.srcInfo
+            Place(plan.label?.functor, source?.srcFile?.let(::fileName), source?.srcLine)
+        }
+    }
+
+    private companion object {
+        /** A program may make plans while it runs. */
+        const val MAX_CACHED = 10_000
+    }
+}
+
+private fun fileName(path: String) = path.substringAfterLast('/').substringAfterLast('\\')
+
+/** [message] as a recording has it. */
+internal fun mailOf(message: Message, failure: String? = null) = Mail(
+    message.ilForce, message.sender, message.receiver,
+    message.propCont.let { if (it is Term) textOf(it) else "$it" }, message.msgId, message.inReplyTo, failure,
+)

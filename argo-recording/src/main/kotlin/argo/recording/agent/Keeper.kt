@@ -1,0 +1,43 @@
+package argo.recording.agent
+
+import jason.asSemantics.TransitionSystem
+import jason.util.RunnableSerializable
+import java.util.concurrent.Callable
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.ScheduledFuture
+
+/** Who keeps what an agent begins outside of its thread, until it is carried out in one of its cycles: a recorder or a replay. */
+internal interface Keeper {
+    /** The agent begins a timer that does [work]; [schedule] has the scheduler do something at its time. */
+    fun <V> timer(work: Callable<V>, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
+
+    /** Another thread leaves [work] for the beginning of the agent's next cycle. Any thread. */
+    fun left(work: RunnableSerializable)
+
+    companion object {
+        private val CURRENT = ThreadLocal<Keeper?>()
+
+        /** The keeper of the agent whose cycle the calling thread carries out; null: it carries out none. */
+        var current: Keeper?
+            get() = CURRENT.get()
+            set(keeper) = if (keeper == null) CURRENT.remove() else CURRENT.set(keeper)
+    }
+}
+
+/** The work that waits for the beginning of an agent's next cycle: its own, and what [keeper] lets in of other threads' */
+internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<RunnableSerializable>() {
+    override fun offer(task: RunnableSerializable): Boolean {
+        if (Keeper.current === keeper || task.javaClass.name.startsWith("argo.")) return super.offer(task)
+        keeper.left(task)
+        return true
+    }
+
+    companion object {
+        /** Puts it in the place of the queue of [ts]; what waits there stays. */
+        fun insertInto(ts: TransitionSystem, keeper: Keeper) {
+            val field = TransitionSystem::class.java.getDeclaredField("taskForBeginOfCycle").apply { isAccessible = true }
+            val waiting = (field.get(ts) as Collection<*>).filterIsInstance<RunnableSerializable>()
+            field.set(ts, KeptTasks(keeper).also { tasks -> waiting.forEach(tasks::add) })
+        }
+    }
+}

@@ -1,0 +1,21 @@
+package argo.recording.agent
+
+import argo.platform.SchedulerLayer
+import java.util.concurrent.Callable
+import java.util.concurrent.ScheduledExecutorService
+import java.util.concurrent.ScheduledFuture
+import java.util.concurrent.TimeUnit
+
+/** Jason's scheduler: the timers that an agent begins in its cycle go to its [Keeper], all others on. */
+internal class KeptTimers private constructor(below: ScheduledExecutorService) : SchedulerLayer(below) {
+    override fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> {
+        val keeper = Keeper.current ?: return below.schedule(work, delay, unit)
+        return keeper.timer(work) { below.schedule(it, delay, unit) }
+    }
+
+    override fun execute(command: Runnable) = below.execute(command) // the work of a thread, and no timer
+
+    companion object {
+        fun install() = install(KeptTimers::class.java, ::KeptTimers)
+    }
+}

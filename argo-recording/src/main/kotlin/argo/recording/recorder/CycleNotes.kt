@@ -1,0 +1,67 @@
+package argo.recording.recorder
+
+import argo.observing.IssuedCommand
+import argo.recording.Call
+import argo.recording.CallFailure
+import argo.recording.End
+import argo.recording.Input
+import argo.recording.Mail
+import argo.recording.PerceptChange
+import argo.recording.Sent
+
+/** What has entered an agent in the cycle that runs. Belongs to the agent's thread. */
+internal class CycleNotes {
+    var ns = 0L
+        private set
+    var counters: List<Int>? = null
+    var events: List<String> = emptyList()
+    var percepts: PerceptChange? = null
+    var isOfSeveralBoards = false
+    var critical: List<String> = emptyList()
+    val boards = LinkedHashMap<String, String>()
+    val mail = ArrayList<Mail>()
+    val ends = ArrayList<End>()
+    val sleep = StringBuilder()
+    val calls = ArrayList<CallNote>()
+
+    /** The call that is being carried out; null: none is. */
+    var underWay: CallNote? = null
+
+    /** Whether a message is on its way. */
+    var isSending = false
+
+    fun clear(ns: Long) {
+        this.ns = ns
+        counters = null
+        events = emptyList()
+        percepts = null
+        isOfSeveralBoards = false
+        critical = emptyList()
+        boards.clear()
+        mail.clear()
+        ends.clear()
+        sleep.setLength(0)
+        calls.clear()
+        underWay = null
+    }
+
+    fun input() = Input(
+        events, percepts, isOfSeveralBoards, boards.toMap(), critical, mail.toList(), ends.toList(), sleep.toString(),
+        calls.map { it.call() },
+    )
+}
+
+/** A call whose result is not known yet, or may become known later in the cycle. */
+internal class CallNote(private val name: String, private val args: List<String>, private val isOfProject: Boolean) {
+    val answers = ArrayList<List<String>>()
+    var isBacktracking = false
+    var failure: CallFailure? = null
+    var number: Int? = null
+    private val commands = ArrayList<Sent>()
+
+    fun sent(command: IssuedCommand) {
+        commands += Sent(command.number, command.port, command.text)
+    }
+
+    fun call() = Call(name, args, answers.toList(), isBacktracking, failure, number, commands.toList(), isOfProject)
+}

@@ -1,0 +1,70 @@
+package argo.recording.recorder
+
+import argo.Arch
+import argo.recording.FORMAT
+import argo.recording.agentMetadata
+import argo.recording.programName
+import argo.recording.storage.RecordSink
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.Rule
+import jason.infra.local.LocalAgArch
+import jason.util.Config
+import java.io.IOException
+import java.net.URI
+import java.net.URISyntaxException
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Stores the program of the agent of [ts], its options and all versions. */
+internal fun storeProgram(ts: TransitionSystem, sink: RecordSink) {
+    val name = ts.agArch.agName
+    val files = sources(ts)
+    val root = commonDirectory(files)
+    for (file in files) {
+        val text = try {
+            Files.readAllBytes(file)
+        } catch (_: IOException) {
+            continue // it has gone since the agent read it
+        }
+        sink.attach(programName(name, root.relativize(file)), "text/plain", text)
+    }
+    val main = fileOf(ts.ag.aslSrc)
+    sink.metadata(
+        agentMetadata(name),
+        mapOf(
+            "source" to main?.let { programName(name, root.relativize(it)) }.orEmpty(),
+            "agentClass" to ts.ag.javaClass.name,
+            "archClass" to generateSequence(ts.agArch) { it.nextAgArch }.first { it is Arch }.javaClass.name,
+            "beliefBase" to ts.ag.bb.javaClass.name,
+            "isConditional" to "${generateSequence(ts.agArch) { it.nextAgArch }.last() is LocalAgArch}",
+        ) + ts.settings.userParameters.filterValues { it is String || it is Number }.map { (key, value) -> "option.$key" to "$value" },
+    )
+    sink.metadata(
+        "argo.recording",
+        mapOf(
+            "format" to FORMAT,
+            "argo" to (Arch::class.java.`package`.implementationVersion ?: "unknown"),
+            "jason" to Config.get().jasonVersion,
+            "java" to System.getProperty("java.version"),
+        ),
+    )
+}
+
+/** The files that the agent's program has been read from. */
+private fun sources(ts: TransitionSystem): List<Path> {
+    val names = ts.ag.pl.plans.map { it.sourceFile } + ts.ag.bb.filterIsInstance<Rule>().map { it.srcInfo?.srcFile } + ts.ag.aslSrc
+    return names.mapNotNull(::fileOf).distinct().filter(Files::isRegularFile)
+}
+
+private fun fileOf(source: String?): Path? = try {
+    if (source == null || source.startsWith("jar:")) null
+    else (if (source.startsWith("file:/")) Path.of(URI(source)) else Path.of(source.removePrefix("file:"))).toAbsolutePath().normalize()
+} catch (_: URISyntaxException) {
+    null
+} catch (_: IllegalArgumentException) {
+    null // an .asl from a jar or the class path
+}
+
+private fun commonDirectory(files: List<Path>): Path =
+    files.map { it.parent }.reduceOrNull { one, other -> generateSequence(one) { it.parent }.first(other::startsWith) }
+        ?: Path.of("").toAbsolutePath()

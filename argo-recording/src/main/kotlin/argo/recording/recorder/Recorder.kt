@@ -1,0 +1,274 @@
+package argo.recording.recorder
+
+import argo.boundary.Boundary
+import argo.boundary.Inbox
+import argo.boundary.InternalCall
+import argo.boundary.Perception
+import argo.observing.AgentObserver
+import argo.observing.CommandFailure
+import argo.observing.IssuedCommand
+import argo.observing.ObservedAgent
+import argo.observing.PerceivedMessage
+import argo.recording.CallFailure
+import argo.recording.CommandEnd
+import argo.recording.Cycle
+import argo.recording.End
+import argo.recording.Input
+import argo.recording.PerceivedSnapshot
+import argo.recording.PerceptChange
+import argo.recording.agent.Begun
+import argo.recording.agent.CallWatch
+import argo.recording.agent.Counters
+import argo.recording.agent.CourseWatch
+import argo.recording.agent.Keeper
+import argo.recording.agent.KeptAction
+import argo.recording.agent.KeptTasks
+import argo.recording.agent.KeptTimers
+import argo.recording.agent.WatchedCode
+import argo.recording.agent.WatchedKind
+import argo.recording.agent.bound
+import argo.recording.agent.callFailure
+import argo.recording.agent.complete
+import argo.recording.agent.failureOf
+import argo.recording.agent.mailOf
+import argo.recording.agent.textOf
+import jason.JasonException
+import jason.asSemantics.ActionExec
+import jason.asSemantics.Message
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+import jason.util.RunnableSerializable
+import java.util.concurrent.Callable
+import java.util.concurrent.ScheduledFuture
+import java.util.logging.Logger
+
+/**
+ * Records the cycles of one agent to [track]. It stands on the agent's boundary: it notes what enters there, once in a cycle, and what the
+ * agent has begun outside of its thread ends in a cycle of the agent.
+ *
+ */
+internal class Recorder(
+    private val agent: ObservedAgent,
+    private val track: Track,
+    private val log: Logger,
+) : AgentObserver, Boundary, Keeper, CallWatch {
+    /** What has ended, and the work that another thread has left with it. */
+    private class Arrived(val end: End, val work: Runnable? = null)
+
+    private val inbox = Inbox<Arrived>(agent::wakeUntil)
+    private val begun = Begun()
+    private var running: Running? = null
+    private var isRefused = false
+
+    @Volatile
+    private var inCycle: Thread? = null
+
+    /** What belongs to an agent that runs. */
+    private inner class Running(val ts: TransitionSystem) {
+        val course = CourseWatch(ts)
+        var percepts: List<Literal> = emptyList()
+        var counters: List<Int> = emptyList()
+        var events = -1
+        var cycles = 0L
+        val now = CycleNotes()
+    }
+
+    override fun cycleStarting(ts: TransitionSystem) {
+        if (isRefused) return
+        val agent = running ?: begin(ts) ?: return
+        inCycle = Thread.currentThread()
+        agent.now.clear(this.agent.nanos())
+        agent.now.counters = Counters.read().takeIf { it != agent.counters }
+        if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { "${it.trigger}" }
+        agent.course.begin()
+    }
+
+    private fun begin(ts: TransitionSystem): Running? {
+        refusal(ts)?.let {
+            log.severe("argo_record: $it; the agent runs without a recording")
+            isRefused = true
+            return null
+        }
+        KeptTimers.install()
+        KeptTasks.insertInto(ts, this)
+        WatchedCode(ts, this).begin()
+        return Running(ts).also { running = it }
+    }
+
+    override fun perceive(live: () -> Perception): Perception = live().also { perception ->
+        val agent = current() ?: return@also
+        val percepts = perception.percepts?.toList() ?: return@also
+        agent.now.percepts = changed(agent.percepts, percepts)
+        agent.now.isOfSeveralBoards = perception.waiting != null
+        agent.percepts = percepts
+    }
+
+    override fun newlyCritical(live: () -> List<Literal>) = live().also { current()?.now?.critical = it.map(::textOf) }
+
+    override fun boardOf(percept: Literal, live: () -> String?) =
+        live().also { board -> if (board != null) current()?.now?.boards?.put(textOf(percept), board) }
+
+    override fun takeMail(live: () -> Unit) {
+        val agent = current() ?: return live()
+        val before = agent.ts.c.mailBox.size
+        live()
+        if (agent.ts.c.mailBox.size > before) agent.ts.c.mailBox.drop(before).mapTo(agent.now.mail) { mailOf(it) }
+        Keeper.current = this
+        for (arrived in inbox.takeAll()) {
+            agent.now.ends += arrived.end
+            arrived.work?.run() ?: begun.carryOut(arrived.end)
+        }
+    }
+
+    override fun call(call: InternalCall, live: () -> Any): Any = call(call, WatchedKind.OUTSIDE) { live() }
+
+    override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
+        val agent = current() ?: return live(call.un)
+        val note = CallNote(call.name, call.args.map(::textOf), code != WatchedKind.OUTSIDE)
+        agent.now.calls += note
+        val around = agent.now.underWay
+        agent.now.underWay = note
+        try {
+            return noting(note, call, live(call.un))
+        } catch (failed: JasonException) {
+            note.failure = callFailure(failed)
+            throw failed
+        } finally {
+            agent.now.underWay = around
+        }
+    }
+
+    private fun noting(note: CallNote, call: InternalCall, result: Any): Any {
+        if (result == true) note.answers += bound(call)
+        if (result !is Iterator<*>) return result
+        note.isBacktracking = true
+        return iterator {
+            for (un in result) {
+                note.answers += bound(call, un as Unifier)
+                yield(un)
+            }
+        }
+    }
+
+    override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live().also { value ->
+        val agent = current() ?: return@also
+        agent.now.calls += CallNote(name, args.map(::textOf), isOfProject).apply { answers += listOf("$value") }
+    }
+
+    override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
+        val agent = current() ?: return complete
+        val number = begun.begin { end -> complete(end.failure?.let(::RecordedFailure)) }
+        agent.now.underWay?.number = number
+        return { inbox.put(Arrived(End(number, CALL, it?.run { CallFailure(error, cause) }))) }
+    }
+
+    override fun <V> timer(work: Callable<V>, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
+        val number = begun.begin { work.call() }
+        return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
+    }
+
+    override fun left(work: RunnableSerializable) = inbox.put(Arrived(End(0, THREAD, thread = Thread.currentThread().name), work))
+
+    override fun act(action: ActionExec, live: (ActionExec) -> Unit) {
+        current() ?: return live(action)
+        val number = begun.begin { end ->
+            complete(action, end)
+            running?.ts?.c?.addFeedbackAction(action)
+        }
+        live(KeptAction(action) { inbox.put(Arrived(End(number, ACTION, failureOf(it)))) })
+    }
+
+    override fun send(message: Message, live: () -> Unit) = sending(message, live)
+
+    override fun broadcast(message: Message, live: () -> Unit) = sending(message.clone().apply { receiver = receiver ?: EVERYBODY }, live)
+
+    private fun sending(message: Message, live: () -> Unit) {
+        val agent = current()
+        if (agent == null || agent.now.isSending) return live() // a broadcast may be sent as many messages
+        agent.now.isSending = true
+        try {
+            live()
+            agent.course.sent(mailOf(message))
+        } catch (failed: JasonException) {
+            agent.course.sent(mailOf(message, failed.message.orEmpty()))
+            throw failed
+        } finally {
+            agent.now.isSending = false
+        }
+    }
+
+    override fun canSleep(live: () -> Boolean): Boolean =
+        (live() && inbox.isEmpty()).also { current()?.now?.sleep?.append(if (it) 'y' else 'n') }
+
+    override fun ruleApplied() {
+        current()?.course?.ruleApplied()
+    }
+
+    override fun cycleFinished() {
+        val agent = current() ?: return
+        inCycle = null
+        Keeper.current = null
+        val course = agent.course.end()
+        val input = agent.now.input()
+        agent.events = agent.ts.c.events.size
+        if (input.isNothing() && course.event == null && course.step == null) return
+        track.cycle(Cycle(++agent.cycles, agent.ts.agArch.cycleNumber, agent.now.ns, agent.now.counters, input, course))
+        agent.counters = Counters.read()
+    }
+
+    /** The agent, if the calling thread carries out a cycle of it. */
+    private fun current() = if (inCycle === Thread.currentThread()) running else null
+
+    override fun messagePerceived(message: PerceivedMessage) {
+        val kept = message.kept.takeIf { it != message.texts }
+        track.snapshot(PerceivedSnapshot(message.portName, message.namespace, message.receivedNanos, message.texts, kept))
+    }
+
+    override fun commandIssued(command: IssuedCommand) {
+        current()?.now?.underWay?.sent(command)
+    }
+
+    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =
+        track.ended(CommandEnd(command.number, command.port, command.text, agent.nanos(), failure?.run { CallFailure(error, cause) }))
+
+    override fun recordWanted(why: String): Boolean {
+        track.save(why, agent.nanos())
+        return true
+    }
+
+    override fun close() {
+        running?.course?.close()
+        track.close()
+    }
+
+    companion object {
+        const val CALL = "call"
+        const val TIMER = "timer"
+        const val ACTION = "action"
+        const val THREAD = "thread"
+        const val EVERYBODY = "everybody"
+    }
+}
+
+/** A failure as it was recorded. */
+internal class RecordedFailure(failure: CallFailure) : CommandFailure {
+    override val error = failure.error
+    override val cause = failure.message
+}
+
+/** How [now] differs from [before]. */
+internal fun changed(before: List<Literal>, now: List<Literal>): PerceptChange {
+    val most = minOf(before.size, now.size)
+    var keep = 0
+    while (keep < most && isSame(before[keep], now[keep])) keep++
+    var keepLast = 0
+    while (keepLast < most - keep && isSame(before[before.size - 1 - keepLast], now[now.size - 1 - keepLast])) keepLast++
+    return PerceptChange(keep, now.subList(keep, now.size - keepLast).map(::textOf), keepLast)
+}
+
+private fun isSame(one: Literal, other: Literal) = one === other || one == other && !one.hasAnnot() && !other.hasAnnot()
+
+private fun Input.isNothing() =
+    events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty()

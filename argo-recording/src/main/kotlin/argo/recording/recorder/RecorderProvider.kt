@@ -1,0 +1,33 @@
+package argo.recording.recorder
+
+import argo.observing.AgentObserver
+import argo.observing.AgentObserverProvider
+import argo.observing.ObservedAgent
+import java.io.IOException
+import java.nio.file.InvalidPathException
+import java.util.logging.Logger
+
+/** Records agents that have the option `argo_record`. Agents with the same value are in one recording. */
+class RecorderProvider : AgentObserverProvider {
+    override val option = "argo_record"
+    override val usage = "a file such as \"drive.mcap\", or last(5) for the last five minutes"
+
+    override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? {
+        val wanted = value.trim().removeSurrounding("\"").filterNot(Char::isWhitespace)
+        fun refuse(reason: String) = null.also { log.severe("$option=$value: $reason; the agent runs without a recording") }
+        if (!wanted.endsWith(".mcap") && !LAST.matches(wanted)) return refuse("it takes $usage")
+        return try {
+            val recording = SharedRecording.join(wanted, log)
+            storeProgram(agent.reasoning, recording.sink)
+            Recorder(agent, Track(agent.name, recording, agent::nanos), log)
+        } catch (trouble: IOException) {
+            refuse("the file cannot be made ($trouble)")
+        } catch (trouble: InvalidPathException) {
+            refuse("that is no name of a file (${trouble.message})")
+        }
+    }
+
+    private companion object {
+        val LAST = Regex("""last\([1-9]\d{0,3}\)""")
+    }
+}

@@ -1,0 +1,33 @@
+package argo.recording.replay
+
+import argo.recording.Course
+import argo.recording.Mail
+import argo.recording.Place
+import argo.recording.Step
+
+/** The first thing that differs between [recorded] and [now]: what, and both; null: nothing does. */
+internal fun difference(recorded: Course, now: Course): Triple<String, String?, String?>? {
+    fun <T> differing(what: String, of: Course.() -> T?): Triple<String, String?, String?>? {
+        val (before, after) = recorded.of() to now.of()
+        return if (before == after) null else Triple(what, before?.toString(), after?.toString())
+    }
+    return differing("event") { event?.let(::normal) }
+        ?: differing("plan") { plan?.let(::described) }
+        ?: differing("step") { step?.let(::described) }
+        ?: differing("action") { action?.let(::normal) }
+        ?: differing("messages to other agents") { mail.map(::described).takeIf { it.isNotEmpty() } }
+        ?: differing("printed lines") { printed.map(::normal).takeIf { it.isNotEmpty() } }
+        ?: differing("number of beliefs") { beliefs }
+}
+
+private fun described(place: Place) = normal("@${place.label} (${place.file}:${place.line})")
+
+private fun described(step: Step) =
+    "${step.text?.let(::normal) ?: "end of the plan"} of intention ${step.intention} (${step.plan.file}:${step.line ?: step.plan.line})"
+
+private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver},${mail.content})")
+
+/** [text] without the numbers that Jason gives variables, plans and messages, which all agents of a program share. */
+internal fun normal(text: String): String = if ('_' in text || "mid" in text) text.replace(NUMBERED, "$1") else text
+
+private val NUMBERED = Regex("""\b(_|p__|mid|samid)\d+""")

@@ -1,0 +1,67 @@
+package argo.recording.replay
+
+import argo.mcap.McapReader
+import argo.recording.Cycle
+import argo.recording.FORMAT
+import argo.recording.PerceivedSnapshot
+import argo.recording.RecordedAgent
+import argo.recording.agentMetadata
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.json.Json
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * A recording of agents. For one thread.
+ *
+ * @param file the file
+ * @throws IOException if it cannot be read
+ * @throws RecordingException if it is no recording of agents, or of a newer version
+ */
+class Recording(private val file: Path) : AutoCloseable {
+    private val reader = McapReader(file)
+    private val metadata = reader.metadata.associate { it.name to it.values }
+
+    /** The agents, by their names. */
+    val agents: Map<String, RecordedAgent> = metadata.filterKeys { it.startsWith(agentMetadata("")) }
+        .map { (name, values) -> agentOf(name.removePrefix(agentMetadata("")), values) }.associateBy { it.name }
+
+    /** The files of the agents' programs, by the names of the attachments. */
+    val program: Map<String, ByteArray> = reader.attachments.associate { it.name to it.data }
+
+    init {
+        if (agents.isEmpty()) throw RecordingException("$file holds no agent; a recording is made by the option argo_record=\"FILE.mcap\"")
+        val format = metadata["argo.recording"]?.get("format")
+        if (format != FORMAT) throw RecordingException("$file has format $format; this version of ARGO reads format $FORMAT")
+    }
+
+    /** The cycles of [agent], in their order. */
+    fun cycles(agent: String): Sequence<Cycle> = messages("/$agent/cycle", Cycle.serializer())
+
+    /** The messages of boards that [agent] perceived, in their order. */
+    fun snapshots(agent: String): Sequence<PerceivedSnapshot> = messages("/$agent/snapshot", PerceivedSnapshot.serializer())
+
+    private fun <T> messages(topic: String, serializer: KSerializer<T>): Sequence<T> =
+        reader.messages(topics = setOf(topic)).map { JSON.decodeFromString(serializer, it.data.decodeToString()) }
+
+    private fun agentOf(name: String, values: Map<String, String>): RecordedAgent {
+        fun value(key: String) = values[key] ?: throw RecordingException("$file does not hold the $key of agent $name")
+        return RecordedAgent(
+            name, value("source"), value("agentClass"), value("archClass"), value("beliefBase"),
+            values.filterKeys { it.startsWith(OPTION) }.mapKeys { (key, _) -> key.removePrefix(OPTION) },
+            value("isConditional").toBoolean(),
+        )
+    }
+
+    override fun close() = reader.close()
+
+    private companion object {
+        const val OPTION = "option."
+
+        /** A later version may know more. */
+        val JSON = Json { ignoreUnknownKeys = true }
+    }
+}
+
+/** A recording cannot be replayed; [message] has what was found and what to do. */
+class RecordingException(message: String) : IOException(message)

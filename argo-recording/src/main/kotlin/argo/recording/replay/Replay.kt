@@ -1,0 +1,92 @@
+package argo.recording.replay
+
+import argo.recording.Cycle
+import jason.asSyntax.Literal
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.createTempDirectory
+
+/**
+ * Runs the agents of [recording] again, by Jason itself, on what was recorded: cycle by cycle, in the order of their times, without boards,
+ * threads and clocks. After each cycle it compares what came of it. An agent that does something else than it did is not run on, since what
+ * was recorded after that is no answer to what it does now; results of the project's own internal actions may differ, and what was recorded
+ * of them is used.
+ *
+ * Close it at the end. For one thread; at a time there can be one replay in a program.
+ *
+ * @throws RecordingException if the recording cannot be replayed
+ */
+class Replay(private val recording: Recording) : AutoCloseable {
+    private val directory = createTempDirectory("argo-replay").also(::extract)
+    private val agents = recording.agents.values.associate { it.name to ReplayedAgent(it, programOf(it.name), directory, ::found) }
+    private val cycles = agents.keys.associateWith { recording.cycles(it).iterator() }
+    private val next = HashMap<String, Cycle>()
+    private val stopped = HashSet<String>()
+    private val differing = ArrayList<Difference>()
+    private var underWay = ""
+
+    /** What differs from the recording so far, in the order of the cycles. */
+    val differences: List<Difference> get() = differing
+
+    /** How many cycles have been run. */
+    var cyclesRun = 0L
+        private set
+
+    init {
+        cycles.keys.forEach(::read)
+    }
+
+    /** When the next cycle began, in ns of the agents' clock; null: none is left. */
+    val nextNs: Long? get() = next.values.minOfOrNull { it.ns }
+
+    /** Runs all cycles that began before [untilNs], and returns itself. */
+    fun run(untilNs: Long = Long.MAX_VALUE): Replay = apply {
+        while (true) {
+            val (agent, cycle) = next.minByOrNull { (_, cycle) -> cycle.ns } ?: break
+            if (cycle.ns >= untilNs) break
+            runCycle(agent, cycle)
+        }
+    }
+
+    private fun runCycle(agent: String, cycle: Cycle) {
+        underWay = agent
+        agents.getValue(agent).run(cycle)
+        cyclesRun++
+        if (agent in stopped) next -= agent else read(agent)
+    }
+
+    private fun read(agent: String) {
+        val cycles = cycles.getValue(agent)
+        if (cycles.hasNext()) next[agent] = cycles.next() else next -= agent
+    }
+
+    /** What [agent] believes now. */
+    fun beliefs(agent: String): List<Literal> = agents.getValue(agent).ts.ag.bb.toList()
+
+    private fun found(cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) {
+        differing += Difference(underWay, cycle.number, cycle.ns, what, recorded, now, cause)
+        if (!what.startsWith(RESULT)) stopped += underWay
+    }
+
+    private fun programOf(agent: String): Path {
+        val source = recording.agents.getValue(agent).source
+        if (source !in recording.program) throw RecordingException("the recording does not hold the program of agent $agent")
+        return directory.resolve(source)
+    }
+
+    private fun extract(directory: Path) = recording.program.forEach { (name, text) ->
+        val file = directory.resolve(name).normalize()
+        if (!file.startsWith(directory)) throw RecordingException("the recording has a file outside of its programs: $name")
+        Files.createDirectories(file.parent)
+        Files.write(file, text)
+    }
+
+    override fun close() {
+        agents.values.forEach { it.close() }
+        directory.toFile().deleteRecursively()
+    }
+
+    private companion object {
+        const val RESULT = "result of "
+    }
+}

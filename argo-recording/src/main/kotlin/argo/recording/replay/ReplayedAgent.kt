@@ -1,0 +1,111 @@
+package argo.recording.replay
+
+import argo.Arch
+import argo.platform.Platform
+import argo.recording.Cycle
+import argo.recording.RecordedAgent
+import jason.architecture.AgArch
+import jason.asSemantics.Agent
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.directives.DirectiveProcessor
+import jason.asSyntax.directives.Include
+import jason.mas2j.ClassParameters
+import jason.runtime.RuntimeServices
+import jason.runtime.RuntimeServicesFactory
+import jason.runtime.Settings
+import jason.runtime.SourcePath
+import java.nio.file.Path
+
+/**
+ * An agent of a recording, that Jason runs again on what was recorded: no ports, no threads, no time of its own.
+ *
+ * @param source its program
+ * @param directory where included files are looked for
+ */
+internal class ReplayedAgent(
+    val recorded: RecordedAgent,
+    source: Path,
+    directory: Path,
+    private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit,
+) : AutoCloseable {
+    private val inputs: ReplayedInputs = ReplayedInputs { what, before, now, cause -> report(what, before, now, cause) }
+    private val infra = Infra(recorded)
+    val ts: TransitionSystem = create(source, directory)
+    private var lastIndex = 0L
+
+    private fun create(source: Path, directory: Path): TransitionSystem {
+        val paths = SourcePath().apply { listOfNotNull(source.parent, directory).forEach { addPath("$it") } }
+        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)
+        val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options - RECORD)) }
+        val beliefBase = recorded.beliefBase.takeIf { it != DEFAULT_BELIEFS }?.let { ClassParameters(it) }
+        Agent.create(infra, recorded.agentClass, beliefBase, "$source", settings)
+        val ts = infra.ts
+        infra.insertAgArch(infra)
+        val arch = Class.forName(recorded.archClass).asSubclass(Arch::class.java).getConstructor(Platform::class.java)
+            .newInstance(ReplayPlatform(inputs))
+        arch.ts = ts
+        infra.insertAgArch(arch)
+        arch.init()
+        ts.logger.useParentHandlers = false // what it printed is in the recording
+        inputs.begin(ts)
+        return ts
+    }
+
+    /** Runs [cycle], the next one of the recording. */
+    fun run(cycle: Cycle) {
+        if (cycle.index != lastIndex + 1) throw RecordingException(gap(cycle))
+        lastIndex = cycle.index
+        inputs.next(cycle)
+        val first = ts.agArch
+        first.cycleNumber = cycle.number
+        first.reasoningCycleStarting()
+        ts.sense()
+        if (!recorded.isConditional || !ts.canSleepDeliberate()) ts.deliberate()
+        if (!recorded.isConditional || !ts.canSleepAct()) ts.act()
+        first.reasoningCycleFinished()
+        difference(cycle.course, inputs.course.end())?.let { (what, before, now) -> report(what, before, now, null) }
+    }
+
+    private fun gap(cycle: Cycle) =
+        if (lastIndex == 0L) {
+            "the recording of agent ${recorded.name} begins with its cycle ${cycle.index}, and what it believed then is not known; " +
+                "only a recording from the beginning on, argo_record=\"FILE.mcap\", can be replayed"
+        } else {
+            "the recording of agent ${recorded.name} has a gap of ${cycle.index - lastIndex - 1} cycles before cycle ${cycle.number}: " +
+                "the disk was too slow; until there it can be replayed"
+        }
+
+    private fun report(what: String, before: String?, now: String?, cause: String?): Unit =
+        found(inputs.cycle, what, before, now, cause ?: likelyCause())
+
+    private fun likelyCause(): String = when {
+        inputs.cycle.input.events.isNotEmpty() || inputs.cycle.input.ends.any { it.thread != null } ->
+            "another thread of the project works on the agent, and what it does within a cycle is not recorded"
+        recorded.agentClass != Agent::class.java.name ->
+            "the agent's class ${recorded.agentClass} chooses or believes by what is not recorded"
+        recorded.beliefBase != DEFAULT_BELIEFS -> "the belief base ${recorded.beliefBase} depends on what is not recorded"
+        inputs.projectCalls.isNotEmpty() ->
+            "what the project's own ${inputs.projectCalls.joinToString()} does besides its result is not recorded; " +
+                "neither is what other threads of the project do"
+        else -> "a thread of the project has changed what the agent believes or intends, or its program is another"
+    }
+
+    override fun close() {
+        inputs.course.close()
+        ts.logger.useParentHandlers = true
+        ts.ag.stopAg()
+        ts.agArch.stop()
+    }
+
+    private class Infra(private val recorded: RecordedAgent) : AgArch() {
+        override fun getAgName() = recorded.name
+
+        @Suppress("OVERRIDE_DEPRECATION") // where Jason 3.3 asks for some services
+        override fun getRuntimeServices(): RuntimeServices? = RuntimeServicesFactory.get()
+    }
+
+    private companion object {
+        const val RECORD = "argo_record"
+        const val DEFAULT_BELIEFS = "jason.bb.DefaultBeliefBase"
+    }
+}

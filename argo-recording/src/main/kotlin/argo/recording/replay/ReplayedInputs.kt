@@ -1,0 +1,264 @@
+package argo.recording.replay
+
+import argo.boundary.Boundary
+import argo.boundary.InternalCall
+import argo.boundary.Perception
+import argo.observing.CommandFailure
+import argo.recording.Call
+import argo.recording.CallFailure
+import argo.recording.Cycle
+import argo.recording.End
+import argo.recording.Mail
+import argo.recording.PerceptChange
+import argo.recording.agent.Begun
+import argo.recording.agent.CallWatch
+import argo.recording.agent.Counters
+import argo.recording.agent.CourseWatch
+import argo.recording.agent.Keeper
+import argo.recording.agent.KeptTasks
+import argo.recording.agent.WatchedCode
+import argo.recording.agent.WatchedKind
+import argo.recording.agent.bound
+import argo.recording.agent.callFailure
+import argo.recording.agent.complete
+import argo.recording.agent.literalOf
+import argo.recording.agent.mailOf
+import argo.recording.agent.parsed
+import argo.recording.agent.termOf
+import argo.recording.agent.textOf
+import jason.JasonException
+import jason.asSemantics.ActionExec
+import jason.asSemantics.Message
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+import jason.util.RunnableSerializable
+import java.util.concurrent.Callable
+import java.util.concurrent.Delayed
+import java.util.concurrent.FutureTask
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.ScheduledFuture
+import java.util.concurrent.TimeUnit
+
+/**
+ * Gives an agent what was recorded, cycle by cycle, and notes where it does something else than it did.
+ *
+ * @param found takes what differs: the kind, what was recorded, what came now, and the cause if that is known
+ */
+internal class ReplayedInputs(
+    private val found: (what: String, recorded: String?, now: String?, cause: String?) -> Unit,
+) : Boundary, Keeper, CallWatch {
+    private val begun = Begun()
+    private val left = LinkedBlockingQueue<Runnable>()
+    private val ids = HashMap<String, String>() // of messages: as recorded, and now
+    private var percepts: List<Literal> = emptyList()
+    private var calls: MutableList<Call> = ArrayList()
+    private var sent: MutableList<Mail> = ArrayList()
+    private var sleep = ArrayDeque<Char>()
+    private var underWay: Call? = null
+    private lateinit var ts: TransitionSystem
+
+    /** The cycle that is replayed. */
+    lateinit var cycle: Cycle
+        private set
+
+    lateinit var course: CourseWatch
+        private set
+
+    /** Calls of the project's own actions and functions so far, for the likely cause of a difference. */
+    val projectCalls = LinkedHashSet<String>()
+
+    fun begin(ts: TransitionSystem) {
+        this.ts = ts
+        course = CourseWatch(ts)
+        KeptTasks.insertInto(ts, this)
+        WatchedCode(ts, this).begin()
+    }
+
+    /** The next cycle is [cycle]. */
+    fun next(cycle: Cycle) {
+        this.cycle = cycle
+        cycle.counters?.let(Counters::write)
+        calls = cycle.input.calls.toMutableList()
+        sent = cycle.course.mail.toMutableList()
+        sleep = ArrayDeque(cycle.input.sleep.toList())
+        cycle.input.events.forEach { ts.c.addExternalEv(parsed(it, ASSyntax::parseTrigger)) }
+    }
+
+    override fun cycleStarting(ts: TransitionSystem) = course.begin()
+
+    override fun perceive(live: () -> Perception): Perception {
+        val change = cycle.input.percepts ?: return Perception(null)
+        percepts = percepts.changedBy(change)
+        return Perception(percepts.toMutableList(), if (cycle.input.isOfSeveralBoards) ts.c.events.size else null, hasNamespaces = true)
+    }
+
+    override fun newlyCritical(live: () -> List<Literal>) = cycle.input.critical.map(::literalOf)
+
+    override fun boardOf(percept: Literal, live: () -> String?) = cycle.input.boards[textOf(percept)]
+
+    override fun takeMail(live: () -> Unit) {
+        cycle.input.mail.forEach { ts.c.addMsg(messageOf(it)) }
+        Keeper.current = this
+        cycle.input.ends.forEach(::carryOut)
+    }
+
+    private fun messageOf(mail: Mail) = Message(mail.performative, mail.sender, mail.receiver, termOf(mail.content), mail.id).apply {
+        inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+    }
+
+    private fun carryOut(end: End) {
+        if (end.number != 0) {
+            if (!begun.carryOut(end)) found("end of a ${end.kind}", "number ${end.number}", null, null)
+            return
+        }
+        val work = left.poll(THREAD_PATIENCE_S, TimeUnit.SECONDS)
+        if (work != null) return work.run()
+        found("work of thread ${end.thread}", "in this cycle", null, "the project's threads are not recorded")
+    }
+
+    override fun call(call: InternalCall, live: () -> Any): Any = call(call, WatchedKind.OUTSIDE) { live() }
+
+    override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
+        val recorded = take(call.name, call.args.map(::textOf))
+        if (recorded == null) {
+            found("call", calls.firstOrNull()?.let(::described), normal("$call"), null)
+            return if (code == WatchedKind.OUTSIDE) false else live(call.un)
+        }
+        if (code != WatchedKind.OUTSIDE) projectCalls += call.name
+        if (code == WatchedKind.SUSPENDING) return live(call.un)
+        if (code == WatchedKind.PROJECT) compare(recorded, call, live)
+        recorded.failure?.let { throw JasonException(it.message, if (it.error.isEmpty()) null else termOf(it.error)) }
+        return answer(recorded, call)
+    }
+
+    private fun answer(recorded: Call, call: InternalCall): Any {
+        if (recorded.isBacktracking) return recorded.answers.map { answer -> call.un.clone().also { bind(call, it, answer) } }.iterator()
+        if (recorded.answers.isEmpty()) return false
+        val suspend = call.suspend
+        if (suspend != null) {
+            val around = underWay
+            underWay = recorded
+            suspend()
+            underWay = around
+            return true
+        }
+        bind(call, call.un, recorded.answers.first())
+        return true
+    }
+
+    private fun bind(call: InternalCall, un: Unifier, answer: List<String>) = call.args.zip(answer).forEach { (argument, text) ->
+        if (!argument.isGround) un.unifies(argument, termOf(text))
+    }
+
+    /** Carries the project's own action out again, and compares what it gives. */
+    private fun compare(recorded: Call, call: InternalCall, live: (Unifier) -> Any) {
+        val un = call.un.clone()
+        val now = try {
+            when (val result = live(un)) {
+                is Iterator<*> -> result.asSequence().take(recorded.answers.size).map { bound(call, it as Unifier) }.toList().toString()
+                true -> listOf(bound(call, un)).toString()
+                else -> NOT_TRUE
+            }
+        } catch (failed: JasonException) {
+            "${callFailure(failed)}"
+        } catch (broken: RuntimeException) {
+            "$broken"
+        }
+        val before = recorded.failure?.toString() ?: if (recorded.answers.isEmpty()) NOT_TRUE else recorded.answers.toString()
+        if (normal(before) == normal(now)) return
+        found("result of ${recorded.name}", normal(before), normal(now), notRecorded(recorded.name, "action"))
+    }
+
+    override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
+        val recorded = take(name, args.map(::textOf))?.answers?.firstOrNull()?.firstOrNull()
+        if (recorded == null) {
+            found("call", calls.firstOrNull()?.let(::described), "$name(${args.joinToString(",")})", null)
+            return live()
+        }
+        if (isOfProject) {
+            projectCalls += name
+            val now = "${live()}"
+            if (now != recorded) found("result of $name", recorded, now, notRecorded(name, "function"))
+        }
+        return recorded.toDouble()
+    }
+
+    private fun notRecorded(name: String, kind: String) =
+        "the project's $kind $name gives another result for the same arguments: it reads a clock, chance, a file or what a thread changes"
+
+    /** The recorded call of [name] with [args]; it is taken once. */
+    private fun take(name: String, args: List<String>): Call? {
+        val index = calls.indexOfFirst { it.name == name && it.args.map(::normal) == args.map(::normal) }
+        return if (index < 0) null else calls.removeAt(index)
+    }
+
+    override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
+        val number = begun.begin { end -> complete(end.failure?.let(::Failed)) }
+        if (underWay?.number != number) found("number of a call", "${underWay?.number}", "$number", null)
+        return {}
+    }
+
+    private class Failed(failure: CallFailure) : CommandFailure {
+        override val error = failure.error
+        override val cause = failure.message
+    }
+
+    override fun <V> timer(work: Callable<V>, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
+        begun.begin { work.call() }
+        return Never(work)
+    }
+
+    override fun left(work: RunnableSerializable) {
+        left += work
+    }
+
+    override fun act(action: ActionExec, live: (ActionExec) -> Unit) {
+        begun.begin { end ->
+            complete(action, end)
+            ts.c.addFeedbackAction(action)
+        }
+    }
+
+    override fun send(message: Message, live: () -> Unit) = sending(message)
+
+    override fun broadcast(message: Message, live: () -> Unit) = sending(message.clone().apply { receiver = receiver ?: "everybody" })
+
+    private fun sending(message: Message) {
+        val recorded = sent.removeFirstOrNull()
+        recorded?.let { ids[it.id] = message.msgId }
+        course.sent(mailOf(message, recorded?.failure))
+        recorded?.failure?.let { throw JasonException(it) }
+    }
+
+    override fun canSleep(live: () -> Boolean): Boolean = sleep.removeFirstOrNull() != 'n'
+
+    override fun ruleApplied() {
+        if (::course.isInitialized && Keeper.current === this) course.ruleApplied()
+    }
+
+    override fun cycleFinished() {
+        Keeper.current = null
+        calls.firstOrNull()?.let { found("call", described(it), null, null) }
+    }
+
+    private fun described(call: Call) = normal("${call.name}(${call.args.joinToString(",")})")
+
+    /** A timer whose time is given by the recording. */
+    private class Never<V>(work: Callable<V>) : FutureTask<V>(work), ScheduledFuture<V> {
+        override fun getDelay(unit: TimeUnit) = Long.MAX_VALUE
+
+        override fun compareTo(other: Delayed) = 0
+    }
+
+    private companion object {
+        /** How long work of a thread of the project's is waited for that was left in the recorded cycle. */
+        const val THREAD_PATIENCE_S = 5L
+        const val NOT_TRUE = "false"
+    }
+}
+
+private fun List<Literal>.changedBy(change: PerceptChange): List<Literal> =
+    take(change.keep) + change.now.map(::literalOf) + takeLast(change.keepLast)

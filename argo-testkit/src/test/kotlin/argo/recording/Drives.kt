@@ -1,0 +1,34 @@
+package argo.recording
+
+import argo.recording.replay.Difference
+import argo.recording.replay.Recording
+import argo.recording.replay.Replay
+import argo.testkit.AgentSetUp
+import argo.testkit.TestAgent
+import argo.testkit.agentOf
+import java.nio.file.Path
+import kotlin.io.path.createTempDirectory
+
+/** A file for a recording, in a directory of its own. */
+internal fun recordingFile(): Path = createTempDirectory("argo-recording-spec").resolve("drive.mcap")
+
+/** Records an agent with [program] while [drive] runs, and returns the file. */
+internal fun recorded(program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.() -> Unit): Path {
+    val file = recordingFile()
+    agentOf(program) {
+        setUp()
+        options("argo_record" to "$file")
+    }.use { it.drive() }
+    return file
+}
+
+/** What came of a replay: how many cycles were run, how many were recorded, and what differs. */
+internal class Outcome(val cycles: Long, val recorded: Int, val differences: List<Difference>)
+
+/** Replays the recording [file] as a whole. */
+internal fun replayOf(file: Path): Outcome = Recording(file).use { recording ->
+    Replay(recording).use { replay ->
+        replay.run()
+        Outcome(replay.cyclesRun, recording.agents.keys.sumOf { recording.cycles(it).count() }, replay.differences)
+    }
+}

@@ -1,0 +1,97 @@
+package argo.recording
+
+import argo.recording.replay.Recording
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+
+/** What a recorded agent did, it does again when Jason runs it on what was recorded. */
+class ReplaySpec : FunSpec({
+    fun shouldReplay(file: Path) {
+        val outcome = replayOf(file)
+        withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }
+        outcome.cycles shouldBe outcome.recorded.toLong()
+        outcome.cycles shouldBeGreaterThan 0L
+    }
+
+    test("percepts, events, commands and timers") {
+        val file = recorded(
+            """
+            !start.
+            +!start <- argo.port(ttyACM0); argo.percepts(open); !patrol.
+            +!patrol <- argo.act(forward); .wait(300); !patrol.
+            +dist(front,Cm) : Cm < 40 <- argo.act(stop); .print("stopped at ", Cm).
+            """.trimIndent(),
+        ) {
+            perceives("dist(front,80)", "light(back,140)")
+            after(1.seconds)
+            perceives("dist(front,30)", "light(back,140)")
+            shouldSend("stop")
+        }
+        val cycles = Recording(file).use { it.cycles("agent").toList() }
+        cycles.flatMap { it.input.calls }.flatMap { it.commands }.map { it.text }.distinct() shouldBe listOf("forward", "stop")
+        cycles.flatMap { it.course.printed } shouldBe listOf("stopped at 30")
+        shouldReplay(file)
+    }
+
+    test("clocks and chance of Jason") {
+        shouldReplay(
+            recorded(
+                """
+                !start.
+                +!start <- .random(R); .nano_time(T); .time(H,M,S); X = math.random(10); Y = system.time; .shuffle([1,2,3,4,5,6],L);
+                   .findall(Z, .random(Z,3), Zs); .wait(70); +drew(R,T,H,M,S,X,Y,L,Zs); .print(R,T,X,Y,L,Zs).
+                @once +?chance(R) <- .random(R).
+                """.trimIndent(),
+            ) { after(1.seconds) },
+        )
+    }
+
+    test("failures of calls, and commands that fail later") {
+        shouldReplay(
+            recorded(
+                """
+                !start.
+                +!start <- !port; !limit; argo.percepts(open); !act; .wait(200); !again.
+                +!port <- argo.port(ttyACM0).
+                +!limit <- argo.limit(-1).
+                -!limit[error(E)] <- .print(E); argo.limit(20).
+                +!act <- argo.act(forward, [timeout(100)]).
+                -!act[error(E),error_msg(M)] <- .print(E, M).
+                +!again : argo.age(dist(_), Ms) <- .print(Ms).
+                -!again[error(E)] <- .print(E).
+                """.trimIndent(),
+            ) {
+                perceives("dist(3)")
+                board.disconnects()
+                after(1.seconds)
+                board.reconnects()
+                after(3.seconds)
+            },
+        )
+    }
+
+    test("messages, questions with a time limit, and atomic plans") {
+        shouldReplay(
+            recorded(
+                """
+                !start.
+                +!start <- .send(nobody, askOne, price(X), A, 300); .print(A); .broadcast(tell, ready).
+                @a[atomic] +!go(N)[source(S)] <- .print(S, N); argo.port(ttyACM0); .send(S, tell, gone(N)).
+                +jag_sleeping <- .print("nothing to do").
+                """.trimIndent(),
+            ) {
+                hears("boss", "achieve", "go(1)")
+                hears("boss", "tell", "note(\"a \\\"word\\\"\", [1,2], f(x))")
+                after(500.milliseconds)
+                hears("boss", "askOne", "note(_,_,_)")
+                after(1.seconds)
+            },
+        )
+    }
+})

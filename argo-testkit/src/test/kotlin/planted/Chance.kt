@@ -1,0 +1,84 @@
+@file:Suppress("ClassName")
+
+package planted
+
+import jason.asSemantics.Agent
+import jason.asSemantics.DefaultArithFunction
+import jason.asSemantics.DefaultInternalAction
+import jason.asSemantics.Intention
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Term
+import java.util.Queue
+import java.util.UUID
+import java.util.concurrent.atomic.AtomicLong
+import kotlin.concurrent.thread
+
+/** An internal action of a project that binds its argument to [value], which is another one each time. */
+abstract class Planted(private val value: () -> Any) : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
+        un.unifies(args[0], ASSyntax.createString("${value()}"))
+}
+
+/** Reads a clock. */
+class clock : Planted(System::nanoTime)
+
+/** Draws a number. */
+class dice : Planted(Math::random)
+
+/** Makes a name that nobody else has. */
+class name : Planted(UUID::randomUUID)
+
+/** Takes the order of a set of objects without a hash of their own. */
+class order : Planted({ List(8) { Any() to it }.associate { it }.keys.toHashSet().joinToString { "${System.identityHashCode(it)}" } })
+
+/** Takes what a thread has counted. */
+class counted : Planted({ AtomicLong().also { count -> thread { count.set(System.nanoTime()) }.join() } })
+
+/** Counts its calls in the whole program. */
+class calls : Planted(CALLS::incrementAndGet) {
+    private companion object {
+        val CALLS = AtomicLong()
+    }
+}
+
+/** Gives several ways, in an order of chance. */
+class ways : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = List(4) { System.nanoTime() + it }.map { value ->
+        un.clone().also { it.unifies(args[0], ASSyntax.createString("$value")) }
+    }.iterator()
+}
+
+/** Fails by chance, with a message of chance. */
+class failing : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
+        throw jason.JasonException("failed at ${System.nanoTime()}", ASSyntax.createAtom("chance"))
+}
+
+/** Adds a belief that is not its result. */
+class believes : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
+        ts.ag.addBel(ASSyntax.createLiteral("drawn", ASSyntax.createString("${System.nanoTime()}")))
+}
+
+/** A function that drifts. */
+class drift : DefaultArithFunction() {
+    override fun getName() = "planted.drift"
+
+    override fun checkArity(arity: Int) = arity == 0
+
+    override fun evaluate(ts: TransitionSystem?, args: Array<Term>) = System.nanoTime().toDouble()
+}
+
+/** An agent that works on its intentions in an order that depends on how many agents there were before it. */
+class Moody : Agent() {
+    private val isLastFirst = BORN.getAndIncrement() % 2 == 0L
+
+    override fun selectIntention(intentions: Queue<Intention>): Intention? =
+        (if (isLastFirst) intentions.lastOrNull() else intentions.firstOrNull())?.also(intentions::remove)
+
+    private companion object {
+        val BORN = AtomicLong()
+    }
+}
