@@ -36,7 +36,7 @@ fun gradleBuild(root: Path): Build {
         versions = catalog.versions,
         java = script.value("""options\.release = (\d+)"""),
         kotlinJvmTarget = script.value("""JvmTarget\.JVM_(\d+)"""),
-        libraries = quoted(script.value("""val libraries = listOf\(([^)]*)\)""")),
+        libraries = quoted(script.value("""val libraries =\s+listOf\(([^)]*)\)""")),
         serialized = modules.filter { "libs.plugins.kotlin.serialization" in scripts.getValue(it) },
         modules = scripts.mapValues { (_, own) ->
             merged(catalog.dependencies(script.replace("rootProject.", "")) + catalog.dependencies(own))
