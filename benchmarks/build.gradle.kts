@@ -2,10 +2,11 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinJvmProjectExtension
 
 plugins { application }
 
-// lines and boards in virtual time, shared with javino-java's tests
+// lines and boards in virtual time, shared with javino-java's tests; agents with faults, shared with argo-testkit's
 configure<KotlinJvmProjectExtension> {
-    sourceSets.named("main") { kotlin.srcDir("../javino-java/src/virtual/kotlin") }
+    sourceSets.named("main") { kotlin.srcDirs("../javino-java/src/virtual/kotlin", "../argo-testkit/src/planted/kotlin") }
 }
+sourceSets.named("main") { resources.srcDir("../argo-testkit/src/planted/resources") }
 
 dependencies {
     implementation(project(":argo-arch"))

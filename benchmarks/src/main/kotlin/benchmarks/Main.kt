@@ -22,6 +22,7 @@ fun main(args: Array<String>) {
         "boards" -> if (!boards(File(args.getOrElse(1) { "boards.txt" }))) exitProcess(1)
         "tls" -> tls()
         "ros" -> if (!ros()) exitProcess(1)
+        "explore" -> if (!explored(args.getOrNull(2))) exitProcess(1)
         "soak" -> if (!soak()) exitProcess(1)
         Crowd.NAME -> Crowd().run()
         BoardsCourse.NAME -> BoardsCourse(args[1].toInt(), args[2].toInt()).run()
@@ -29,7 +30,7 @@ fun main(args: Array<String>) {
         BoardHost.NAME -> hostBoards(args.drop(1))
         LATENCY_COURSE -> latencyCourse(args[1])
         else -> {
-            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros")
+            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore")
             exitProcess(2)
         }
     }

@@ -61,7 +61,8 @@ class FrontDoorSpec : FunSpec({
     listOf("bench", "bench a b", "bench latency soak", "bench fly").forEach { line ->
         test("./argo $line is refused before anything is built, with exit status 2") {
             val (status, said) = bash("../argo", *line.split(' ').toTypedArray())
-            said shouldStartWith "./argo: bench takes one of latency, filters, realtime, stops, boards, bounds, faults, soak and tls, not: "
+            said shouldStartWith
+                "./argo: bench takes one of latency, filters, realtime, stops, boards, bounds, faults, soak, tls, ros and explore, not: "
             said shouldContain line.removePrefix("bench").trim().ifEmpty { "nothing" }
             status shouldBe 2
         }

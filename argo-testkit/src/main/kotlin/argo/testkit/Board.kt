@@ -10,6 +10,7 @@ import javino.PerceptsRequest
 import javino.PortBusyException
 import javino.PortException
 import javino.PortGoneException
+import javino.PortInterruptedException
 import javino.PortPermissionException
 import javino.Transport
 import javino.sim.FakeBoard
@@ -49,11 +50,21 @@ class Board internal constructor(private val time: VirtualTime) {
     private var program = fake.program()
     private val replayed = ArrayList<String>()
     private val taken = HashSet<Int>()
+    private val requestRules = listOf(
+        fake.whenAsked(PerceptsRequest.ALL).answer(::percepts) { answer(emptySet()) },
+        fake.whenAsked(PerceptsRequest::isIn).answer(::percepts),
+    )
+    private var bootMs = 0
 
-    init {
-        fake.whenAsked(PerceptsRequest.ALL).answer(::percepts) { answer(emptySet()) }
-        fake.whenAsked(PerceptsRequest::isIn).answer(::percepts)
-    }
+    /** Its program is to begin anew on the line that it is on. */
+    @Volatile
+    private var isToRestart = false
+
+    /** Whether requests for percepts get no answer now, whatever its sensors show. */
+    internal var isSilent = false
+
+    /** Of how many bytes on its line, in each direction, one arrives with a wrong bit; 0: none does. */
+    internal var garbledOneIn = 0
 
     /**
      * Its sensors show [percepts] from now on, each as text, `dist(front,30)`; without percepts it answers with an empty message.
@@ -161,7 +172,26 @@ class Board internal constructor(private val time: VirtualTime) {
     fun takes(duration: Duration, command: String): Board = apply { fake.whenAsked(command).after(millis(duration)) }
 
     /** It needs [duration] to boot when its port is opened, and loses what arrives meanwhile. */
-    fun boots(duration: Duration): Board = apply { fake.bootTakes(millis(duration)) }
+    fun boots(duration: Duration): Board = apply {
+        bootMs = millis(duration)
+        fake.bootTakes(bootMs)
+    }
+
+    /** It answers each request for percepts [duration] later than it could, and does nothing else meanwhile. */
+    fun answersAfter(duration: Duration): Board = apply { requestRules.forEach { it.after(millis(duration)) } }
+
+    /**
+     * It restarts now, as a board does whose watchdog bites or whose supply dips: its port stays open, it forgets the session of version 2,
+     * and loses what arrives within [booting].
+     */
+    fun restarts(booting: Duration): Board = apply {
+        if (!isOpen) return@apply
+        recovers()
+        fake.bootTakes(millis(booting))
+        time.later(nanos(booting)) { fake.bootTakes(bootMs) }
+        isToRestart = true
+        threads.forEach(Thread::interrupt)
+    }
 
     /** Its port needs [duration] to open, as that of an adapter over Bluetooth does; the agent's `argo.port` waits meanwhile. */
     fun opensAfter(duration: Duration): Board = apply { openingNanos = nanos(duration) }
@@ -229,17 +259,22 @@ class Board internal constructor(private val time: VirtualTime) {
         val line = MemoryLine.paced(port, settings, time).also { this.line = it }
         threads.removeAll { !it.isAlive }
         threads += time.start("board $port") { run(line) }
-        return line.computer()
+        return GarbledLine(line.computer(), ::garbledOneIn)
     }
 
     private fun run(line: MemoryLine) {
-        try {
-            program.run(line.board())
-        } catch (_: PortGoneException) {
-            // the agent closed its port, or the cable was pulled
-        } catch (_: InterruptedException) {
-            // the test is over
-        }
+        do {
+            isToRestart = false
+            try {
+                program.run(line.board())
+            } catch (_: PortGoneException) {
+                // the agent closed its port, or the cable was pulled
+            } catch (_: PortInterruptedException) {
+                Thread.interrupted() // it restarts, or the test is over
+            } catch (_: InterruptedException) {
+                // likewise
+            }
+        } while (isToRestart)
     }
 
     internal fun end() {
@@ -254,7 +289,8 @@ class Board internal constructor(private val time: VirtualTime) {
         shown = null
     }
 
-    private fun percepts(request: String): String? = answer(PerceptsRequest.functorsIn(request))?.also { answers++ }
+    private fun percepts(request: String): String? =
+        if (isSilent) null else answer(PerceptsRequest.functorsIn(request))?.also { answers++ }
 
     private fun messageOf(percepts: List<String>) = percepts.onEach(::requirePercept).joinToString("") { "$it;" }.also(::sendable)
 

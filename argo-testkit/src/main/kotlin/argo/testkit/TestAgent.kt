@@ -180,11 +180,11 @@ class TestAgent internal constructor(
         takeTime()
         if (cyclesAt != time.nanos()) cycles = 0
         cyclesAt = time.nanos()
-        if (++cycles < MOST_CYCLES) return true
+        if (++cycles < mas.mostCycles) return true
         cycles = 0
         throw AssertionError(
-            "agent $name is still busy after $MOST_CYCLES cycles at one instant: a plan that repeats itself has to wait for something, " +
-                "time (.wait) or a command (argo.act)\n${report()}",
+            "agent $name is still busy after ${mas.mostCycles} cycles at one instant: a plan that repeats itself has to wait for " +
+                "something, time (.wait) or a command (argo.act)\n${report()}",
         )
     }
 
@@ -224,8 +224,6 @@ class TestAgent internal constructor(
     override fun close() = mas.close()
 
     internal companion object {
-        private const val MOST_CYCLES = 10_000
-
         /** The first answer has been read when the board is asked again. */
         private const val ANSWERS_UNTIL_KNOWN = 2
     }

@@ -1,5 +1,7 @@
 package argo.testkit
 
+import argo.observing.AgentObserver
+import argo.observing.ObservedAgent
 import jason.asSemantics.Message
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Trigger
@@ -20,6 +22,15 @@ class TestMas internal constructor() : AutoCloseable {
     private val made = ArrayList<TestAgent>()
     private var closed = false
 
+    /** How long a message from one agent of the test to another takes; asked when it is sent. */
+    internal var delayOf: (Message) -> Duration = { Duration.ZERO }
+
+    /** How many reasoning cycles an agent may have at one instant. */
+    internal var mostCycles = 10_000
+
+    /** Opens the observer of an agent that is being made; null: nobody observes. */
+    internal var observing: ((ObservedAgent) -> AgentObserver)? = null
+
     /** The names of the agents that run, in the order in which they were made. */
     val names: List<String> get() = agents.values.filter { it.isRunning }.map { it.name }
 
@@ -29,6 +40,9 @@ class TestMas internal constructor() : AutoCloseable {
      */
     operator fun get(name: String): TestAgent =
         agents[name] ?: throw IllegalArgumentException("there is no agent $name; there are ${agents.keys.joinToString()}")
+
+    /** The agents in the order in which they were made, also those that have been stopped. */
+    internal val all: List<TestAgent> get() = made
 
     /** The agent that was made first. */
     internal val first: TestAgent get() = made.first()
@@ -93,7 +107,13 @@ class TestMas internal constructor() : AutoCloseable {
 
     /** Takes [message] to its receiver; one that is not in the test is spoken to in vain. */
     internal fun deliver(message: Message) {
-        find(message.receiver)?.infra?.receive(message.clone())
+        val passed = message.clone()
+        val delay = delayOf(message)
+        if (delay == Duration.ZERO) receive(passed) else time.later(nanos(delay)) { receive(passed) }
+    }
+
+    private fun receive(message: Message) {
+        find(message.receiver)?.infra?.receive(message)
     }
 
     /** Takes [message] to all but its sender. */

@@ -1,0 +1,103 @@
+package argo.exploring
+
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.parser.ParseException
+import jason.asSyntax.parser.TokenMgrError
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * No command gets lost in silence: each has an outcome within [within], and within [within] of a failure its agent sends a command, prints
+ * something or sends a message. A command that a later one has replaced has not failed.
+ */
+fun losesNoCommand(within: Duration = 5.seconds): Rule = LosesNoCommand(within)
+
+/** The plans of an agent send at most [most] commands in any second. */
+fun neverFloods(most: Int = 20): Rule = NeverFloods(most)
+
+/**
+ * An agent does not change to and fro between two commands: A, B, A counts as one change back, and there are at most [most] of them in any
+ * second.
+ */
+fun neverOscillates(most: Int = 3): Rule = NeverOscillates(most)
+
+/**
+ * Agents send only these [actions], which are written as in the test kit's `knows`: `ledOn`, `speed/1`, `say/` with a star for any number
+ * of arguments.
+ */
+fun sendsOnly(actions: List<String>): Rule = SendsOnly(actions)
+
+/** An agent that has sent commands sends one again within [within] of the end of the last event. */
+fun actsAgain(within: Duration = 5.seconds): Rule = ActsAgain(within)
+
+private class LosesNoCommand(private val within: Duration) : ReadyRule("loses no command", within) {
+    override fun breachIn(run: Run, agent: String): Breach? {
+        val entries = run.of(agent)
+        return listOfNotNull(unfinished(entries, run.ended), unnoticed(entries, run.ended)).minByOrNull { it.at }
+    }
+
+    private fun unfinished(entries: List<AgentEntry>, ended: Duration): Breach? {
+        val outcomes = entries.filterIsInstance<Ended>().associateBy { it.number }
+        return entries.filterIsInstance<Issued>().firstNotNullOfOrNull { command ->
+            val late = (outcomes[command.number]?.at ?: ended) - command.at
+            if (late <= within) null
+            else Breach(command.at + within, "${command.command}, which ${command.agent} sent at ${inMs(command.at)}, has no outcome")
+        }
+    }
+
+    private fun unnoticed(entries: List<AgentEntry>, ended: Duration): Breach? =
+        entries.filterIsInstance<Ended>().filter { it.error != null && it.error != "act_replaced" && it.at + within <= ended }
+            .firstNotNullOfOrNull { lost ->
+                val isNoticed = entries.any {
+                    it.at in lost.at..lost.at + within && (it is Issued && it.number > lost.number || it is Printed || it is Said)
+                }
+                if (isNoticed) null
+                else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and nothing came of that")
+            }
+}
+
+private class NeverFloods(private val most: Int) : ReadyRule("never floods", most) {
+    override fun breachIn(run: Run, agent: String): Breach? =
+        run.planned(agent).map { it.at }.windowed(most + 1).firstOrNull { it.last() - it.first() < 1.seconds }
+            ?.let { Breach(it.last(), "$agent sends ${it.size} commands between ${inMs(it.first())} and ${inMs(it.last())}") }
+}
+
+private class NeverOscillates(private val most: Int) : ReadyRule("never oscillates", most) {
+    override fun breachIn(run: Run, agent: String): Breach? =
+        run.planned(agent).windowed(3).filter { (a, b, c) -> a.command == c.command && a.command != b.command }
+            .windowed(most + 1).firstOrNull { it.last().last().at - it.first().first().at < 1.seconds }
+            ?.let { changes ->
+                val (one, other) = changes.first()
+                val ends = changes.last().last().at
+                val often = "${changes.size} times between ${one.command} and ${other.command}"
+                Breach(ends, "$agent changes $often, from ${inMs(one.at)} to ${inMs(ends)}")
+            }
+}
+
+private class SendsOnly(private val actions: List<String>) : ReadyRule("sends only known commands", actions) {
+    override fun breachIn(run: Run, agent: String): Breach? = run.planned(agent).firstOrNull { !isKnown(it.command) }
+        ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}; the board knows ${actions.joinToString()}") }
+
+    private fun isKnown(command: String): Boolean {
+        val (name, count) = try {
+            ASSyntax.parseLiteral(command).let { it.functor to it.arity }
+        } catch (_: ParseException) {
+            command to 0
+        } catch (_: TokenMgrError) {
+            command to 0
+        }
+        return "$name/$count" in actions || "$name/*" in actions || count == 0 && name in actions
+    }
+}
+
+private class ActsAgain(private val within: Duration) : ReadyRule("acts again", within) {
+    override fun breachIn(run: Run, agent: String): Breach? {
+        val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
+        val last = run.planned(agent).lastOrNull() ?: return null
+        if (quiet + within > run.ended || last.at >= quiet) return null
+        return Breach(quiet + within, "$agent has sent no command since ${inMs(last.at)}, though nothing is wrong since ${inMs(quiet)}")
+    }
+}
+
+/** The commands that plans of [agent] have sent. */
+private fun Run.planned(agent: String) = of(agent).filterIsInstance<Issued>().filter { it.plan != null }

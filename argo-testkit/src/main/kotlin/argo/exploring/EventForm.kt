@@ -1,0 +1,101 @@
+package argo.exploring
+
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+
+/**
+ * A [WorldEvent] as its kind and its fields, which Kotlin code, JSON and shorter events are made of.
+ *
+ * @property fields in the order of the constructor; each a [Duration], an [Int] or a [String]
+ */
+internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) {
+    /** The call that makes the event, as in a program. */
+    val kotlin: String get() = "$kind(${fields.joinToString { (_, value) -> kotlinOf(value) }})"
+
+    /** One object of JSON; times are in ms. */
+    val json: String
+        get() = (listOf("event" to kind) + fields).joinToString(",", "{", "}") { (name, value) ->
+            if (value is Duration) "\"${name}_ms\":${value.inWholeMilliseconds}"
+            else "\"$name\":${if (value is Int) "$value" else jsonText("$value")}"
+        }
+
+    fun with(index: Int, value: Any) =
+        EventForm(kind, fields.mapIndexed { i, field -> if (i == index) field.first to value else field }).event()
+
+    /** @throws IllegalArgumentException if there is no such event */
+    fun event(): WorldEvent {
+        fun time(name: String) = field(name) as? Duration ?: throw wrong("\"${name}_ms\" is a whole number of ms")
+        fun text(name: String) = field(name) as? String ?: throw wrong("\"$name\" is a text")
+        fun count(name: String) = field(name) as? Int ?: throw wrong("\"$name\" is a whole number")
+        return when (kind) {
+            "Reads" -> Reads(time("at"), text("board"), text("sensor"), text("percept"))
+            "Flickers" -> Flickers(
+                time("at"), text("board"), text("sensor"), text("percept"), text("other"), time("every"), time("lasts"),
+            )
+            "Unplugged" -> Unplugged(time("at"), text("board"), time("lasts"))
+            "Hangs" -> Hangs(time("at"), text("board"), time("lasts"))
+            "IgnoresRequests" -> IgnoresRequests(time("at"), text("board"), time("lasts"))
+            "AnswersLate" -> AnswersLate(time("at"), text("board"), time("by"), time("lasts"))
+            "Restarts" -> Restarts(time("at"), text("board"), time("booting"))
+            "Garbles" -> Garbles(time("at"), text("board"), count("oneIn"), time("lasts"))
+            "Floods" -> Floods(time("at"), text("board"), count("messages"))
+            "Hears" -> Hears(time("at"), text("agent"), text("sender"), text("performative"), text("content"))
+            "MessagesLate" -> MessagesLate(time("at"), text("agent"), time("by"), time("lasts"))
+            else -> throw IllegalArgumentException("there is no event $kind; there are ${KINDS.joinToString()}")
+        }
+    }
+
+    private fun field(name: String): Any? = fields.find { it.first == name }?.second
+
+    private fun wrong(expected: String) = IllegalArgumentException("an event $kind has other fields: $expected, in $json")
+}
+
+/** The kinds of events. */
+internal val KINDS = listOf(
+    "Reads", "Flickers", "Unplugged", "Hangs", "IgnoresRequests", "AnswersLate", "Restarts", "Garbles", "Floods", "Hears", "MessagesLate",
+)
+
+internal val WorldEvent.form: EventForm
+    get() = EventForm(
+        javaClass.simpleName,
+        listOf("at" to at) + when (this) {
+            is Reads -> listOf("board" to board, "sensor" to sensor, "percept" to percept)
+            is Flickers ->
+                listOf("board" to board, "sensor" to sensor, "percept" to percept, "other" to other, "every" to every, "lasts" to lasts)
+            is Unplugged -> listOf("board" to board, "lasts" to lasts)
+            is Hangs -> listOf("board" to board, "lasts" to lasts)
+            is IgnoresRequests -> listOf("board" to board, "lasts" to lasts)
+            is AnswersLate -> listOf("board" to board, "by" to by, "lasts" to lasts)
+            is Restarts -> listOf("board" to board, "booting" to booting)
+            is Garbles -> listOf("board" to board, "oneIn" to oneIn, "lasts" to lasts)
+            is Floods -> listOf("board" to board, "messages" to messages)
+            is Hears -> listOf("agent" to agent, "sender" to sender, "performative" to performative, "content" to content)
+            is MessagesLate -> listOf("agent" to agent, "by" to by, "lasts" to lasts)
+        },
+    )
+
+/** [value], a time, a number or a text, as in a program. */
+internal fun kotlinOf(value: Any): String = when (value) {
+    is Duration -> "${value.inWholeMilliseconds}.milliseconds"
+    is String -> "\"${value.replace("\\", "\\\\").replace("\"", "\\\"").replace("$", "\\$")}\""
+    else -> "$value"
+}
+
+/** The events as JSON: an array with an object for each, on a line of its own. */
+fun jsonOf(events: List<WorldEvent>): String = events.joinToString(",\n  ", "[\n  ", "\n]\n") { it.form.json }
+
+/**
+ * The events in [json], as [jsonOf] writes them.
+ *
+ * @throws IllegalArgumentException if they cannot be read
+ */
+fun eventsOf(json: String): List<WorldEvent> = FlatJson(json).objects().map { fields ->
+    val kind = fields["event"] as? String
+        ?: throw IllegalArgumentException("an event has a field \"event\", its kind: ${KINDS.joinToString()}")
+    EventForm(
+        kind,
+        (fields - "event").map { (name, value) ->
+            if (name.endsWith("_ms") && value is Int) name.removeSuffix("_ms") to value.milliseconds else name to value
+        },
+    ).event()
+}

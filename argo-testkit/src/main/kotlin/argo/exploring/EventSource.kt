@@ -1,0 +1,92 @@
+package argo.exploring
+
+import kotlin.random.Random
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+
+/**
+ * Draws what may happen in a run of [exploration]: the same list for the same seed.
+ *
+ * @param agents the names of the agents, for messages
+ */
+internal class EventSource(private val exploration: Exploration, private val agents: List<String>) {
+    private val ports = exploration.boards.keys.toList()
+    private val sensing = exploration.boards.entries.flatMap { (port, board) -> board.sensors.map { port to it } }
+
+    /** The events of the run with [seed], in the order of their times. */
+    fun events(seed: Long): List<WorldEvent> {
+        val random = Random(seed)
+        val makers = makers(random)
+        val kinds = makers.shuffled(random).take(1 + random.nextInt(makers.size)) // few kinds at once find more than all together
+        var at = FIRST_AT
+        return (1..1 + random.nextInt(exploration.mostEvents)).mapNotNull {
+            at += pause(random)
+            if (at > exploration.eventful) null else kinds[random.nextInt(kinds.size)](at)
+        }
+    }
+
+    /** The time to the next event: often so short that the agent is still at the last one. */
+    private fun pause(random: Random): Duration = when (random.nextInt(4)) {
+        0 -> random.nextInt(1, 60)
+        1 -> random.nextInt(60, 600)
+        else -> random.nextInt(600, 3000)
+    }.milliseconds
+
+    private fun lasts(random: Random): Duration = LENGTHS[random.nextInt(LENGTHS.size)].let { random.nextInt(it / 2, it + 1) }.milliseconds
+
+    /** What makes an event at a time, of each kind that is played; sensors twice as often as each fault. */
+    private fun makers(random: Random): List<(Duration) -> WorldEvent> {
+        fun port() = ports[random.nextInt(ports.size)]
+        val makers = ArrayList<(Duration) -> WorldEvent>()
+        if (sensing.isNotEmpty()) repeat(2) { makers += { at -> reads(at, random) } }
+        val messages = exploration.messages
+        if (messages.isNotEmpty()) makers += { at -> messages[random.nextInt(messages.size)].copy(at = at) }
+        for (fault in exploration.played) when (fault) {
+            Fault.CABLES -> makers += { at -> Unplugged(at, port(), lasts(random)) }
+            Fault.SILENCE -> {
+                makers += { at -> Hangs(at, port(), lasts(random)) }
+                makers += { at -> IgnoresRequests(at, port(), lasts(random)) }
+            }
+            Fault.SLOWNESS -> makers += { at -> AnswersLate(at, port(), random.nextInt(20, 600).milliseconds, lasts(random)) }
+            Fault.RESTARTS -> makers += { at -> Restarts(at, port(), random.nextInt(10, 2000).milliseconds) }
+            Fault.NOISE -> makers += { at -> Garbles(at, port(), random.nextInt(5, 120), lasts(random)) }
+            Fault.FLOODS -> makers += { at -> Floods(at, port(), random.nextInt(2, 30)) }
+            Fault.FLICKER -> if (sensing.isNotEmpty()) makers += { at -> flickers(at, random) }
+            Fault.LATE_MESSAGES -> if (agents.size > 1) makers += { at ->
+                MessagesLate(at, agents[random.nextInt(agents.size)], random.nextInt(10, 2000).milliseconds, lasts(random))
+            }
+        }
+        return makers.ifEmpty { error("nothing can happen: no sensor, no message and no fault is described") }
+    }
+
+    private fun reads(at: Duration, random: Random): Reads {
+        val (port, sensor) = sensing[random.nextInt(sensing.size)]
+        val last = sensor.percepts.lastIndex
+        val index = when (random.nextInt(4)) {
+            0 -> 0
+            1 -> last
+            else -> random.nextInt(last + 1)
+        }
+        return Reads(at, port, sensor.name, sensor.percepts[index])
+    }
+
+    /** Between values that are next to each other, as a noisy sensor does. */
+    private fun flickers(at: Duration, random: Random): Flickers {
+        val (port, sensor) = sensing[random.nextInt(sensing.size)]
+        val index = random.nextInt(sensor.percepts.size)
+        val far = maxOf(1, sensor.percepts.size / NEAR)
+        val other = (index + 1 + random.nextInt(far)).let { if (it > sensor.percepts.lastIndex) maxOf(0, index - 1) else it }
+        val every = random.nextInt(20, 400).milliseconds
+        return Flickers(at, port, sensor.name, sensor.percepts[index], sensor.percepts[other], every, lasts(random))
+    }
+
+    private companion object {
+        val FIRST_AT = 200.milliseconds
+
+        /** The longest of each sort of trouble, in ms: from a loose contact to a board that is gone. */
+        val LENGTHS = listOf(40, 200, 800, 2000, 5000)
+
+        /** A sensor flickers by at most this part of its range. */
+        const val NEAR = 20
+    }
+}

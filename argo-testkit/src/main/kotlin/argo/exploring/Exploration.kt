@@ -1,0 +1,164 @@
+package argo.exploring
+
+import argo.testkit.AgentSetUp
+import argo.testkit.Board
+import argo.testkit.TestSetUp
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * The boards of the agents that are explored, what may happen to them, and the rules: the receiver of [explore]'s last argument.
+ *
+ *     fun Exploration.boards() {
+ *         board("ttyACM0") { sensor("dist(front,%d)", 5..200) }
+ *         rules(stopsWhenBlind("stop", moving = listOf("front")), handlesFailures())
+ *     }
+ */
+@TestSetUp
+class Exploration internal constructor() {
+    internal val boards = LinkedHashMap<String, ExploredBoard>()
+    internal val messages = ArrayList<Hears>()
+    internal val setUps = ArrayList<AgentSetUp.() -> Unit>()
+    internal var kept: List<Rule> = usualRules()
+        private set
+    internal var played: Set<Fault> = Fault.entries.toSet()
+        private set
+
+    /** How long events happen in a run. They begin 200 ms after it. */
+    var eventful: Duration = 10.seconds
+
+    /** How long a run goes on when the last event is over. Some rules need that time to see that something does not happen. */
+    var settling: Duration = 8.seconds
+
+    /** How many events a run has at most. */
+    var mostEvents: Int = 8
+
+    /** The first seed. */
+    var seed: Long = 0
+
+    /** How many runs are tried at most. */
+    var runs: Int = 1_000
+
+    /** How long runs are tried at most, in real time; a failing run is shortened afterwards. */
+    var time: Duration = 60.seconds
+
+    /** The board on [port], named as the agents name it. Each agent that runs on `argo.Arch` has one. */
+    fun board(port: String, describe: ExploredBoard.() -> Unit = {}) {
+        boards.getOrPut(port) { ExploredBoard() }.describe()
+    }
+
+    /** Someone who is not among the agents, [sender], may send [agent] this message at any time: see the test kit's `hears`. */
+    fun message(agent: String, sender: String, performative: String, content: String) {
+        messages += Hears(Duration.ZERO, agent, sender, performative, content)
+    }
+
+    /** The rules to be kept, in place of [usualRules]. */
+    fun rules(vararg rules: Rule) = rules(rules.toList())
+
+    /** The rules to be kept, in place of [usualRules]: `rules(usualRules() + sendsOnly(listOf("stop")))`. */
+    fun rules(rules: List<Rule>) {
+        kept = rules
+    }
+
+    /** The faults that are played, in place of all. Without any, sensors change and messages come. */
+    fun faults(vararg faults: Fault) {
+        played = faults.toSet()
+    }
+
+    /** More of the configuration of each agent: options, an environment, a class of its own. */
+    fun agents(setUp: AgentSetUp.() -> Unit) {
+        setUps += setUp
+    }
+
+    /** @throws IllegalArgumentException if nothing could be explored */
+    internal fun checked(): Exploration = apply {
+        require(boards.isNotEmpty()) {
+            "no board is described: name the port as the agent does, and what its sensors can show, as in " +
+                "board(\"ttyACM0\") { sensor(\"dist(front,%d)\", 5..200) }"
+        }
+        require(kept.isNotEmpty()) { "there is no rule to be kept" }
+        require(mostEvents > 0 && runs > 0) { "a run has 1 event or more, and there is 1 run or more" }
+    }
+}
+
+/** A kind of fault that an exploration can play. */
+enum class Fault {
+    /** Cables are pulled, and plugged in again. */
+    CABLES,
+
+    /** Boards hang, or answer no requests. */
+    SILENCE,
+
+    /** Boards answer late. */
+    SLOWNESS,
+
+    /** Boards restart. */
+    RESTARTS,
+
+    /** Bytes arrive wrongly. */
+    NOISE,
+
+    /** Boards send messages that nobody asked for. */
+    FLOODS,
+
+    /** Sensors change to and fro. */
+    FLICKER,
+
+    /** Messages between agents arrive late and in another order. */
+    LATE_MESSAGES,
+}
+
+/** A board that is explored: what its sensors can show, and how it behaves without faults. */
+@TestSetUp
+class ExploredBoard internal constructor() {
+    internal val sensors = ArrayList<Sensor>()
+    internal val scripts = ArrayList<Board.() -> Unit>()
+    internal var isVersion2 = false
+        private set
+    internal var known: List<String>? = null
+        private set
+
+    /**
+     * A sensor that shows [percept] with a whole number of [range] in place of `%d`, at first [first].
+     * @throws IllegalArgumentException if there is no `%d` in it, or the range is empty
+     */
+    fun sensor(percept: String, range: IntRange, first: Int = range.last) {
+        require("%d" in percept) { "a sensor of numbers has %d where the number stands: dist(front,%d), not $percept" }
+        require(first in range) { "$percept is from ${range.first} to ${range.last} and cannot be $first" }
+        sensors += Sensor(percept, range.toList().map { percept.replace("%d", "$it") }, first - range.first, range)
+    }
+
+    /** A sensor that shows one of [percepts], at first the first one; an empty text stands for no percept. */
+    fun sensor(vararg percepts: String) {
+        require(percepts.size > 1) { "a sensor shows one of several percepts: sensor(\"line(on)\", \"line(off)\")" }
+        sensors += Sensor(percepts.joinToString("|"), percepts.toList(), 0, null)
+    }
+
+    /** The board speaks version 2 of the protocol. */
+    fun version2() {
+        isVersion2 = true
+    }
+
+    /** The board speaks version 2 of the protocol, and these [actions] are all it can do: see the test kit's `knows`. */
+    fun knows(vararg actions: String) {
+        isVersion2 = true
+        known = actions.toList()
+    }
+
+    /**
+     * More of the board's behaviour, in the words of the test kit: `script { takes(2.seconds, "turn") }`. What it shows here is in place of
+     * the sensors; a script that `shows` what depends on `commands` is a simulated robot. Called for each run, before it begins.
+     */
+    fun script(behaviour: Board.() -> Unit) {
+        scripts += behaviour
+    }
+}
+
+/**
+ * What a sensor can show.
+ *
+ * @property percepts each of them; an empty text is no percept
+ * @property first the index of what it shows at first
+ * @property range the numbers in the percepts; null: it has none
+ */
+internal class Sensor(val name: String, val percepts: List<String>, val first: Int, val range: IntRange?)

@@ -1,0 +1,54 @@
+package argo.exploring
+
+import kotlin.time.TimeSource
+
+/**
+ * Looks for a run of the agents in [source] in which they break a rule: plays changing sensors, faults of boards and lines, and messages
+ * against the real agents in virtual time, drawn by seed.
+ *
+ *     test("nothing that happens to its board confuses the robot") {
+ *         explore("robot.asl") {
+ *             board("ttyACM0") { sensor("dist(front,%d)", 5..200) }
+ *             rules(usualRules() + stopsWhenBlind("stop", moving = listOf("front")))
+ *         }
+ *     }
+ *
+ * Takes as many runs as [Exploration.runs], at most as long as [Exploration.time] in real time.
+ *
+ * @param source the file of an agent, or the `.mas2j` of a system; looked for as the test kit's `agent` does
+ * @return what was played, if all rules were kept
+ * @throws AssertionError if a rule is broken, with the run made as short as it gets, in words and as a spec; or if the agents are not
+ *     deterministic
+ * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or no board is described
+ */
+fun explore(source: String, describe: Exploration.() -> Unit): NothingFound =
+    when (val outcome = outcomeOf(source, describe)) {
+        is NothingFound -> outcome
+        else -> throw AssertionError(reportOf(outcome))
+    }
+
+/** What [explore] finds, without an [AssertionError]. */
+fun outcomeOf(source: String, describe: Exploration.() -> Unit): Outcome = Search(scenario(source, describe), TimeSource.Monotonic).look()
+
+/**
+ * Plays [events] against the agents in [source], once, and returns what the run has shown. The same events give the same run.
+ *
+ * @throws IllegalArgumentException as [explore]
+ */
+fun runOf(source: String, events: List<WorldEvent>, describe: Exploration.() -> Unit): Run = scenario(source, describe).play(events)
+
+/**
+ * Plays [events] against the agents in [source] and checks the rules: what [explore] prints calls it.
+ *
+ * @throws AssertionError if a rule is broken
+ * @throws IllegalArgumentException as [explore]
+ */
+fun shouldKeepRules(source: String, vararg events: WorldEvent, describe: Exploration.() -> Unit): Run {
+    val scenario = scenario(source, describe)
+    val run = scenario.play(events.toList())
+    val (rule, breach) = scenario.breachIn(run) ?: return run
+    throw AssertionError("the rule \"${rule.name}\" is broken after ${inMs(breach.at)}: ${breach.how}\n${storyOf(run)}")
+}
+
+private fun scenario(source: String, describe: Exploration.() -> Unit) =
+    Scenario(programIn(source), source, Exploration().apply(describe).checked())

@@ -1,0 +1,55 @@
+package argo.exploring
+
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * When the run ends, no intention has waited at one step for longer than [longest].
+ *
+ * @param except goals that may, since they wait for something that need not come: `patrol` stands for `patrol(3)` too
+ */
+fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = emptyList()): Rule = NeverWaitsForever(longest, except)
+
+/** For each plan that fails there is a plan for its failure. */
+fun handlesFailures(): Rule = HandlesFailures()
+
+/**
+ * After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] events that wait.
+ */
+fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule = StaysSmall(intentions, beliefs, events)
+
+/** Agents rest now and then, so that time goes on, and are not stopped. */
+fun staysAlive(): Rule = StaysAlive()
+
+/** The rules that say something of any agent; [explore] checks them unless others are named. */
+fun usualRules(): List<Rule> = listOf(
+    staysAlive(), handlesFailures(), losesNoCommand(), neverWaitsForever(), staysSmall(), neverFloods(), neverOscillates(),
+    perceivesAgain(),
+)
+
+private class NeverWaitsForever(private val longest: Duration, private val except: List<String>) :
+    ReadyRule("never waits for ever", longest, except) {
+    override fun breachIn(run: Run, agent: String): Breach? = run.of(agent).filterIsInstance<Waits>()
+        .filter { it.at - it.since > longest && except.none { goal -> isCommand(it.goal, goal) } }.minByOrNull { it.since }
+        ?.let { Breach(it.since + longest, "$agent waits since ${inMs(it.since)} with ${it.intention}") }
+
+    private val Waits.goal get() = intention.substringBefore(" at ").trimStart('+', '-', '!')
+}
+
+private class HandlesFailures : ReadyRule("handles failures") {
+    override fun breachIn(run: Run, agent: String): Breach? =
+        run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
+}
+
+private class StaysSmall(private val intentions: Int, private val beliefs: Int, private val events: Int) :
+    ReadyRule("stays small", intentions, beliefs, events) {
+    override fun breachIn(run: Run, agent: String): Breach? = run.of(agent).filterIsInstance<Mind>()
+        .firstOrNull { it.intentions > intentions || it.beliefs > beliefs || it.events > events }
+        ?.let { Breach(it.at, "$agent has ${it.intentions} intentions, ${it.beliefs} beliefs and ${it.events} events that wait") }
+}
+
+private class StaysAlive : ReadyRule("stays alive") {
+    override fun breachIn(run: Run, agent: String): Breach? =
+        run.trace.firstOrNull { it is NeverRests || it is Stopped && it.agent == agent }
+            ?.let { Breach(it.at, if (it is NeverRests) it.what else "$agent is stopped") }
+}

@@ -1,0 +1,166 @@
+package argo.exploring
+
+import argo.testkit.formula
+import jason.asSemantics.Agent
+import jason.asSemantics.Unifier
+import jason.asSyntax.ASSyntax
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * No plan sends a command while the newest message of a board that has come to the agent is older than [maxAge].
+ *
+ * @param except commands that are right at any time, such as `stop`; `drive` stands for `drive(3)` too
+ */
+fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> = emptyList()): Rule =
+    NeverActsOnStalePercepts(maxAge, except)
+
+/**
+ * An agent that gets no percepts stops what moves. It is blind from [blindAfter] after its newest message until the next one. While it is
+ * blind no plan sends one of [moving]; and if the last of these commands before was one of [moving], it sends [safe] until [within] after
+ * it got blind, or, if the port was off meanwhile, until [within] after the port is on again.
+ *
+ * @param safe the command that stops what moves; `speed` stands for `speed(0)` too
+ */
+fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.seconds, within: Duration = 1.seconds): Rule =
+    StopsWhenBlind(safe, moving, blindAfter, within)
+
+/**
+ * Each time [percept] begins to hold in what the agent perceives, and does for [within], it sends one of [commands] within that time of the
+ * last byte of the first such message, unless the last command that it sent is one of them already.
+ *
+ * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
+ * @throws IllegalArgumentException if it is none
+ */
+fun reactsTo(percept: String, commands: List<String>, within: Duration = 1.seconds): Rule = ReactsTo(percept, commands, within)
+
+/**
+ * While [percept] holds in what the agent perceives, and has held for [after], no plan sends one of [commands].
+ *
+ * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
+ * @throws IllegalArgumentException if it is none
+ */
+fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seconds): Rule = NeverSends(commands, percept, after)
+
+/**
+ * An agent that has perceived something perceives again within [within] of the end of the last event.
+ */
+fun perceivesAgain(within: Duration = 5.seconds): Rule = PerceivesAgain(within)
+
+private class NeverActsOnStalePercepts(private val maxAge: Duration, private val except: List<String>) :
+    ReadyRule("never acts on stale percepts", maxAge, except) {
+    override fun breachIn(run: Run, agent: String): Breach? {
+        val newest = LinkedHashMap<String, Duration>()
+        for (entry in run.of(agent)) {
+            if (entry is Received) newest[entry.port] = entry.at
+            if (entry !is Issued || entry.plan == null || except.hasCommand(entry.command)) continue
+            val (port, received) = newest.minByOrNull { it.value } ?: continue
+            val age = entry.at - received
+            if (age > maxAge) {
+                return Breach(entry.at, "$agent sends ${entry.command} by ${entry.plan}, though what it knows of $port is ${inMs(age)} old")
+            }
+        }
+        return null
+    }
+}
+
+private class StopsWhenBlind(
+    private val safe: String,
+    private val moving: List<String>,
+    private val blindAfter: Duration,
+    private val within: Duration,
+) : ReadyRule("stops when blind", safe, moving, blindAfter, within) {
+    override fun breachIn(run: Run, agent: String): Breach? {
+        val entries = run.of(agent)
+        val messages = entries.filterIsInstance<Received>().map { it.at }
+        return messages.zip(messages.drop(1) + run.ended).filter { (last, next) -> next - last > blindAfter }
+            .firstNotNullOfOrNull { (last, next) -> breachIn(entries, agent, run.ended, last, next) }
+    }
+
+    /** No message came between [last] and [next]. */
+    private fun breachIn(entries: List<AgentEntry>, agent: String, ended: Duration, last: Duration, next: Duration): Breach? {
+        val blind = last + blindAfter
+        val commands = entries.filterIsInstance<Issued>().filter { it.plan != null && (isMoving(it) || isCommand(it.command, safe)) }
+        commands.firstOrNull { isMoving(it) && it.at > blind && it.at < next }
+            ?.let { return Breach(it.at, "$agent sends ${it.command} by ${it.plan}, though it has perceived nothing since ${inMs(last)}") }
+        val before = commands.lastOrNull { it.at <= blind }?.takeIf(::isMoving) ?: return null
+        val off = entries.any { it is PortChanged && it.status == "off" && it.at in last..next }
+        val seeingAgain = entries.firstOrNull { it is PortChanged && it.status == "on" && it.at > last }?.at
+        val deadline = (if (off) seeingAgain ?: return null else blind) + within
+        if (deadline > ended || commands.any { isCommand(it.command, safe) && it.at in before.at..deadline }) return null
+        val sent = "$agent has sent ${before.command} at ${inMs(before.at)}"
+        return Breach(deadline, "$sent, perceives nothing since ${inMs(last)}, and has not sent $safe")
+    }
+
+    private fun isMoving(command: Issued) = moving.hasCommand(command.command)
+}
+
+private class ReactsTo(private val percept: String, private val commands: List<String>, private val within: Duration) :
+    ReadyRule("reacts to $percept", percept, commands, within) {
+    private val condition = Condition(percept)
+
+    override fun breachIn(run: Run, agent: String): Breach? {
+        val entries = run.of(agent)
+        val late = condition.periodsIn(entries).firstOrNull { (begins, ends) ->
+            begins.received + within <= (ends?.received ?: run.ended) && !reacts(entries, begins, begins.received + within)
+        } ?: return null
+        val received = late.first.received
+        return Breach(received + within, "$agent has perceived $percept at ${inMs(received)} and sent none of ${commands.joinToString()}")
+    }
+
+    private fun reacts(entries: List<AgentEntry>, message: Perceived, deadline: Duration): Boolean {
+        val issued = entries.filterIsInstance<Issued>()
+        val last = issued.lastOrNull { it.at <= message.received }
+        return last != null && commands.hasCommand(last.command) ||
+            issued.any { it.at in message.received..deadline && commands.hasCommand(it.command) }
+    }
+}
+
+private class NeverSends(private val commands: List<String>, private val percept: String, private val after: Duration) :
+    ReadyRule("never sends ${commands.joinToString()} while $percept", commands, percept, after) {
+    private val condition = Condition(percept)
+
+    override fun breachIn(run: Run, agent: String): Breach? {
+        val entries = run.of(agent)
+        return condition.periodsIn(entries).firstNotNullOfOrNull { (begins, ends) ->
+            val since = begins.received
+            entries.filterIsInstance<Issued>().filter { it.plan != null && commands.hasCommand(it.command) }
+                .firstOrNull { it.at > since + after && (ends == null || it.at < ends.received) }
+                ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}, though it perceives $percept since ${inMs(since)}") }
+        }
+    }
+}
+
+/** A condition on what an agent perceives. */
+private class Condition(text: String) {
+    private val formula = formula(text)
+
+    /** The messages with which it begins to hold, each with the one with which it ends to; null: it holds at the end. */
+    fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
+        val believer = Agent().apply { initAg() }
+        val periods = ArrayList<Pair<Perceived, Perceived?>>()
+        for (message in entries.filterIsInstance<Perceived>()) {
+            val holds = believer.holds(message.percepts)
+            val isOpen = periods.isNotEmpty() && periods.last().second == null
+            if (holds && !isOpen) periods += message to null
+            if (!holds && isOpen) periods[periods.lastIndex] = periods.last().first to message
+        }
+        return periods
+    }
+
+    private fun Agent.holds(percepts: List<String>): Boolean {
+        bb.clear()
+        percepts.forEach { runCatching { bb.add(ASSyntax.parseLiteral(it)) } } // the agent leaves out what cannot be read, too
+        return formula.logicalConsequence(this, Unifier()).hasNext()
+    }
+}
+
+private class PerceivesAgain(private val within: Duration) : ReadyRule("perceives again", within) {
+    override fun breachIn(run: Run, agent: String): Breach? {
+        val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
+        val messages = run.of(agent).filterIsInstance<Perceived>()
+        if (messages.isEmpty() || quiet + within > run.ended || messages.last().at >= quiet) return null
+        val last = inMs(messages.last().at)
+        return Breach(quiet + within, "$agent has perceived nothing since $last, though nothing is wrong since ${inMs(quiet)}")
+    }
+}

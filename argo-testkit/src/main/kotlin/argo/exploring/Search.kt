@@ -1,0 +1,92 @@
+package argo.exploring
+
+import kotlin.time.Duration
+import kotlin.time.TimeMark
+import kotlin.time.TimeSource
+
+/** What came of an exploration. */
+sealed interface Outcome {
+    /** How many runs there were, those for shrinking included. */
+    val runs: Int
+
+    /** How long they took together, in virtual time. */
+    val played: Duration
+}
+
+/** No run broke a rule. */
+data class NothingFound(override val runs: Int, override val played: Duration) : Outcome
+
+/** Two runs with the same [events] differ; [difference] has where first. So what a run shows says nothing of another. */
+data class NotDeterministic(override val runs: Int, override val played: Duration, val events: List<WorldEvent>, val difference: String) :
+    Outcome
+
+/**
+ * A run breaks a rule.
+ *
+ * @property seed what the run was drawn from; null: it is the run without any events
+ * @property rule the name of the rule
+ * @property breach where the shortened run breaks it
+ * @property events what is left of the events after shrinking
+ * @property drawn how many events there were before
+ * @property run the shortened run
+ */
+class Found internal constructor(
+    override val runs: Int,
+    override val played: Duration,
+    val seed: Long?,
+    val rule: String,
+    val breach: Breach,
+    val events: List<WorldEvent>,
+    val drawn: Int,
+    val run: Run,
+    internal val scenario: Scenario,
+) : Outcome
+
+/** Looks for a run of [scenario] that breaks a rule. */
+internal class Search(private val scenario: Scenario, private val clock: TimeSource) {
+    private val exploration = scenario.exploration
+    private var runs = 0
+    private var played = Duration.ZERO
+
+    fun look(): Outcome {
+        val end = clock.markNow() + exploration.time
+        val calm = play(emptyList())
+        requireAgents(calm)
+        calm.differenceFrom(play(emptyList()))?.let { return NotDeterministic(runs, played, emptyList(), it) }
+        scenario.breachIn(calm)?.let { (rule, _) -> return found(null, rule, emptyList()) }
+        return among(EventSource(exploration, calm.agents), end)
+    }
+
+    private fun among(source: EventSource, end: TimeMark): Outcome {
+        for (seed in exploration.seed until exploration.seed + exploration.runs) {
+            if (end.hasPassedNow()) break
+            val events = source.events(seed)
+            val run = play(events)
+            val (rule, _) = scenario.breachIn(run) ?: continue
+            run.differenceFrom(play(events))?.let { return NotDeterministic(runs, played, events, it) }
+            return found(seed, rule, events)
+        }
+        return NothingFound(runs, played)
+    }
+
+    private fun found(seed: Long?, rule: Rule, drawn: List<WorldEvent>): Found {
+        val events = Shrinker(MOST_SHRINKING) { rule.breachIn(play(it)) != null }.shrink(drawn)
+        val run = play(events)
+        val breach = checkNotNull(rule.breachIn(run)) { "\"${rule.name}\" is broken by one run and not by the next: ${jsonOf(events)}" }
+        return Found(runs, played, seed, rule.name, breach, events, drawn.size, run, scenario)
+    }
+
+    private fun play(events: List<WorldEvent>): Run = scenario.play(events).also {
+        runs++
+        played += it.ended
+    }
+
+    private fun requireAgents(run: Run) = exploration.messages.forEach {
+        require(it.agent in run.agents) { "a message is for the agent ${it.agent}; there are ${run.agents.joinToString()}" }
+    }
+
+    private companion object {
+        /** How many runs shrinking takes at most. */
+        const val MOST_SHRINKING = 400
+    }
+}

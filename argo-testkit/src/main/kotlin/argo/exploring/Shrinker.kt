@@ -1,0 +1,81 @@
+package argo.exploring
+
+import kotlin.math.roundToInt
+import kotlin.math.roundToLong
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+
+/**
+ * Makes a list of events that breaks a rule shorter and plainer, as long as it still does (delta debugging): leaves out halves, smaller
+ * parts, single events; then gives those that are left rounder times and numbers.
+ *
+ * @param budget how often it may ask
+ * @param breaks plays events; whether the rule is still broken
+ */
+internal class Shrinker(private var budget: Int, private val breaks: (List<WorldEvent>) -> Boolean) {
+    /** Returns what is left of [events], which break the rule. */
+    fun shrink(events: List<WorldEvent>): List<WorldEvent> {
+        var left = withoutParts(events)
+        while (budget > 0) {
+            val plainer = withoutParts(plainer(left))
+            if (plainer == left) break
+            left = plainer
+        }
+        return left
+    }
+
+    private fun withoutParts(events: List<WorldEvent>): List<WorldEvent> {
+        var left = events
+        var size = left.size
+        while (size > 0) {
+            var from = 0
+            while (from < left.size) {
+                val fewer = left.subList(0, from) + left.drop(from + size)
+                if (stillBreaks(fewer)) left = fewer else from += size
+            }
+            size /= 2
+        }
+        return left
+    }
+
+    private fun plainer(events: List<WorldEvent>): List<WorldEvent> {
+        var left = events
+        for (index in events.indices) {
+            for (fieldIndex in left[index].form.fields.indices) {
+                val (name, value) = left[index].form.fields[fieldIndex]
+                val plainer = plainer(name, value).map { left.toMutableList().apply { set(index, get(index).form.with(fieldIndex, it)) } }
+                left = plainer.firstOrNull(::stillBreaks) ?: left
+            }
+        }
+        return left
+    }
+
+    /** Values that are easier to read than [value], or less: the best first. A time of beginning is rounded alone. */
+    private fun plainer(name: String, value: Any): List<Any> = when (value) {
+        is Duration -> {
+            val ms = value.inWholeMilliseconds
+            val rounded = STEPS_MS.map { step -> if (name == "at") (ms.toDouble() / step).roundToLong() * step else ms / step * step }
+            (LENGTHS_MS.filter { name != "at" && it < ms } + rounded).filter { it > 0 && it != ms }.distinct().map { it.milliseconds }
+        }
+        is Int -> if (name == "oneIn") emptyList() else NUMBERS.filter { it < value }
+        is String -> if (name == "percept" || name == "other") roundedNumber(value) else emptyList()
+        else -> emptyList()
+    }
+
+    /** A percept whose number is rounded to tens. */
+    private fun roundedNumber(percept: String): List<String> {
+        val number = NUMBER.find(percept) ?: return emptyList()
+        val rounded = (number.value.toDouble() / TEN).roundToInt() * TEN
+        return listOf(percept.replaceRange(number.range, "$rounded")).filter { it != percept && rounded > 0 }
+    }
+
+    private fun stillBreaks(events: List<WorldEvent>): Boolean = budget-- > 0 && breaks(events)
+
+    private companion object {
+        val STEPS_MS = listOf(1000L, 500L, 100L, 10L)
+        val LENGTHS_MS = listOf(100L, 500L, 1000L, 2000L)
+        val NUMBERS = listOf(2, 5, 10, 20, 50)
+        val NUMBER = Regex("\\d{2,6}(?=\\D*$)")
+        const val TEN = 10
+    }
+}

@@ -1,0 +1,49 @@
+package argo.exploring
+
+/**
+ * A Kotest spec that plays the shortened run of [found] and fails until the agent keeps the rule. Compiles in a project with the test kit,
+ * in whose folders the agent is.
+ */
+fun specOf(found: Found): String {
+    val name = found.scenario.name.split(Regex("\\W|_")).joinToString("") { it.replaceFirstChar(Char::uppercase) }
+    val rule = found.rule.split(Regex("\\W+")).joinToString("") { it.replaceFirstChar(Char::uppercase) }
+    val events = found.events.joinToString("") { "            ${it.form.kotlin},\n" }
+    return """
+import argo.exploring.*
+import argo.testkit.*
+import io.kotest.core.spec.style.FunSpec
+import kotlin.time.Duration.Companion.milliseconds
+
+class $name${rule}Spec : FunSpec({
+    // ${found.breach.how.lineSequence().first()}
+    test(${kotlinOf("${found.scenario.name} ${found.rule}")}) {
+        shouldKeepRules(
+            ${kotlinOf(found.scenario.file)},
+$events        ) {
+${descriptionOf(found).prependIndent("            ")}
+        }
+    }
+})
+""".trimStart()
+}
+
+/** What was explored, as a program; or the call of the function that describes it, where that holds code. */
+private fun descriptionOf(found: Found): String {
+    val exploration = found.scenario.exploration
+    val broken = exploration.kept.single { it.name == found.rule }
+    val isCode = exploration.setUps.isNotEmpty() || exploration.boards.values.any { it.scripts.isNotEmpty() } || broken !is ReadyRule
+    if (isCode) return "boards() // the function that describes what was explored"
+    val settling = "settling = ${kotlinOf(exploration.settling)}"
+    return (listOf(settling) + exploration.boards.map { (port, board) -> boardText(port, board) } + "rules($broken)").joinToString("\n")
+}
+
+private fun boardText(port: String, board: ExploredBoard): String {
+    val sensors = board.sensors.map { sensor ->
+        if (sensor.range == null) "sensor(${sensor.percepts.joinToString(transform = ::kotlinOf)})"
+        else "sensor(${kotlinOf(sensor.name)}, ${sensor.range}, first = ${sensor.range.first + sensor.first})"
+    }
+    val known = board.known?.joinToString(transform = ::kotlinOf)
+    val version = if (known != null) "knows($known)" else "version2()".takeIf { board.isVersion2 }
+    val lines = sensors + listOfNotNull(version)
+    return "board(${kotlinOf(port)})" + if (lines.isEmpty()) "" else lines.joinToString("\n", " {\n", "\n}") { "    $it" }
+}

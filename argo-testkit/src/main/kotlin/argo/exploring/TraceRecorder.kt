@@ -1,0 +1,127 @@
+package argo.exploring
+
+import argo.observing.AgentObserver
+import argo.observing.CommandFailure
+import argo.observing.IssuedCommand
+import argo.observing.ObservedAgent
+import argo.observing.PerceivedMessage
+import argo.testkit.TestAgent
+import argo.testkit.TestMas
+import jason.architecture.AgArch
+import jason.asSemantics.Circumstance
+import jason.asSemantics.Intention
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.nanoseconds
+
+/** Records the trace of a run of [mas], whose threads run one at a time. */
+internal class TraceRecorder(private val mas: TestMas) {
+    private val entries = ArrayList<TraceEntry>()
+    private val minds = ArrayList<MindWatch>()
+
+    init {
+        mas.observing = { ObserverOf(it) }
+    }
+
+    val now: Duration get() = mas.time.nanos().nanoseconds
+
+    fun record(entry: TraceEntry) {
+        entries += entry
+    }
+
+    /** Watches the reasoning of [agent], which has not begun. */
+    fun watch(agent: TestAgent) {
+        minds += MindWatch(agent).also(agent.infra::insertAgArch)
+    }
+
+    /** The trace so far, with what the agents have printed and what they wait for. */
+    fun trace(): List<TraceEntry> {
+        val names = minds.map { it.agent.name }
+        val logged = mas.log.entries.mapNotNull { entry ->
+            val at = entry.atNanos.nanoseconds
+            val agent = names.find(entry::isOf) ?: return@mapNotNull null
+            when {
+                entry.isPrinted -> Printed(at, agent, entry.text)
+                UNHANDLED.any(entry.text::startsWith) -> FailedUnhandled(at, agent, entry.text.substringBefore(SOURCE).take(LONGEST_TEXT))
+                else -> null
+            }
+        }
+        return (entries + logged + minds.flatMap { it.waits() }).sortedBy { it.at }
+    }
+
+    /** What an agent has in mind after each of its cycles. */
+    private inner class MindWatch(val agent: TestAgent) : AgArch() {
+        private var last: Mind? = null
+        private var waiting = emptyMap<String, Pair<String, Duration>>()
+        private var said = 0
+        private var isStopped = false
+
+        override fun reasoningCycleFinished() {
+            super.reasoningCycleFinished()
+            val messages = agent.said
+            messages.drop(said).forEach { record(Said(now, agent.name, it)) }
+            said = messages.size
+            val c = agent.ts.c
+            val mind = Mind(now, agent.name, agent.ts.ag.bb.size(), intentionsOf(c).size, c.events.size)
+            if (mind != last?.copy(at = now)) record(mind)
+            last = mind
+            waiting = waitingIn(c).associate { (key, words) -> key to (waiting[key] ?: (words to now)) }
+        }
+
+        override fun stop() {
+            if (!isStopped && !isOver) record(Stopped(now, agent.name))
+            isStopped = true
+            super.stop()
+        }
+
+        /** In an order that does not depend on the numbers of intentions, which differ from run to run. */
+        fun waits() = waiting.values.map { (words, since) -> Waits(now, agent.name, words, since) }
+            .sortedWith(compareBy({ it.since }, { it.intention }))
+    }
+
+    /** Whether the run is over: agents that stop now do so because it is. */
+    var isOver = false
+
+    private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()
+
+    /** The intentions that wait for something, each with what it does; the same key means the same step. */
+    private fun waitingIn(c: Circumstance): List<Pair<String, String>> =
+        (c.pendingIntentions.values + c.pendingActions.values.mapNotNull { it.intention }).distinctBy { it.id }.filterNot { it.isFinished }
+            .map { "${it.id} ${it.size()} ${stepOf(it)}" to "${it.last().trigger.literal.copy().apply { clearAnnots() }} at ${stepOf(it)}" }
+
+    private fun stepOf(intention: Intention): String = intention.peek().currentStep?.toString().orEmpty()
+
+    private inner class ObserverOf(private val agent: ObservedAgent) : AgentObserver {
+        override fun messageFiltered(message: PerceivedMessage) = record(Received(now, agent.name, message.portName))
+
+        override fun messagePerceived(message: PerceivedMessage) =
+            record(Perceived(now, agent.name, message.portName, message.kept.toList(), message.receivedNanos.nanoseconds))
+
+        override fun commandIssued(command: IssuedCommand) =
+            record(Issued(now, agent.name, command.number, command.port, command.text, planThatRuns()))
+
+        /** Null on the threads that sense, which send reflexes. */
+        private fun planThatRuns() = if (mas.time.running == null) planOf(agent.circumstance.selectedIntention) else null
+
+        override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =
+            record(Ended(now, agent.name, command.number, command.text, failure?.error))
+
+        override fun portChanged(port: String, status: String, reason: String?) = record(PortChanged(now, agent.name, port, status))
+
+        override fun close() = Unit
+    }
+
+    private fun planOf(intention: Intention?): String? {
+        val plan = intention?.takeUnless { it.isFinished }?.peek()?.plan ?: return null
+        val place = plan.srcInfo?.let { ", line ${it.srcLine}" }.orEmpty()
+        return "${plan.trigger.operator}${plan.trigger.type}${plan.trigger.literal.copy().apply { clearAnnots() }}$place"
+    }
+
+    private companion object {
+        /** How Jason's messages begin about a failure that no plan handles. */
+        val UNHANDLED = listOf("No failure event was generated for ", "No fail event was generated for ")
+
+        /** What follows the goal in them. */
+        const val SOURCE = "["
+        const val LONGEST_TEXT = 200
+    }
+}

@@ -1,0 +1,104 @@
+package argo.exploring
+
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+
+/**
+ * Something that happens in the outside world during a run, at a time since the run began. Does not change. A run is a function of the
+ * agents' programs, the description of the boards, and a list of these.
+ *
+ * Times are whole milliseconds. Of several that overlap on one board, the strongest has effect.
+ */
+sealed interface WorldEvent {
+    /** When it begins. */
+    val at: Duration
+
+    /** When it is over; [at] if it takes no time. */
+    val ends: Duration get() = at
+
+    /** What happens, for a person, without the time. */
+    val words: String
+}
+
+/** The sensor called [sensor] of the board on port [board] shows [percept] from now on; nothing if that is empty. */
+data class Reads(override val at: Duration, val board: String, val sensor: String, val percept: String) : WorldEvent {
+    override val words get() = "the board on $board shows ${percept.ifEmpty { "nothing in place of $sensor" }}"
+}
+
+/** The sensor called [sensor] changes between [percept] and [other] each [every] for [lasts]; then it shows what it showed before. */
+data class Flickers(
+    override val at: Duration,
+    val board: String,
+    val sensor: String,
+    val percept: String,
+    val other: String,
+    val every: Duration,
+    val lasts: Duration,
+) : WorldEvent {
+    override val ends get() = at + lasts
+    override val words get() = "the board on $board shows ${shown(percept)} and ${shown(other)} in turn, each for $every, during $lasts"
+
+    private fun shown(text: String) = text.ifEmpty { "nothing" }
+}
+
+/** The cable of the board on port [board] is out for [lasts]; the board has no power meanwhile. */
+data class Unplugged(override val at: Duration, val board: String, val lasts: Duration) : WorldEvent {
+    override val ends get() = at + lasts
+    override val words get() = "the cable of $board is pulled, and back after $lasts"
+}
+
+/** The board on port [board] neither answers nor acts for [lasts]; then it continues with what has arrived meanwhile. */
+data class Hangs(override val at: Duration, val board: String, val lasts: Duration) : WorldEvent {
+    override val ends get() = at + lasts
+    override val words get() = "the board on $board hangs for $lasts"
+}
+
+/** The board on port [board] answers no request for percepts for [lasts]; it takes commands. */
+data class IgnoresRequests(override val at: Duration, val board: String, val lasts: Duration) : WorldEvent {
+    override val ends get() = at + lasts
+    override val words get() = "the board on $board answers no requests for $lasts, though it takes commands"
+}
+
+/** The board on port [board] answers requests for percepts [by] later than it could, for [lasts]. */
+data class AnswersLate(override val at: Duration, val board: String, val by: Duration, val lasts: Duration) : WorldEvent {
+    override val ends get() = at + lasts
+    override val words get() = "the board on $board answers $by late, for $lasts"
+}
+
+/** The board on port [board] restarts, and loses what arrives within [booting]. Its port stays open. */
+data class Restarts(override val at: Duration, val board: String, val booting: Duration) : WorldEvent {
+    override val ends get() = at + booting
+    override val words get() = "the board on $board restarts, which takes it $booting"
+}
+
+/** One in [oneIn] bytes on the line of port [board] arrives with a wrong bit, in both directions, for [lasts]. */
+data class Garbles(override val at: Duration, val board: String, val oneIn: Int, val lasts: Duration) : WorldEvent {
+    override val ends get() = at + lasts
+    override val words get() = "one in $oneIn bytes on the line of $board is wrong, for $lasts"
+}
+
+/** The board on port [board] sends what its sensors show [messages] times, unasked, 5 ms apart. */
+data class Floods(override val at: Duration, val board: String, val messages: Int) : WorldEvent {
+    override val ends get() = at + FLOOD_INTERVAL * messages
+    override val words get() = "the board on $board sends $messages messages that nobody asked for"
+}
+
+/** The agent [agent] receives a message from [sender], who is not in the run. */
+data class Hears(
+    override val at: Duration,
+    val agent: String,
+    val sender: String,
+    val performative: String,
+    val content: String,
+) : WorldEvent {
+    override val words get() = "$sender sends $agent: $performative $content"
+}
+
+/** Messages from other agents that are sent to [agent] within [lasts] arrive [by] late, and so after later ones. */
+data class MessagesLate(override val at: Duration, val agent: String, val by: Duration, val lasts: Duration) : WorldEvent {
+    override val ends get() = at + lasts
+    override val words get() = "messages to $agent take $by, for $lasts"
+}
+
+/** The time between two messages of [Floods]. */
+internal val FLOOD_INTERVAL = 5.milliseconds

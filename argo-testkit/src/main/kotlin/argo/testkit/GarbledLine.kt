@@ -1,0 +1,40 @@
+package argo.testkit
+
+import javino.Transport
+
+/**
+ * The agent's end of [line], on which bytes arrive wrongly in both directions: one in [oneIn], which may change; none while that is 0.
+ * Counting the bytes and not drawing them keeps a run the same each time.
+ */
+internal class GarbledLine(private val line: Transport, private val oneIn: () -> Int) : Transport by line {
+    private var received = 0
+    private var sent = 0
+
+    // neither is passed on by delegation, since the interface has a body for it
+    override fun mayVanish() = line.mayVanish()
+
+    override fun doubt(): String = line.doubt()
+
+    override fun isWritableNow() = line.isWritableNow()
+
+    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
+        val count = line.read(b, off, len, timeoutMillis)
+        for (i in off until off + count) if (isNextWrong(++received)) b[i] = wrong(b[i])
+        return count
+    }
+
+    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
+        if (oneIn() == 0) return line.write(b, off, len, timeoutMillis)
+        val passed = b.copyOfRange(off, off + len)
+        for (i in passed.indices) if (isNextWrong(++sent)) passed[i] = wrong(passed[i])
+        line.write(passed, 0, len, timeoutMillis)
+    }
+
+    private fun isNextWrong(count: Int) = oneIn().let { it > 0 && count % it == 0 }
+
+    private fun wrong(byte: Byte): Byte = (byte.toInt() xor WRONG_BIT).toByte()
+
+    private companion object {
+        const val WRONG_BIT = 0x10
+    }
+}

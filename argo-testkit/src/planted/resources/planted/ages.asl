@@ -1,0 +1,14 @@
+// Planted: it goes by the belief dist(front,_), which stays when the board says nothing more.
+!start.
+
++!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
+-!start[error(E)] <- .print("no board: ", E); .wait(1000); !start.
+
++!drive : dist(front, D) & D > 30 <- !send(front); .wait(400); !drive. //-
+//+ +!drive : argo.age(dist(front, D), Ms) & Ms < 500 & D > 30 <- !send(front); .wait(400); !drive.
++!drive <- !send(stop); .wait(400); !drive.
+
+// Sends a command unless it was the last one, and reports it if that fails.
++!send(C) : last(C).
++!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
+-!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

@@ -1,0 +1,16 @@
+// Planted: a cable that is out ends the whole program, as an exception in a script would.
+!start.
+
++!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
+-!start[error(E)] <- .print("no board: ", E); .wait(1000); !start.
+
++!drive : argo.age(dist(front, D), Ms) & Ms < 500 & D > 30 <- !send(front); .wait(400); !drive.
++!drive <- !send(stop); .wait(400); !drive.
+
++port(P, off) <- .print("no board at ", P); .stopMAS. //-
+//+ +port(P, off) <- .print("no board at ", P).
+
+// Sends a command unless it was the last one, and reports it if that fails.
++!send(C) : last(C).
++!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
+-!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

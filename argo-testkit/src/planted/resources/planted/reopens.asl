@@ -1,0 +1,16 @@
+// Planted: it opens its port again itself when the cable is out, at once, and has no plan for the failure of that.
+!start.
+
++!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open); !drive.
+
++!drive : argo.age(dist(front, D), Ms) & Ms < 500 & D > 30 <- !send(front); .wait(400); !drive.
++!drive <- !send(stop); .wait(400); !drive.
+
++port(P, off) <- .print("no board at ", P); !open(P).
++!open(P) <- argo.port(P).
+//+ -!open(P)[error(E)] <- .print(P, ": ", E).
+
+// Sends a command unless it was the last one, and reports it if that fails.
++!send(C) : last(C).
++!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
+-!send(C)[error(E)] <- -last(_); .print(C, " failed: ", E).

@@ -1,0 +1,9 @@
+// Planted: the failure of a command is caught so that the console stays clean, and nobody gets to know of it.
+!start.
+
++!start <- argo.port(ttyACM0); argo.limit(100); argo.percepts(open).
+-!start[error(E)] <- .print("no board: ", E); .wait(1000); !start.
+
++!lamp(C) <- argo.act(C).
+-!lamp(_). //-
+//+ -!lamp(C)[error(E)] <- .print(C, " failed: ", E).

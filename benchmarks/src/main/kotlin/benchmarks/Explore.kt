@@ -1,0 +1,66 @@
+package benchmarks
+
+import argo.exploring.Found
+import argo.exploring.Outcome
+import argo.exploring.outcomeOf
+import argo.exploring.reportOf
+import planted.PLANTED
+import planted.Planted
+import java.nio.file.Path
+import kotlin.io.path.createTempDirectory
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
+import kotlin.time.DurationUnit
+import kotlin.time.TimeSource
+
+/**
+ * Explores 25 agents with a planted fault each, and the same agents mended, and returns whether that is found as it should: 20 within 60 s,
+ * made to at most five events, and nothing in the mended ones.
+ *
+ * @param only the name of the one agent that is explored; null: all
+ */
+internal fun explored(only: String? = null): Boolean {
+    println("machine: ${machine()}")
+    println("%-14s %6s %6s %6s  %s".format("agent", "s", "runs", "events", "rule that is broken"))
+    val folder = createTempDirectory("argo-planted")
+    val agents = PLANTED.filter { only == null || it.name == only }
+    val found = agents.count { planted -> report(planted, search(planted, folder)) }
+    val alarms = agents.filter { planted -> isAlarm(planted, folder) }
+    folder.toFile().deleteRecursively()
+    println("$found of ${agents.size} planted faults found within $LIMIT and shrunk to $MOST_EVENTS events or fewer")
+    println("${alarms.size} of ${agents.size} mended agents break a rule in $MENDED_RUNS runs: ${alarms.joinToString().ifEmpty { "none" }}")
+    return alarms.isEmpty() && (only != null || found >= ENOUGH)
+}
+
+private class Timed(val outcome: Outcome, val took: Duration)
+
+private fun search(planted: Planted, folder: Path): Timed {
+    val begun = TimeSource.Monotonic.markNow()
+    val outcome = outcomeOf("${planted.write(folder, isMended = false)}") {
+        planted.describe(this)
+        time = LIMIT
+    }
+    return Timed(outcome, begun.elapsedNow())
+}
+
+private fun report(planted: Planted, search: Timed): Boolean {
+    val found = search.outcome as? Found
+    val seconds = search.took.toDouble(DurationUnit.SECONDS)
+    println("%-14s %6.1f %6d %6s  %s".format(planted, seconds, search.outcome.runs, found?.events?.size ?: "-", found?.rule ?: "not found"))
+    if (System.getProperty("v") != null) println(reportOf(search.outcome))
+    return found != null && search.took <= LIMIT && found.events.size <= MOST_EVENTS
+}
+
+private fun isAlarm(planted: Planted, folder: Path): Boolean {
+    val outcome = outcomeOf("${planted.write(folder, isMended = true)}") {
+        planted.describe(this)
+        runs = MENDED_RUNS
+    }
+    if (outcome is Found) println("mended $planted:\n${reportOf(outcome)}")
+    return outcome is Found
+}
+
+private val LIMIT = 60.seconds
+private const val MOST_EVENTS = 5
+private const val MENDED_RUNS = 100
+private const val ENOUGH = 20
