@@ -14,7 +14,9 @@ class RulesSpec : FunSpec({
     fun sends(at: Int, command: String) = Issued(at.milliseconds, "robot", ++number, "ttyACM0", command, "+!go, line 3")
     fun fails(sent: Issued, at: Int, error: String?) = Ended(at.milliseconds, "robot", sent.number, sent.command, error)
     fun perceives(at: Int, vararg percepts: String) =
-        listOf(Received(at.milliseconds, "robot", "ttyACM0"), Perceived(at.milliseconds, "robot", "ttyACM0", percepts.toList(), at.milliseconds))
+        at.milliseconds.let { time ->
+            listOf(Received(time, "robot", "ttyACM0"), Perceived(time, "robot", "ttyACM0", percepts.toList(), time))
+        }
     fun run(trace: List<TraceEntry>, events: List<WorldEvent> = emptyList(), ended: Duration = 20.seconds) =
         Run(events, trace.sortedBy { it.at }, ended, listOf("robot"), emptyMap())
     fun steady(until: Int, vararg percepts: String) = (0..until step 100).flatMap { perceives(it, *percepts) }
