@@ -16,28 +16,28 @@ import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
 
 /** An internal action of a project that binds its argument to [value], which is another one each time. */
-abstract class Planted(private val value: () -> Any) : DefaultInternalAction() {
+abstract class SourceOfChance(private val value: () -> Any) : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
         un.unifies(args[0], ASSyntax.createString("${value()}"))
 }
 
 /** Reads a clock. */
-class clock : Planted(System::nanoTime)
+class clock : SourceOfChance(System::nanoTime)
 
 /** Draws a number. */
-class dice : Planted(Math::random)
+class dice : SourceOfChance(Math::random)
 
 /** Makes a name that nobody else has. */
-class name : Planted(UUID::randomUUID)
+class name : SourceOfChance(UUID::randomUUID)
 
 /** Takes the order of a set of objects without a hash of their own. */
-class order : Planted({ List(8) { Any() to it }.associate { it }.keys.toHashSet().joinToString { "${System.identityHashCode(it)}" } })
+class order : SourceOfChance({ List(8) { Any() to it }.associate { it }.keys.toHashSet().joinToString { "${System.identityHashCode(it)}" } })
 
 /** Takes what a thread has counted. */
-class counted : Planted({ AtomicLong().also { count -> thread { count.set(System.nanoTime()) }.join() } })
+class counted : SourceOfChance({ AtomicLong().also { count -> thread { count.set(System.nanoTime()) }.join() } })
 
 /** Counts its calls in the whole program. */
-class calls : Planted(CALLS::incrementAndGet) {
+class calls : SourceOfChance(CALLS::incrementAndGet) {
     private companion object {
         val CALLS = AtomicLong()
     }

@@ -47,7 +47,6 @@ private fun report(planted: Planted, search: Timed): Boolean {
     val found = search.outcome as? Found
     val seconds = search.took.toDouble(DurationUnit.SECONDS)
     println("%-14s %6.1f %6d %6s  %s".format(planted, seconds, search.outcome.runs, found?.events?.size ?: "-", found?.rule ?: "not found"))
-    if (System.getProperty("v") != null) println(reportOf(search.outcome))
     return found != null && search.took <= LIMIT && found.events.size <= MOST_EVENTS
 }
 
