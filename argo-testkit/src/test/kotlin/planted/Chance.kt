@@ -31,7 +31,9 @@ class dice : SourceOfChance(Math::random)
 class name : SourceOfChance(UUID::randomUUID)
 
 /** Takes the order of a set of objects without a hash of their own. */
-class order : SourceOfChance({ List(8) { Any() to it }.associate { it }.keys.toHashSet().joinToString { "${System.identityHashCode(it)}" } })
+class order : SourceOfChance({
+    List(8) { Any() to it }.associate { it }.keys.toHashSet().joinToString { "${System.identityHashCode(it)}" }
+})
 
 /** Takes what a thread has counted. */
 class counted : SourceOfChance({ AtomicLong().also { count -> thread { count.set(System.nanoTime()) }.join() } })
