@@ -57,6 +57,6 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         val OWN = setOf(SENSING, PerceptLimit.OPTION)
 
         /** Modules of this project that add an option, for the message when one is missing. */
-        val MODULES = mapOf("argo_view" to "argo-view", "argo_record" to "argo-recording")
+        val MODULES = mapOf("argo_view" to "argo-view", "argo_record" to "argo-recording", "argo_ros" to "argo-ros")
     }
 }
