@@ -31,7 +31,7 @@ import java.util.logging.Logger
  *     agents: robot agentArchClass argo.Arch;
  *
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
- * `argo.change_filter`, `argo.age`, `argo.skew` and `argo.explain`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`,
+ * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain` and `argo.record`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`,
  * which is when snapshots of the sensors are handed over; `argo_percepts=4096`, how many percepts of a board are believed at once; and
  * those of observers, such as `argo_view=8080` of the live view.
  *

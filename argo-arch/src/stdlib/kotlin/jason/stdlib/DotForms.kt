@@ -43,3 +43,7 @@ class ports : argo.ports()
 /** `.skew(…)`: see [argo.skew]. */
 @Suppress("ClassName")
 class skew : argo.skew()
+
+/** `.record(…)`: see [argo.record]. */
+@Suppress("ClassName")
+class record : argo.record()

@@ -43,3 +43,7 @@ class ports : argo.ports()
 /** `.argo.skew(…)`: see [argo.skew]. */
 @Suppress("ClassName")
 class skew : argo.skew()
+
+/** `.argo.record(…)`: see [argo.record]. */
+@Suppress("ClassName")
+class record : argo.record()

@@ -3,13 +3,13 @@ package argo.tools.migration
 /** The internal actions of ARGO, and the forms of their calls. */
 internal object ArgoActions {
     /** Their names, without a dot. */
-    val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain")
+    val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain", "record")
 
     /** The names that exist behind a dot. */
     val DOT_NAMES = NAMES + "filter"
 
     /** The actions that need `argo.Arch`. */
-    val OF_BOARDS = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can")
+    val OF_BOARDS = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "record")
 
     /**
      * The action's name in a call of ARGO's actions, such as `.argo.port`, in upper or lower case; null for other actions. It need not
