@@ -27,7 +27,12 @@ private fun described(step: Step) =
 
 private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver},${mail.content})")
 
-/** [text] without the numbers that Jason gives variables, plans and messages, which all agents of a program share. */
-internal fun normal(text: String): String = if ('_' in text || "mid" in text) text.replace(NUMBERED, "$1") else text
+/**
+ * [text] without what is not the agent's doing: the numbers that Jason gives variables, plans and messages, which all agents of a program
+ * share, and where the code of a failure stands. That is a path on the machine of the recording, and a message's content has lost it.
+ */
+internal fun normal(text: String): String =
+    if ('_' in text || "mid" in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1") else text
 
-private val NUMBERED = Regex("""\b(_|p__|mid|samid)\d+""")
+private val NUMBERED = Regex("""\b(__?|p__|mid|samid)\d+""")
+private val CODE_PLACE = Regex("""\b(code_line|code_src)\((?:\d+|"(?:[^"\\]|\\.)*")\)""")

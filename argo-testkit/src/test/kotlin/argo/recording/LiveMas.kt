@@ -1,0 +1,46 @@
+package argo.recording
+
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.matchers.shouldBe
+import jason.infra.local.RunLocalMAS
+import jason.runtime.RuntimeServicesFactory
+import jason.runtime.Settings
+import kotlinx.coroutines.runBlocking
+import java.nio.file.Path
+import kotlin.io.path.writeText
+import kotlin.time.Duration.Companion.seconds
+
+/** How long a real-time test waits for what takes milliseconds on an idle machine. */
+internal val LIMIT = 20.seconds
+
+/** Jason's Local infrastructure in this process, in real time, for agents that are recorded to [file]. One at a time. */
+internal class LiveMas(private val file: Path) : AutoCloseable {
+    private val directory = file.parent
+    private val mas = RunLocalMAS()
+
+    init {
+        val logging = directory.resolve("logging.properties").apply { writeText("handlers =\n.level = INFO\n") }
+        mas.init(arrayOf("--empty-mas", "--no-net", "--log-conf", "$logging"))
+        mas.create()
+        mas.start()
+    }
+
+    /** Starts an agent with [program]. */
+    fun agent(name: String, program: String) {
+        val source = directory.resolve("$name.asl").apply { writeText(program) }
+        val settings = Settings().apply { addOption("argo_record", "$file") }
+        val services = RuntimeServicesFactory.get()
+        services.startAgent(services.createAgent(name, "$source", null, listOf("argo.Arch"), null, settings, null))
+    }
+
+    /** Returns when agent [name] believes [belief]. */
+    suspend fun awaitBelief(name: String, belief: String) = eventually(LIMIT) {
+        val beliefs = mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toList()
+        (if (belief in beliefs) belief else beliefs.toString()) shouldBe belief
+    }
+
+    override fun close() {
+        mas.finish(0, false, 0) // on a thread of its own
+        runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
+    }
+}

@@ -1,0 +1,100 @@
+package argo.recording
+
+import argo.recording.replay.Recording
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import javino.sim.SimulatedBoards
+import javino.sim.Sketch
+import kotlinx.coroutines.runBlocking
+import java.nio.file.Path
+import java.util.concurrent.atomic.AtomicInteger
+
+/** Agents that Jason's Local infrastructure runs in real time, with its threads and clocks, are replayed as they were. */
+class RealTimeReplaySpec : FunSpec({
+    /** Drives at a wall: each request finds it nearer by 5 cm until it stops. */
+    class Robot : Sketch {
+        private val front = AtomicInteger(200)
+
+        @Volatile
+        private var isDriving = false
+
+        override fun percepts() = listOf("dist(front,${if (isDriving) front.addAndGet(-5) else front.get()})", "light(back,140)")
+
+        override fun act(command: String): Boolean {
+            isDriving = command == "forward"
+            return true
+        }
+    }
+
+    fun withRobot(name: String, drive: (port: String) -> Unit) {
+        SimulatedBoards.plugIn(name, Robot())
+        try {
+            drive("sim:$name")
+        } finally {
+            SimulatedBoards.unplug(name)
+        }
+    }
+
+    fun shouldReplay(file: Path) {
+        val outcome = replayOf(file)
+        withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }
+        outcome.cycles shouldBe outcome.recorded.toLong()
+        outcome.cycles shouldBeGreaterThan 0L
+    }
+
+    fun driver(port: String) =
+        """
+        !start. !miss.
+        +!miss <- ?missing(_).
+        -!miss[error(E)] <- .print("failed: ", E).
+        +!start <- argo.port("$port"); argo.limit(2); argo.percepts(open); argo.act(forward); !watch(0).
+        +!watch(N) : not stopped & N < 100 <- .random(R); .wait(10 + R * 5); +watched(N); !watch(N + 1).
+        +!watch(N).
+        +dist(front,Cm) : Cm < 40 & not stopped <- +stopped; argo.act(stop); .print("stopped at ", Cm).
+        """.trimIndent()
+
+    test("an agent that drives a board") {
+        val file = recordingFile()
+        withRobot("live-robot") { port ->
+            LiveMas(file).use { mas ->
+                mas.agent("driver", driver(port))
+                runBlocking { mas.awaitBelief("driver", "stopped") }
+            }
+        }
+        Recording(file).use { it.cycles("driver").toList() }.flatMap { it.input.calls }.flatMap { it.commands }.map { it.text }
+            .distinct() shouldContain "stop"
+        shouldReplay(file)
+    }
+
+    test("two agents that talk, each on a thread of its own") {
+        val file = recordingFile()
+        withRobot("live-robot") { port ->
+            LiveMas(file).use { mas ->
+                mas.agent(
+                    "boss",
+                    """
+                    +far(Cm)[source(S)] : Cm < 100 & not warned
+                       <- +warned; .send(S, achieve, slow); .send(S, askOne, stopped, A, 500); +answer(A).
+                    +done[source(S)] <- .send(S, tell, thanks).
+                    """.trimIndent(),
+                )
+                mas.agent(
+                    "driver",
+                    driver(port) + """
+
+                    +dist(front,Cm) : Cm mod 25 == 0 <- .send(boss, tell, far(Cm)).
+                    +!slow <- .print("slowly now").
+                    +stopped <- .send(boss, tell, done).
+                    """.trimIndent(),
+                )
+                runBlocking { mas.awaitBelief("driver", "thanks") }
+            }
+        }
+        Recording(file).use { it.agents.keys } shouldBe setOf("boss", "driver")
+        shouldReplay(file)
+    }
+})
