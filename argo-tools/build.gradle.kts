@@ -6,4 +6,6 @@ dependencies {
     implementation(project(":argo-recording"))
     implementation(libs.picocli)
     implementation(libs.serialization.json)
+    testImplementation(project(":argo-testkit")) // tests record agents and replay them
+    testImplementation(libs.jason)
 }

@@ -20,6 +20,13 @@ data class Difference(
     val now: String?,
     val cause: String,
 ) {
+    /** Whether only the project's own action or function gave another result: the recorded one was used, and the agent run on. */
+    val isOfResult: Boolean get() = what.startsWith(RESULT)
+
     override fun toString() =
         "agent $agent, cycle $cycle, $what: recorded ${recorded ?: "nothing"}, now ${now ?: "nothing"}; $cause"
+
+    internal companion object {
+        const val RESULT = "result of "
+    }
 }

@@ -22,6 +22,15 @@ class Recording(private val file: Path) : AutoCloseable {
     private val reader = McapReader(file)
     private val metadata = reader.metadata.associate { it.name to it.values }
 
+    init {
+        try {
+            checkFormat()
+        } catch (refused: RecordingException) {
+            reader.close()
+            throw refused
+        }
+    }
+
     /** The agents, by their names. */
     val agents: Map<String, RecordedAgent> = metadata.filterKeys { it.startsWith(agentMetadata("")) }
         .map { (name, values) -> agentOf(name.removePrefix(agentMetadata("")), values) }.associateBy { it.name }
@@ -29,10 +38,19 @@ class Recording(private val file: Path) : AutoCloseable {
     /** The files of the agents' programs, by the names of the attachments. */
     val program: Map<String, ByteArray> = reader.attachments.associate { it.name to it.data }
 
-    init {
-        if (agents.isEmpty()) throw RecordingException("$file holds no agent; a recording is made by the option argo_record=\"FILE.mcap\"")
+    /** What of the file cannot be read, for a person: one sentence for each place, of many the first. The rest can be replayed. */
+    val problems: List<String> get() = reader.problems
+
+    private fun checkFormat() {
         val format = metadata["argo.recording"]?.get("format")
-        if (format != FORMAT) throw RecordingException("$file has format $format; this version of ARGO reads format $FORMAT")
+        if (format == null || metadata.keys.none { it.startsWith(agentMetadata("")) }) {
+            throw RecordingException("$file holds no agent; the option argo_record=\"FILE.mcap\" of an agent in the .mas2j records it")
+        }
+        if (format != FORMAT) {
+            throw RecordingException(
+                "$file has format $format of what agents do, and this version of ARGO reads format $FORMAT; a newer version may read it",
+            )
+        }
     }
 
     /** The cycles of [agent], in their order. */

@@ -1,7 +1,6 @@
 package argo.recording.replay
 
 import argo.recording.Cycle
-import jason.asSyntax.Literal
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
@@ -18,7 +17,7 @@ import kotlin.io.path.createTempDirectory
  */
 class Replay(private val recording: Recording) : AutoCloseable {
     private val directory = createTempDirectory("argo-replay").also(::extract)
-    private val agents = recording.agents.values.associate { it.name to ReplayedAgent(it, programOf(it.name), directory, ::found) }
+    private val agents = create()
     private val cycles = agents.keys.associateWith { recording.cycles(it).iterator() }
     private val next = HashMap<String, Cycle>()
     private val stopped = HashSet<String>()
@@ -30,6 +29,10 @@ class Replay(private val recording: Recording) : AutoCloseable {
 
     /** How many cycles have been run. */
     var cyclesRun = 0L
+        private set
+
+    /** When the cycle began that was run last, in ns of the agents' clock; null: none was run. */
+    var lastNs: Long? = null
         private set
 
     init {
@@ -48,10 +51,18 @@ class Replay(private val recording: Recording) : AutoCloseable {
         }
     }
 
+    private fun create() = try {
+        recording.agents.values.associate { it.name to ReplayedAgent(it, programOf(it.name), directory, ::found) }
+    } catch (refused: RecordingException) {
+        directory.toFile().deleteRecursively()
+        throw refused
+    }
+
     private fun runCycle(agent: String, cycle: Cycle) {
         underWay = agent
         agents.getValue(agent).run(cycle)
         cyclesRun++
+        lastNs = cycle.ns
         if (agent in stopped) next -= agent else read(agent)
     }
 
@@ -60,12 +71,12 @@ class Replay(private val recording: Recording) : AutoCloseable {
         if (cycles.hasNext()) next[agent] = cycles.next() else next -= agent
     }
 
-    /** What [agent] believes now. */
-    fun beliefs(agent: String): List<Literal> = agents.getValue(agent).ts.ag.bb.toList()
+    /** What [agent] believes now, without its rules, as Jason writes it. */
+    fun beliefs(agent: String): List<String> = agents.getValue(agent).ts.ag.bb.filterNot { it.isRule }.map { "$it" }
 
     private fun found(cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) {
         differing += Difference(underWay, cycle.number, cycle.ns, what, recorded, now, cause)
-        if (!what.startsWith(RESULT)) stopped += underWay
+        if (!differing.last().isOfResult) stopped += underWay
     }
 
     private fun programOf(agent: String): Path {
@@ -84,9 +95,5 @@ class Replay(private val recording: Recording) : AutoCloseable {
     override fun close() {
         agents.values.forEach { it.close() }
         directory.toFile().deleteRecursively()
-    }
-
-    private companion object {
-        const val RESULT = "result of "
     }
 }

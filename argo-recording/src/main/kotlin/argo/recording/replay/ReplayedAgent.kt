@@ -34,11 +34,12 @@ internal class ReplayedAgent(
     private var lastIndex = 0L
 
     private fun create(source: Path, directory: Path): TransitionSystem {
+        listOf(recorded.agentClass, recorded.archClass, recorded.beliefBase).forEach(::requireClass)
         val paths = SourcePath().apply { listOfNotNull(source.parent, directory).forEach { addPath("$it") } }
         (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)
         val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options - RECORD)) }
         val beliefBase = recorded.beliefBase.takeIf { it != DEFAULT_BELIEFS }?.let { ClassParameters(it) }
-        Agent.create(infra, recorded.agentClass, beliefBase, "$source", settings)
+        load { Agent.create(infra, recorded.agentClass, beliefBase, "$source", settings) }
         val ts = infra.ts
         infra.insertAgArch(infra)
         val arch = Class.forName(recorded.archClass).asSubclass(Arch::class.java).getConstructor(Platform::class.java)
@@ -49,6 +50,28 @@ internal class ReplayedAgent(
         ts.logger.useParentHandlers = false // what it printed is in the recording
         inputs.begin(ts)
         return ts
+    }
+
+    private fun load(create: () -> Unit) = try {
+        create()
+    } catch (missing: LinkageError) {
+        throw RecordingException("the program of agent ${recorded.name} cannot be loaded, since a class is missing or another: $missing")
+    } catch (refused: Exception) { // Jason declares no other
+        throw RecordingException("Jason cannot read the program of agent ${recorded.name}: ${refused.message}")
+    }
+
+    private fun requireClass(name: String) {
+        if (isThere(name)) return
+        throw RecordingException(
+            "agent ${recorded.name} needs the class $name, which is not on the class path; add the classes and jars of its project to it",
+        )
+    }
+
+    private fun isThere(type: String) = try {
+        Class.forName(type, false, javaClass.classLoader)
+        true
+    } catch (_: ClassNotFoundException) {
+        false
     }
 
     /** Runs [cycle], the next one of the recording. */
@@ -72,13 +95,13 @@ internal class ReplayedAgent(
                 "only a recording from the beginning on, argo_record=\"FILE.mcap\", can be replayed"
         } else {
             "the recording of agent ${recorded.name} has a gap of ${cycle.index - lastIndex - 1} cycles before cycle ${cycle.number}: " +
-                "the disk was too slow; until there it can be replayed"
+                "the disk was too slow, or that part of the file is damaged; until there it can be replayed"
         }
 
     private fun report(what: String, before: String?, now: String?, cause: String?): Unit =
         found(inputs.cycle, what, before, now, cause ?: likelyCause())
 
-    private fun likelyCause(): String = when {
+    private fun likelyCause(): String = missingAction()?.let { "the project's class $it is not on the class path; add it" } ?: when {
         inputs.cycle.input.events.isNotEmpty() || inputs.cycle.input.ends.any { it.thread != null } ->
             "another thread of the project works on the agent, and what it does within a cycle is not recorded"
         recorded.agentClass != Agent::class.java.name ->
@@ -89,6 +112,8 @@ internal class ReplayedAgent(
                 "neither is what other threads of the project do"
         else -> "a thread of the project has changed what the agent believes or intends, or its program is another"
     }
+
+    private fun missingAction(): String? = inputs.cycle.input.calls.filter { it.isOfProject }.map { it.name }.find { !isThere(it) }
 
     override fun close() {
         inputs.course.close()

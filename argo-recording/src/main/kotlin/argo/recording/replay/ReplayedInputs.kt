@@ -169,7 +169,7 @@ internal class ReplayedInputs(
         }
         val before = recorded.failure?.toString() ?: if (recorded.answers.isEmpty()) NOT_TRUE else recorded.answers.toString()
         if (normal(before) == normal(now)) return
-        found("result of ${recorded.name}", normal(before), normal(now), notRecorded(recorded.name, "action"))
+        found("${Difference.RESULT}${recorded.name}", normal(before), normal(now), notRecorded(recorded.name, "action"))
     }
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
@@ -181,7 +181,7 @@ internal class ReplayedInputs(
         if (isOfProject) {
             projectCalls += name
             val now = "${live()}"
-            if (now != recorded) found("result of $name", recorded, now, notRecorded(name, "function"))
+            if (now != recorded) found("${Difference.RESULT}$name", recorded, now, notRecorded(name, "function"))
         }
         return recorded.toDouble()
     }

@@ -5,9 +5,14 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.making
+import argo.tools.command.nanosOf
 import argo.tools.command.printable
 import argo.tools.command.requireFile
 import argo.tools.command.requireNew
+import argo.tools.replay.AgentReplay
+import argo.tools.replay.AgentReplayOptions
+import argo.tools.replay.hasJason
+import argo.tools.replay.runWithJason
 import javino.LineSettings
 import javino.PortException
 import javino.PortInterruptedException
@@ -16,64 +21,84 @@ import javino.serial.SerialPorts
 import javino.sim.PseudoTerminals
 import javino.sim.Recording
 import javino.sim.ReplayBoard
+import picocli.CommandLine.ArgGroup
 import picocli.CommandLine.Command
-import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
-/** `replay`: serves a recording as a board. */
+/** `replay`: serves a recording of a board as a board, and runs the agents of a recording of agents again. */
 @Command(
     name = "replay",
     description = [
-        "Serves a recording as a board on a pseudo-terminal until Ctrl-C; prints its name and the received commands.",
+        "Serves a recording of a board as a board on a pseudo-terminal until Ctrl-C; prints its name and the received commands.",
         "An agent, and these tools, can also open the port replay:FILE, without this command.",
+        "Of a recording of agents (FILE.mcap), runs the agents again on what was recorded, and reports whether they do the same.",
     ],
 )
 internal class ReplayCommand : ToolCommand() {
-    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording made by monitor --record"])
+    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording by monitor --record, or by the option argo_record of an agent"])
     private lateinit var file: Path
 
-    @Option(names = ["--loop"], description = ["restarts at the end of the recording"])
-    private var loop = false
+    @ArgGroup(validate = false, heading = "%nof a recording of a board:%n")
+    private var asBoard: BoardReplayOptions? = null
 
-    @Option(names = ["--in-turn"], description = ["answers the first request with the first answer and so on, ignoring times"])
-    private var inTurn = false
+    @ArgGroup(validate = false, heading = "%nof a recording of agents:%n")
+    private var ofAgents: AgentReplayOptions? = null
 
-    @Option(names = ["--link"], paramLabel = "PATH", description = ["a symbolic link to the pseudo-terminal, such as /tmp/ttyBOARD"])
-    private var link: Path? = null
+    private val board get() = asBoard ?: BoardReplayOptions()
 
     override fun call(): Int {
         requireFile(file)
         if (McapReader.isMcap(file)) {
-            throw ToolException("$file is a recording in the MCAP format, and none of a board; \"recording $file\" shows what it holds")
+            if (asBoard != null) misuse("--loop, --in-turn and --link are for a recording of a board, and $file is one of agents")
+            return replayAgents(ofAgents ?: AgentReplayOptions())
         }
-        link?.let(::requireNew)
+        if (ofAgents != null) {
+            misuse("--check, --until, --of, --class-path and --json are for a recording of agents (FILE.mcap), and $file is none")
+        }
+        return serveBoard()
+    }
+
+    private fun replayAgents(options: AgentReplayOptions): Int {
+        val untilNs = options.until?.let { nanosOf(it) ?: misuse("$it is no second of a recording") }
+        if (options.classPath != null || !hasJason()) {
+            return runWithJason(spec.root().name(), options.classPath, listOf("replay", "$file") + options.arguments())
+        }
+        val report = AgentReplay(file, untilNs, options.of).run()
+        if (options.json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
+        report.problems.forEach { err.println("$file: ${printable(it)}") }
+        val isGood = report.problems.isEmpty() && (if (options.isCheck) report.isDeterministic else report.isIdentical)
+        return if (isGood) ExitStatus.DONE else ExitStatus.FAILED
+    }
+
+    private fun serveBoard(): Int {
+        board.link?.let(::requireNew)
         val recording = Recording.read(file)
-        val board = board(recording)
+        val replayed = board(recording)
         if (!PseudoTerminals.available()) {
             throw ToolException(
                 "there is no socat, which makes pseudo-terminals: \"sudo apt install socat\" or \"brew install socat\"; " +
                     "the port replay:$file needs none",
             )
         }
-        val waits = !recording.isOfRequests && !inTurn
-        return Interruption().use { PseudoTerminals.open().use { pair -> linked(pair) { serve(pair, it, board, waits) } } }
+        val waits = !recording.isOfRequests && !board.inTurn
+        return Interruption().use { PseudoTerminals.open().use { pair -> linked(pair) { serve(pair, it, replayed, waits) } } }
     }
 
     private fun board(recording: Recording): ReplayBoard {
-        val board = try {
+        val replayed = try {
             ReplayBoard.of(recording).tellingCommandsTo { out.println("command: ${printable(it)}"); out.flush() }
         } catch (empty: IllegalArgumentException) {
             throw ToolException("$file: ${empty.message}")
         }
-        return board.let { if (loop) it.repeated() else it }.let { if (inTurn) it.inTurn() else it }
+        return replayed.let { if (board.loop) it.repeated() else it }.let { if (board.inTurn) it.inTurn() else it }
     }
 
     /** Calls [serve] with the name of the port, which is a link while it runs if one was asked for. */
     private fun linked(pair: PseudoTerminals, serve: (String) -> Int): Int {
-        val link = link ?: return serve(pair.computer().path)
+        val link = board.link ?: return serve(pair.computer().path)
         making(link) { Files.createSymbolicLink(it, pair.computer().toPath()) }
         return try {
             serve("$link")

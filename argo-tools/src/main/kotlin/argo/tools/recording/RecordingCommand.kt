@@ -6,6 +6,7 @@ import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.jsonOf
+import argo.tools.command.nanosOf
 import argo.tools.command.printable
 import argo.tools.command.requireFile
 import kotlinx.serialization.SerializationException
@@ -97,13 +98,11 @@ internal class RecordingCommand : DataCommand() {
 
     /** This time and so many seconds. Null: [seconds] is. */
     private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {
-        val ns = it.movePointRight(NANO_DIGITS).toBigInteger()
-        if (ns.signum() < 0 || ns.bitLength() >= Long.SIZE_BITS - 1) misuse("$it is no second of a recording")
-        this + minOf(ns.toLong(), Long.MAX_VALUE - this)
+        val ns = nanosOf(it) ?: misuse("$it is no second of a recording")
+        this + minOf(ns, Long.MAX_VALUE - this)
     }
 
     private companion object {
         const val NANOS = 1e9
-        const val NANO_DIGITS = 9
     }
 }

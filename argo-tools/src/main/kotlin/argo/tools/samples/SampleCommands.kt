@@ -39,7 +39,7 @@ internal class ExperimentCommand : SampleProgramCommand("experiment")
 internal class SampleCommand : SampleProgramCommand()
 
 /** Runs the Java of this program with [arguments], on its terminal, and returns the exit status. Who ends this program ends that one. */
-private fun runJava(arguments: List<String>): Int {
+internal fun runJava(arguments: List<String>): Int {
     val java = ProcessHandle.current().info().command().orElseGet { Path.of(System.getProperty("java.home"), "bin", "java").toString() }
     // jSerialComm loads a native library, which newer Java machines warn about
     val process = ProcessBuilder(listOf(java, "--enable-native-access=ALL-UNNAMED") + arguments).inheritIO().start()

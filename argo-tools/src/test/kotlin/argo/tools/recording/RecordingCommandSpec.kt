@@ -94,8 +94,8 @@ class RecordingCommandSpec : FunSpec({
         argo("recording", "$file", "--messages", "--file", "a").status shouldBe 2
     }
 
-    test("replay, which plays what boards said, names the tool for a recording of agents") {
+    test("replay, which runs agents again, names what it is that holds none") {
         argo("replay", "$file") shouldBe
-            Output(1, "", "$file is a recording in the MCAP format, and none of a board; \"recording $file\" shows what it holds\n")
+            Output(1, "", "$file holds no agent; the option argo_record=\"FILE.mcap\" of an agent in the .mas2j records it\n")
     }
 })

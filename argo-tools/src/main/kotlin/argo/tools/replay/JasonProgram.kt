@@ -1,0 +1,51 @@
+package argo.tools.replay
+
+import argo.tools.command.ToolException
+import argo.tools.command.ownJar
+import argo.tools.samples.runJava
+import java.io.File
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.io.path.readText
+
+/** Whether Jason is on the class path of this program. */
+internal fun hasJason(): Boolean = try {
+    Class.forName("jason.asSemantics.Agent", false, ToolException::class.java.classLoader)
+    true
+} catch (_: ClassNotFoundException) {
+    false
+}
+
+/**
+ * Runs the tools with [arguments] in another program, which has Jason and what is on [classPath], and returns its exit status.
+ *
+ * @param command what the user has typed for the tools
+ * @throws ToolException if there is no Jason
+ */
+internal fun runWithJason(command: String, classPath: String?, arguments: List<String>): Int {
+    val own = System.getProperty("java.class.path")
+    val path = listOfNotNull(own, classPath, if (hasJason()) null else ownJar()?.let(::bundledJason)?.toString())
+    if (classPath == null && path.size == 1) throw ToolException(missingJason())
+    return runJava(listOf("-Dargo.command=$command", "-cp", path.joinToString(File.pathSeparator), "argo.tools.MainKt") + arguments)
+}
+
+/** Why nothing is replayed without Jason, for a person. */
+internal fun missingJason() = listOf("jason-interpreter-3.2.1.jar", "build/classes/java/main").joinToString(File.pathSeparator).let {
+    "a replay runs Jason, which argo.jar does not hold: --class-path names its jar and the project's classes, such as --class-path $it"
+}
+
+/** Jason's jar in the samples of a release, beside [jar], or of the source tree that [jar] was built in; null: there is none. */
+internal fun bundledJason(jar: Path): Path? {
+    val file = jar.toAbsolutePath().normalize()
+    val release = file.resolveSibling("samples")
+    val built = file.resolve("../../../samples/target/run.classpath").normalize()
+    val jars = when {
+        release.isDirectory() -> release.listDirectoryEntries("*.jar")
+        built.isRegularFile() -> built.readText().trim().split(File.pathSeparator).map(Path::of)
+        else -> emptyList()
+    }
+    return jars.find { it.name.startsWith("jason-interpreter") }
+}

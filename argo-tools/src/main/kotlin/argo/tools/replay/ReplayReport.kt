@@ -1,0 +1,81 @@
+package argo.tools.replay
+
+import argo.recording.replay.Difference
+import argo.tools.command.jsonOf
+import kotlinx.serialization.json.JsonObject
+
+/**
+ * What came of a replay.
+ *
+ * @property recordedNs from the first cycle to the last one that was replayed
+ * @property elapsedNs what the replay took
+ * @property beliefs of the agents that were asked about
+ * @property problems what could not be replayed, a sentence for each
+ */
+internal class ReplayReport(
+    private val agents: List<String>,
+    private val cycles: Long,
+    private val firstNs: Long,
+    private val recordedNs: Long,
+    private val elapsedNs: Long,
+    differences: List<Difference>,
+    private val beliefs: Map<String, List<String>>,
+    val problems: List<String>,
+) {
+    private val course = differences.filterNot { it.isOfResult }
+
+    /** The first of each kind of each agent, and how often there are such. */
+    private val results = differences.filter { it.isOfResult }.groupBy { it.agent to it.what }.values.map { it.first() to it.size }
+
+    /** Whether the agents did what they had done. */
+    val isIdentical: Boolean get() = course.isEmpty()
+
+    /** Whether nothing gave another result. */
+    val isDeterministic: Boolean get() = isIdentical && results.isEmpty()
+
+    /** For a person, of the recording [name]; all that is not deterministic if [isCheck]. */
+    fun lines(name: String, isCheck: Boolean): List<String> = buildList {
+        add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
+        add("$cycles cycles of %.3f s replayed in %.3f s%s".format(recordedNs / NANOS, elapsedNs / NANOS, pace()))
+        course.forEach { addAll(described("differs", it)) }
+        if (isIdentical) add("identical: the same events, plans, steps, calls, actions and messages in each of them")
+        if (isCheck) {
+            results.forEach { (first, times) -> addAll(described("not deterministic${if (times > 1) ", $times times" else ""}", first)) }
+            if (isDeterministic) add("nothing in it gave another result")
+        } else if (results.isNotEmpty()) {
+            val times = results.sumOf { it.second }
+            add("$times results of the project's own actions were others, and the recorded ones were used; --check names them")
+        }
+        for ((agent, believed) in beliefs) {
+            add("$agent believes:")
+            believed.forEach { add("  $it") }
+        }
+    }
+
+    fun json(): JsonObject = jsonOf(
+        "agents" to agents, "cycles" to cycles, "seconds" to recordedNs / NANOS, "took" to elapsedNs / NANOS,
+        "identical" to isIdentical, "deterministic" to isDeterministic, "problems" to problems,
+        "differences" to (course.map { it to 1 } + results).map { (difference, times) -> jsonOf(difference, times) },
+        "beliefs" to jsonOf(*beliefs.toList().toTypedArray()),
+    )
+
+    private fun jsonOf(it: Difference, times: Int) = jsonOf(
+        "agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsOf(it), "what" to it.what, "times" to times,
+        "recorded" to it.recorded, "now" to it.now, "cause" to it.cause,
+    )
+
+    private fun described(how: String, it: Difference) = listOf(
+        "$how: agent ${it.agent}, cycle ${it.cycle}, %.3f s, ${it.what.replace("%", "%%")}".format(secondsOf(it)),
+        "  recorded: ${it.recorded ?: "nothing"}",
+        "  now:      ${it.now ?: "nothing"}",
+        "  likely:   ${it.cause}",
+    )
+
+    private fun secondsOf(it: Difference) = (it.ns - firstNs) / NANOS
+
+    private fun pace() = if (recordedNs > 0 && elapsedNs > 0) ", %.0f times real time".format(recordedNs.toDouble() / elapsedNs) else ""
+
+    private companion object {
+        const val NANOS = 1e9
+    }
+}

@@ -1,0 +1,193 @@
+package argo.tools.replay
+
+import argo.mcap.McapWriter
+import argo.testkit.TestAgent
+import argo.testkit.agentOf
+import argo.tools.Output
+import argo.tools.argo
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldMatch
+import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.boolean
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import kotlinx.serialization.json.long
+import java.nio.channels.FileChannel
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import kotlin.io.path.readBytes
+import kotlin.io.path.writeBytes
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+
+/** `replay` of a recording of agents. */
+class ReplayAgentsSpec : FunSpec({
+    val directory = tempdir().toPath()
+
+    fun recorded(name: String, program: String, drive: TestAgent.() -> Unit): Path {
+        val file = directory.resolve("$name.mcap")
+        agentOf(program) { options("argo_record" to "$file") }.use(drive)
+        return file
+    }
+
+    val drive = recorded(
+        "drive",
+        """
+        far(50).
+        !start.
+        +!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(forward).
+        +dist(front,Cm) : far(Far) & Cm < Far <- argo.act(stop); +stopped(Cm).
+        """.trimIndent(),
+    ) {
+        perceives("dist(front,80)")
+        after(1.seconds)
+        perceives("dist(front,30)")
+        shouldSend("stop")
+        after(1.seconds)
+    }
+
+    val chance = recorded("chance", "!start. +!start <- argo.tools.replay.ticks(T); argo.tools.replay.ticks(U); +drew(T,U).") {
+        after(300.milliseconds)
+    }
+
+    /** A recording with this metadata of an agent that reads [program], with a first cycle of this index. */
+    fun made(
+        name: String,
+        program: String = "!start.",
+        index: Int = 1,
+        format: String = "1",
+        agentClass: String = "jason.asSemantics.Agent",
+        input: String = "{}",
+    ): Path {
+        val file = directory.resolve("$name.mcap")
+        McapWriter(FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)).use { writer ->
+            writer.metadata("argo.recording", mapOf("format" to format))
+            val agent = mapOf(
+                "source" to "program/bob/bob.asl", "agentClass" to agentClass, "archClass" to "argo.Arch",
+                "beliefBase" to "jason.bb.DefaultBeliefBase", "isConditional" to "true",
+            )
+            writer.metadata("agent/bob", agent)
+            writer.attachment("program/bob/bob.asl", "text/plain", program.encodeToByteArray())
+            val cycles = writer.channel("/bob/cycle", writer.schema("argo.Cycle", "{}"))
+            writer.message(cycles, 1, 0, """{"index":$index,"number":$index,"ns":1,"input":$input}""".encodeToByteArray())
+        }
+        return file
+    }
+
+    test("an agent that does the same again") {
+        val said = argo("replay", "$drive", "--check")
+        said.err shouldBe ""
+        said.status shouldBe 0
+        val lines = said.out.lines()
+        lines[0] shouldBe "$drive: agent agent"
+        lines[1] shouldMatch Regex("""\d+ cycles of \d+\.\d{3} s replayed in \d+\.\d{3} s, \d+ times real time""")
+        lines.drop(2) shouldBe listOf(
+            "identical: the same events, plans, steps, calls, actions and messages in each of them",
+            "nothing in it gave another result",
+            "",
+        )
+    }
+
+    test("--until stops there, and shows what was believed") {
+        val before = argo("replay", "$drive", "--until", "0.9").out
+        before shouldContain "agent believes:\n"
+        before shouldContain "  far(50)"
+        before shouldContain "dist(front,80)"
+        before shouldNotContain "stopped(30)"
+        argo("replay", "$drive", "--of", "agent").out shouldContain "stopped(30)"
+        argo("replay", "$drive", "--of", "eve").err shouldBe "$drive has no agent eve; those that it has: agent\n"
+        argo("replay", "$drive", "--until", "-1").run {
+            status shouldBe 2
+            err shouldStartWith "-1 is no second of a recording\n"
+        }
+    }
+
+    test("--json is data") {
+        val json = Json.parseToJsonElement(argo("replay", "$drive", "--json", "--until", "0.9").out).jsonObject
+        json.getValue("identical").jsonPrimitive.boolean shouldBe true
+        json.getValue("cycles").jsonPrimitive.long shouldBeGreaterThan 3
+        json.getValue("differences").jsonArray.size shouldBe 0
+        val beliefs = json.getValue("beliefs").jsonObject.getValue("agent").jsonArray
+        beliefs.map { it.jsonPrimitive.content.substringBefore("[") } shouldContain "far(50)"
+    }
+
+    test("an action of the project whose result is another each time is used as recorded, and named by --check") {
+        val said = argo("replay", "$chance")
+        said.status shouldBe 0
+        said.out shouldContain "2 results of the project's own actions were others, and the recorded ones were used; --check names them"
+        val checked = argo("replay", "$chance", "--check")
+        checked.status shouldBe 1
+        checked.out shouldContain "not deterministic, 2 times: agent agent, cycle "
+        checked.out shouldContain "result of argo.tools.replay.ticks\n  recorded: "
+        checked.out shouldContain "it reads a clock, chance, a file or what a thread changes"
+    }
+
+    test("what an agent did that its program would not do is named, with cycle and time") {
+        val said = argo("replay", "${made("other")}")
+        said.status shouldBe 1
+        said.out shouldContain "differs: agent bob, cycle 1, 0.000 s, event\n  recorded: nothing\n  now:      +!start"
+    }
+
+    test("a recording that was cut off is replayed as far as it goes") {
+        val cut = directory.resolve("cut.mcap").apply { writeBytes(drive.readBytes().run { copyOf(size - 10) }) }
+        val said = argo("replay", "$cut")
+        said.status shouldBe 1
+        said.out shouldContain "identical: "
+        said.err shouldContain "$cut: the file was cut off behind byte"
+    }
+
+    test("what cannot be replayed is refused in words") {
+        argo("replay", "${made("late", index = 7)}").run {
+            status shouldBe 1
+            err shouldContain "begins with its cycle 7, and what it believed then is not known; only a recording from the beginning on"
+        }
+        argo("replay", "${made("newer", format = "2")}").err shouldContain
+            "has format 2 of what agents do, and this version of ARGO reads format 1"
+        argo("replay", "${made("foreign", agentClass = "robot.Brain")}").run {
+            status shouldBe 1
+            err shouldBe "agent bob needs the class robot.Brain, which is not on the class path; " +
+                "add the classes and jars of its project to it\n"
+        }
+        argo("replay", "${made("unread", program = "!start. +!start <- ((.")}").err shouldStartWith
+            "Jason cannot read the program of agent bob"
+        val empty = directory.resolve("empty.mcap")
+        McapWriter(FileChannel.open(empty, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)).close()
+        argo("replay", "$empty") shouldBe Output(
+            1, "", "$empty holds no agent; the option argo_record=\"FILE.mcap\" of an agent in the .mas2j records it\n",
+        )
+    }
+
+    test("an action that is not on the class path is named") {
+        val file = made(
+            "absent", "!start. +!start <- robot.measure(X).",
+            input = """{"calls":[{"name":"robot.measure","args":["X"],"answers":[["3"]],"isOfProject":true}]}""",
+        )
+        val said = argo("replay", "$file")
+        said.status shouldBe 1
+        said.out shouldContain "likely:   the project's class robot.measure is not on the class path; add it"
+    }
+
+    test("options of boards and of agents exclude each other") {
+        argo("replay", "$drive", "--loop").run {
+            status shouldBe 2
+            err shouldStartWith "--loop, --in-turn and --link are for a recording of a board"
+        }
+        val board = directory.resolve("board.rec").apply { writeBytes("javino-recording 1\n".encodeToByteArray()) }
+        argo("replay", "$board", "--check").run {
+            status shouldBe 2
+            err shouldStartWith "--check, --until, --of, --class-path and --json are for a recording of agents"
+        }
+    }
+
+    test("a class path runs it in a program of its own") {
+        argo("replay", "$drive", "--class-path", "build/classes").status shouldBe 0
+    }
+})
