@@ -92,7 +92,8 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     }
 }
 
-private fun fileName(path: String) = path.substringAfterLast('/').substringAfterLast('\\')
+/** The name of the file at [path], which Jason writes as a URL or as the system does: `file:robot.asl` if it is relative. */
+internal fun fileName(path: String) = path.removePrefix("file:").substringAfterLast('/').substringAfterLast('\\')
 
 /** [message] as a recording has it. */
 internal fun mailOf(message: Message, failure: String? = null) = Mail(

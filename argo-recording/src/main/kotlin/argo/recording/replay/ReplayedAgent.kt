@@ -14,6 +14,7 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
 import jason.runtime.SourcePath
+import jason.util.Config
 import java.nio.file.Path
 
 /**
@@ -39,7 +40,7 @@ internal class ReplayedAgent(
         (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)
         val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options - RECORD)) }
         val beliefBase = recorded.beliefBase.takeIf { it != DEFAULT_BELIEFS }?.let { ClassParameters(it) }
-        load { Agent.create(infra, recorded.agentClass, beliefBase, "$source", settings) }
+        load { unshown { Agent.create(infra, recorded.agentClass, beliefBase, "$source", settings) } }
         val ts = infra.ts
         infra.insertAgArch(infra)
         val arch = Class.forName(recorded.archClass).asSubclass(Arch::class.java).getConstructor(Platform::class.java)
@@ -58,6 +59,17 @@ internal class ReplayedAgent(
         throw RecordingException("the program of agent ${recorded.name} cannot be loaded, since a class is missing or another: $missing")
     } catch (refused: Exception) { // Jason declares no other
         throw RecordingException("Jason cannot read the program of agent ${recorded.name}: ${refused.message}")
+    }
+
+    /** Without Jason's server that shows agents, which [create] would start. */
+    private fun unshown(create: () -> Unit) {
+        val config = Config.get()
+        val before: Any? = config.setProperty(Config.START_WEB_MI, "false")
+        try {
+            create()
+        } finally {
+            if (before == null) config.remove(Config.START_WEB_MI) else config[Config.START_WEB_MI] = before
+        }
     }
 
     private fun requireClass(name: String) {

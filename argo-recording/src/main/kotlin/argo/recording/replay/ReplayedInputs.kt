@@ -16,6 +16,7 @@ import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptTasks
+import argo.recording.agent.KeptTimers
 import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
@@ -73,6 +74,7 @@ internal class ReplayedInputs(
     fun begin(ts: TransitionSystem) {
         this.ts = ts
         course = CourseWatch(ts)
+        KeptTimers.install()
         KeptTasks.insertInto(ts, this)
         WatchedCode(ts, this).begin()
     }

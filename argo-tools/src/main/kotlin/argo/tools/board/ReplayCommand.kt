@@ -38,7 +38,7 @@ import java.util.concurrent.TimeUnit
     ],
 )
 internal class ReplayCommand : ToolCommand() {
-    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording by monitor --record, or by the option argo_record of an agent"])
+    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording by monitor --record or an agent's argo_record"])
     private lateinit var file: Path
 
     @ArgGroup(validate = false, heading = "%nof a recording of a board:%n")

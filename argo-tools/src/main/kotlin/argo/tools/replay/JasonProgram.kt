@@ -27,25 +27,26 @@ internal fun hasJason(): Boolean = try {
  */
 internal fun runWithJason(command: String, classPath: String?, arguments: List<String>): Int {
     val own = System.getProperty("java.class.path")
-    val path = listOfNotNull(own, classPath, if (hasJason()) null else ownJar()?.let(::bundledJason)?.toString())
+    val path = listOfNotNull(own, classPath, if (hasJason()) null else ownJar()?.let(::bundledJason))
     if (classPath == null && path.size == 1) throw ToolException(missingJason())
     return runJava(listOf("-Dargo.command=$command", "-cp", path.joinToString(File.pathSeparator), "argo.tools.MainKt") + arguments)
 }
 
 /** Why nothing is replayed without Jason, for a person. */
-internal fun missingJason() = listOf("jason-interpreter-3.2.1.jar", "build/classes/java/main").joinToString(File.pathSeparator).let {
-    "a replay runs Jason, which argo.jar does not hold: --class-path names its jar and the project's classes, such as --class-path $it"
+internal fun missingJason() = listOf("jason/*", "build/classes/java/main").joinToString(File.pathSeparator).let {
+    "a replay runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as --class-path '$it'"
 }
 
-/** Jason's jar in the samples of a release, beside [jar], or of the source tree that [jar] was built in; null: there is none. */
-internal fun bundledJason(jar: Path): Path? {
+/**
+ * The class path of the samples of a release, beside [jar], or of the source tree that [jar] was built in,
+ * which has Jason and what that needs; null: there is none.
+ */
+internal fun bundledJason(jar: Path): String? {
     val file = jar.toAbsolutePath().normalize()
     val release = file.resolveSibling("samples")
     val built = file.resolve("../../../samples/target/run.classpath").normalize()
-    val jars = when {
-        release.isDirectory() -> release.listDirectoryEntries("*.jar")
-        built.isRegularFile() -> built.readText().trim().split(File.pathSeparator).map(Path::of)
-        else -> emptyList()
-    }
-    return jars.find { it.name.startsWith("jason-interpreter") }
+    fun hasJason(jars: List<Path>) = jars.any { it.name.startsWith("jason-interpreter") }
+    if (release.isDirectory() && hasJason(release.listDirectoryEntries("*.jar"))) return "$release${File.separator}*"
+    if (!built.isRegularFile()) return null
+    return built.readText().trim().takeIf { path -> hasJason(path.split(File.pathSeparator).map(Path::of)) }
 }

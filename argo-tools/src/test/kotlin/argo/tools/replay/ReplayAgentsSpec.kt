@@ -43,7 +43,7 @@ class ReplayAgentsSpec : FunSpec({
         """
         far(50).
         !start.
-        +!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(forward).
+        +!start <- argo.port(ttyACM0); argo.percepts(open); .wait(20); argo.act(forward).
         +dist(front,Cm) : far(Far) & Cm < Far <- argo.act(stop); +stopped(Cm).
         """.trimIndent(),
     ) {
