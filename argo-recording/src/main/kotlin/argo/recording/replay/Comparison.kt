@@ -34,5 +34,5 @@ private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver
 internal fun normal(text: String): String =
     if ('_' in text || "mid" in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1") else text
 
-private val NUMBERED = Regex("""\b(__?|p__|mid|samid)\d+""")
+private val NUMBERED = Regex("""\b(_|p__|mid|samid)\d+(?:_\d+)*""")
 private val CODE_PLACE = Regex("""\b(code_line|code_src)\((?:\d+|"(?:[^"\\]|\\.)*")\)""")
