@@ -39,6 +39,18 @@ class ReplaySpec : FunSpec({
         shouldReplay(file)
     }
 
+    test("intentions that end in one cycle, and are cleared away one after the other") {
+        shouldReplay(
+            recorded(
+                """
+                !start.
+                +!start <- argo.ports([ttyACM0, ttyACM1]); .wait(500); !!act(ttyACM0); !!act(ttyACM1); .wait(1000); .print(done).
+                +!act(P) <- argo.act(ledOn, [port(P)]).
+                """.trimIndent(),
+            ) { after(2.seconds) },
+        )
+    }
+
     test("clocks and chance of Jason") {
         shouldReplay(
             recorded(

@@ -27,6 +27,9 @@ internal class CycleNotes {
     /** The call that is being carried out; null: none is. */
     var underWay: CallNote? = null
 
+    /** Whether the cycle has work from those before it: one that only clears away an intention that has ended shows nothing else. */
+    var isAtWork = false
+
     /** Whether a message is on its way. */
     var isSending = false
 

@@ -82,6 +82,7 @@ internal class Recorder(
         agent.now.clear(this.agent.nanos())
         agent.now.counters = Counters.read().takeIf { it != agent.counters }
         if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { "${it.trigger}" }
+        agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent()
         agent.course.begin()
     }
 
@@ -213,7 +214,7 @@ internal class Recorder(
         val course = agent.course.end()
         val input = agent.now.input()
         agent.events = agent.ts.c.events.size
-        if (input.isNothing() && course.event == null && course.step == null) return
+        if (input.isNothing() && !agent.now.isAtWork && course.event == null && course.step == null) return
         track.cycle(Cycle(++agent.cycles, agent.ts.agArch.cycleNumber, agent.now.ns, agent.now.counters, input, course))
         agent.counters = Counters.read()
     }
