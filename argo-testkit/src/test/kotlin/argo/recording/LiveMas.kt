@@ -7,6 +7,7 @@ import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
 import kotlinx.coroutines.runBlocking
 import java.nio.file.Path
+import java.util.logging.Logger
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
@@ -17,6 +18,9 @@ internal val LIMIT = 20.seconds
 internal class LiveMas(private val file: Path) : AutoCloseable {
     private val directory = file.parent
     private val mas = RunLocalMAS()
+    private val log = Logger.getLogger("")
+    private val level = log.level
+    private val handlers = log.handlers // Jason takes them away
 
     init {
         val logging = directory.resolve("logging.properties").apply { writeText("handlers =\n.level = INFO\n") }
@@ -41,6 +45,12 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
 
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own
-        runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
+        try {
+            runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
+        } finally {
+            log.level = level
+            log.handlers.forEach(log::removeHandler)
+            handlers.forEach(log::addHandler)
+        }
     }
 }
