@@ -7,7 +7,8 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * A scheduler in the place of Jason's, which `.wait`, `.at` and others use. Several may stand one upon the other; [below] is the next.
+ * A scheduler in the place of Jason's, which `.wait`, `.at` and others use. Several may stand one upon the other, in the order of their
+ * [Place], whichever was installed first; [below] is the next.
  */
 abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : ScheduledExecutorService by below {
     /** Does [work] in [delay] of [unit]. */
@@ -27,27 +28,45 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     final override fun submit(task: Runnable) = schedule(task, 0, TimeUnit.NANOSECONDS)
 
+    /** Where a layer stands. */
+    enum class Place {
+        /** It says when a timer ends, and stands on Jason's scheduler alone. */
+        TIME,
+
+        /** It sees each timer of an agent, whoever says when it ends. */
+        AGENT,
+    }
+
     companion object {
+        private class Installed(
+            val kind: Class<out SchedulerLayer>,
+            val place: Place,
+            val make: (ScheduledExecutorService) -> SchedulerLayer,
+        )
+
+        private var installed = listOf<Installed>()
+
         /**
-         * Puts what [make] returns for the scheduler in use in its place, for all agents of this program, unless a layer of [kind] is
-         * there.
+         * Puts what [make] returns for the scheduler below it at its [place] in Jason's scheduler, for all agents of this program, unless a
+         * layer of [kind] is there. A layer keeps nothing: it may be made again for another scheduler below.
          * @throws IllegalStateException if this version of Jason keeps its scheduler elsewhere
          */
         @Synchronized
-        fun install(kind: Class<out SchedulerLayer>, make: (ScheduledExecutorService) -> SchedulerLayer) {
-            val inUse = Agent.getScheduler()
-            if (layers(inUse).any(kind::isInstance)) return
+        fun install(kind: Class<out SchedulerLayer>, place: Place, make: (ScheduledExecutorService) -> SchedulerLayer) {
+            if (installed.any { it.kind == kind }) return
+            val all = (installed + Installed(kind, place, make)).sortedBy { it.place }
+            val top = all.fold(machine()) { below, layer -> layer.make(below) }
             try {
                 // Jason has no other way to give it one
-                Agent::class.java.getDeclaredField("scheduler").apply { isAccessible = true }.set(null, make(inUse))
+                Agent::class.java.getDeclaredField("scheduler").apply { isAccessible = true }.set(null, top)
             } catch (other: ReflectiveOperationException) {
                 throw IllegalStateException("this version of Jason keeps its scheduler elsewhere, so .wait cannot be followed", other)
             }
+            installed = all
         }
 
         /** Jason's own scheduler, below all layers. */
-        internal fun machine(): ScheduledExecutorService = layers(Agent.getScheduler()).last()
-
-        private fun layers(top: ScheduledExecutorService) = generateSequence(top) { (it as? SchedulerLayer)?.below }
+        internal fun machine(): ScheduledExecutorService =
+            generateSequence(Agent.getScheduler()) { (it as? SchedulerLayer)?.below }.last()
     }
 }

@@ -16,6 +16,6 @@ internal class KeptTimers private constructor(below: ScheduledExecutorService) :
     override fun execute(command: Runnable) = below.execute(command) // the work of a thread, and no timer
 
     companion object {
-        fun install() = install(KeptTimers::class.java, ::KeptTimers)
+        fun install() = install(KeptTimers::class.java, Place.AGENT, ::KeptTimers)
     }
 }

@@ -47,7 +47,6 @@ import java.util.logging.Logger
 /**
  * Records the cycles of one agent to [track]. It stands on the agent's boundary: it notes what enters there, once in a cycle, and what the
  * agent has begun outside of its thread ends in a cycle of the agent.
- *
  */
 internal class Recorder(
     private val agent: ObservedAgent,

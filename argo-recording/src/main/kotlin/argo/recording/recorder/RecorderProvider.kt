@@ -15,7 +15,7 @@ class RecorderProvider : AgentObserverProvider {
     override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? {
         val wanted = value.trim().removeSurrounding("\"").filterNot(Char::isWhitespace)
         fun refuse(reason: String) = null.also { log.severe("$option=$value: $reason; the agent runs without a recording") }
-        if (!wanted.endsWith(".mcap") && !LAST.matches(wanted)) return refuse("it takes $usage")
+        if (!wanted.endsWith(".mcap") && !SharedRecording.LAST.matches(wanted)) return refuse("it takes $usage")
         return try {
             val recording = SharedRecording.join(wanted, log)
             storeProgram(agent.reasoning, recording.sink)
@@ -25,9 +25,5 @@ class RecorderProvider : AgentObserverProvider {
         } catch (trouble: InvalidPathException) {
             refuse("that is no name of a file (${trouble.message})")
         }
-    }
-
-    private companion object {
-        val LAST = Regex("""last\([1-9]\d{0,3}\)""")
     }
 }

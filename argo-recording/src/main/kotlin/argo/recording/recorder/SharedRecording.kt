@@ -39,7 +39,9 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
     companion object {
         private val OPEN = HashMap<String, SharedRecording>()
         private val STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS")
-        private val LAST = Regex("""last\((\d{1,4})\)""")
+
+        /** The last minutes, and how many. */
+        val LAST = Regex("""last\(([1-9]\d{0,3})\)""")
 
         /**
          * The recording that [value], the option of an agent, names: a file, or the last minutes.
