@@ -8,8 +8,8 @@ import java.util.concurrent.ScheduledFuture
 
 /** Who keeps what an agent begins outside of its thread, until it is carried out in one of its cycles: a recorder or a replay. */
 internal interface Keeper {
-    /** The agent begins a timer that does [work]; [schedule] has the scheduler do something at its time. */
-    fun <V> timer(work: Callable<V>, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
+    /** The agent begins a timer that does [work] [delayNs] from now; [schedule] has the scheduler do something at that time. */
+    fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
 
     /** Another thread leaves [work] for the beginning of the agent's next cycle. Any thread. */
     fun left(work: RunnableSerializable)

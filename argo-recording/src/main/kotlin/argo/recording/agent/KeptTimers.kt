@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit
 internal class KeptTimers private constructor(below: ScheduledExecutorService) : SchedulerLayer(below) {
     override fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> {
         val keeper = Keeper.current ?: return below.schedule(work, delay, unit)
-        return keeper.timer(work) { below.schedule(it, delay, unit) }
+        return keeper.timer(work, unit.toNanos(delay)) { below.schedule(it, delay, unit) }
     }
 
     override fun execute(command: Runnable) = below.execute(command) // the work of a thread, and no timer

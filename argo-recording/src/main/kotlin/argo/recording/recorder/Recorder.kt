@@ -164,7 +164,7 @@ internal class Recorder(
         return { inbox.put(Arrived(End(number, CALL, it?.run { CallFailure(error, cause) }))) }
     }
 
-    override fun <V> timer(work: Callable<V>, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
+    override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
         val number = begun.begin { work.call() }
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }

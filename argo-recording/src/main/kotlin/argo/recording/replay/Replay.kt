@@ -1,9 +1,6 @@
 package argo.recording.replay
 
 import argo.recording.Cycle
-import java.nio.file.Files
-import java.nio.file.Path
-import kotlin.io.path.createTempDirectory
 
 /**
  * Runs the agents of [recording] again, by Jason itself, on what was recorded: cycle by cycle, in the order of their times, without boards,
@@ -16,7 +13,7 @@ import kotlin.io.path.createTempDirectory
  * @throws RecordingException if the recording cannot be replayed
  */
 class Replay(private val recording: Recording) : AutoCloseable {
-    private val directory = createTempDirectory("argo-replay").also(::extract)
+    private val programs = ProgramFiles(recording)
     private val agents = create()
     private val cycles = agents.keys.associateWith { recording.cycles(it).iterator() }
     private val next = HashMap<String, Cycle>()
@@ -52,9 +49,9 @@ class Replay(private val recording: Recording) : AutoCloseable {
     }
 
     private fun create() = try {
-        recording.agents.values.associate { it.name to ReplayedAgent(it, programOf(it.name), directory, ::found) }
+        recording.agents.values.associate { it.name to ReplayedAgent(it, programs, ::found) }
     } catch (refused: RecordingException) {
-        directory.toFile().deleteRecursively()
+        programs.close()
         throw refused
     }
 
@@ -79,21 +76,8 @@ class Replay(private val recording: Recording) : AutoCloseable {
         if (!differing.last().isOfResult) stopped += underWay
     }
 
-    private fun programOf(agent: String): Path {
-        val source = recording.agents.getValue(agent).source
-        if (source !in recording.program) throw RecordingException("the recording does not hold the program of agent $agent")
-        return directory.resolve(source)
-    }
-
-    private fun extract(directory: Path) = recording.program.forEach { (name, text) ->
-        val file = directory.resolve(name).normalize()
-        if (!file.startsWith(directory)) throw RecordingException("the recording has a file outside of its programs: $name")
-        Files.createDirectories(file.parent)
-        Files.write(file, text)
-    }
-
     override fun close() {
         agents.values.forEach { it.close() }
-        directory.toFile().deleteRecursively()
+        programs.close()
     }
 }

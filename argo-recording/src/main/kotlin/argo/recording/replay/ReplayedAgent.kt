@@ -1,6 +1,7 @@
 package argo.recording.replay
 
 import argo.Arch
+import argo.boundary.Boundary
 import argo.platform.Platform
 import argo.recording.Cycle
 import argo.recording.RecordedAgent
@@ -20,18 +21,21 @@ import java.nio.file.Path
 /**
  * An agent of a recording, that Jason runs again on what was recorded: no ports, no threads, no time of its own.
  *
- * @param source its program
- * @param directory where included files are looked for
+ * @param programs where its program stands
+ * @param found takes what differs from the recording
+ * @param inputsOf makes what gives it the recorded inputs
+ * @param boundaryOf what stands around these inputs: themselves, or who watches
  */
 internal class ReplayedAgent(
     val recorded: RecordedAgent,
-    source: Path,
-    directory: Path,
-    private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit,
+    programs: ProgramFiles,
+    private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit = { _, _, _, _, _ -> },
+    inputsOf: (DifferenceSink) -> ReplayedInputs = ::ReplayedInputs,
+    private val boundaryOf: (ReplayedInputs) -> Boundary = { it },
 ) : AutoCloseable {
-    private val inputs: ReplayedInputs = ReplayedInputs { what, before, now, cause -> report(what, before, now, cause) }
+    private val inputs: ReplayedInputs = inputsOf { what, before, now, cause -> report(what, before, now, cause) }
     private val infra = Infra(recorded)
-    val ts: TransitionSystem = create(source, directory)
+    val ts: TransitionSystem = create(programs.of(recorded.name), programs.directory)
     private var lastIndex = 0L
 
     private fun create(source: Path, directory: Path): TransitionSystem {
@@ -44,7 +48,7 @@ internal class ReplayedAgent(
         val ts = infra.ts
         infra.insertAgArch(infra)
         val arch = Class.forName(recorded.archClass).asSubclass(Arch::class.java).getConstructor(Platform::class.java)
-            .newInstance(ReplayPlatform(inputs))
+            .newInstance(ReplayPlatform(boundaryOf(inputs)))
         arch.ts = ts
         infra.insertAgArch(arch)
         arch.init()
@@ -90,6 +94,17 @@ internal class ReplayedAgent(
     fun run(cycle: Cycle) {
         if (cycle.index != lastIndex + 1) throw RecordingException(gap(cycle))
         lastIndex = cycle.index
+        reason(cycle)
+        difference(cycle.course, inputs.course.end())?.let { (what, before, now) -> report(what, before, now, null) }
+    }
+
+    /** Runs [cycle], which is not of the recording. */
+    fun runBetween(cycle: Cycle) {
+        reason(cycle)
+        inputs.course.end()
+    }
+
+    private fun reason(cycle: Cycle) {
         inputs.next(cycle)
         val first = ts.agArch
         first.cycleNumber = cycle.number
@@ -98,7 +113,6 @@ internal class ReplayedAgent(
         if (!recorded.isConditional || !ts.canSleepDeliberate()) ts.deliberate()
         if (!recorded.isConditional || !ts.canSleepAct()) ts.act()
         first.reasoningCycleFinished()
-        difference(cycle.course, inputs.course.end())?.let { (what, before, now) -> report(what, before, now, null) }
     }
 
     private fun gap(cycle: Cycle) =

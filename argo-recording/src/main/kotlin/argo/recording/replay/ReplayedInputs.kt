@@ -43,23 +43,29 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
+/** Takes what differs from a recording: the kind, what was recorded, what came now, and the cause if that is known. */
+internal typealias DifferenceSink = (what: String, recorded: String?, now: String?, cause: String?) -> Unit
+
 /**
  * Gives an agent what was recorded, cycle by cycle, and notes where it does something else than it did.
  *
- * @param found takes what differs: the kind, what was recorded, what came now, and the cause if that is known
+ * @param found takes what differs
  */
-internal class ReplayedInputs(
-    private val found: (what: String, recorded: String?, now: String?, cause: String?) -> Unit,
-) : Boundary, Keeper, CallWatch {
+internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary, Keeper, CallWatch {
     private val begun = Begun()
     private val left = LinkedBlockingQueue<Runnable>()
     private val ids = HashMap<String, String>() // of messages: as recorded, and now
     private var percepts: List<Literal> = emptyList()
     private var calls: MutableList<Call> = ArrayList()
+    private val taken = ArrayList<Call>()
     private var sent: MutableList<Mail> = ArrayList()
     private var sleep = ArrayDeque<Char>()
     private var underWay: Call? = null
-    private lateinit var ts: TransitionSystem
+    private var isAsking = false
+
+    /** The agent's transition system. There from [begin] on. */
+    protected lateinit var ts: TransitionSystem
+        private set
 
     /** The cycle that is replayed. */
     lateinit var cycle: Cycle
@@ -67,6 +73,9 @@ internal class ReplayedInputs(
 
     lateinit var course: CourseWatch
         private set
+
+    /** The recorded calls that the agent has made again in this cycle, in its order. */
+    val repeated: List<Call> get() = taken
 
     /** Calls of the project's own actions and functions so far, for the likely cause of a difference. */
     val projectCalls = LinkedHashSet<String>()
@@ -84,6 +93,7 @@ internal class ReplayedInputs(
         this.cycle = cycle
         cycle.counters?.let(Counters::write)
         calls = cycle.input.calls.toMutableList()
+        taken.clear()
         sent = cycle.course.mail.toMutableList()
         sleep = ArrayDeque(cycle.input.sleep.toList())
         cycle.input.events.forEach { ts.c.addExternalEv(parsed(it, ASSyntax::parseTrigger)) }
@@ -94,8 +104,12 @@ internal class ReplayedInputs(
     override fun perceive(live: () -> Perception): Perception {
         val change = cycle.input.percepts ?: return Perception(null)
         percepts = percepts.changedBy(change)
-        return Perception(percepts.toMutableList(), if (cycle.input.isOfSeveralBoards) ts.c.events.size else null, hasNamespaces = true)
+        val waiting = if (cycle.input.isOfSeveralBoards) ts.c.events.size else null
+        return Perception(perceived(percepts).toMutableList(), waiting, hasNamespaces = true)
     }
+
+    /** What the agent perceives where it was recorded to perceive [percepts]. */
+    protected open fun perceived(percepts: List<Literal>): List<Literal> = percepts
 
     override fun newlyCritical(live: () -> List<Literal>) = cycle.input.critical.map(::literalOf)
 
@@ -104,7 +118,29 @@ internal class ReplayedInputs(
     override fun takeMail(live: () -> Unit) {
         cycle.input.mail.forEach { ts.c.addMsg(messageOf(it)) }
         Keeper.current = this
-        cycle.input.ends.forEach(::carryOut)
+        carryOut(cycle.input.ends)
+    }
+
+    /** Carries out what had ended that the agent had begun. */
+    protected open fun carryOut(ends: List<End>) = ends.forEach(::carryOut)
+
+    /** The agent begins something of the kind that [End.kind] names; [what] describes it, [complete] is for its end. Returns its number. */
+    protected open fun begin(kind: String, what: String, delayNs: Long, complete: (End) -> Unit): Int = begun.begin(complete)
+
+    /** What a call gives that was not recorded, of Jason or ARGO. */
+    protected open fun unrecorded(call: InternalCall): Any = false
+
+    /** Does [work], which only asks: its calls give what was recorded in this cycle, and count as none. For the agent's thread. */
+    fun <T> asking(work: () -> T): T {
+        val around = isAsking
+        val counters = Counters.read()
+        isAsking = true
+        try {
+            return work()
+        } finally {
+            isAsking = around
+            Counters.write(counters)
+        }
     }
 
     private fun messageOf(mail: Mail) = Message(mail.performative, mail.sender, mail.receiver, termOf(mail.content), mail.id).apply {
@@ -126,9 +162,11 @@ internal class ReplayedInputs(
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         val recorded = take(call.name, call.args.map(::textOf))
         if (recorded == null) {
+            if (isAsking) return false
             found("call", calls.firstOrNull()?.let(::described), normal("$call"), null)
-            return if (code == WatchedKind.OUTSIDE) false else live(call.un)
+            return if (code == WatchedKind.OUTSIDE) unrecorded(call) else live(call.un)
         }
+        if (isAsking) return if (recorded.failure != null || call.suspend != null) false else answer(recorded, call)
         if (code != WatchedKind.OUTSIDE) projectCalls += call.name
         if (code == WatchedKind.SUSPENDING) return live(call.un)
         if (code == WatchedKind.PROJECT) compare(recorded, call, live)
@@ -177,10 +215,10 @@ internal class ReplayedInputs(
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
         val recorded = take(name, args.map(::textOf))?.answers?.firstOrNull()?.firstOrNull()
         if (recorded == null) {
-            found("call", calls.firstOrNull()?.let(::described), "$name(${args.joinToString(",")})", null)
+            if (!isAsking) found("call", calls.firstOrNull()?.let(::described), "$name(${args.joinToString(",")})", null)
             return live()
         }
-        if (isOfProject) {
+        if (isOfProject && !isAsking) {
             projectCalls += name
             val now = "${live()}"
             if (now != recorded) found("${Difference.RESULT}$name", recorded, now, notRecorded(name, "function"))
@@ -193,12 +231,14 @@ internal class ReplayedInputs(
 
     /** The recorded call of [name] with [args]; it is taken once. */
     private fun take(name: String, args: List<String>): Call? {
-        val index = calls.indexOfFirst { it.name == name && it.args.map(::normal) == args.map(::normal) }
-        return if (index < 0) null else calls.removeAt(index)
+        fun isAsked(it: Call) = it.name == name && it.args.map(::normal) == args.map(::normal)
+        if (isAsking) return cycle.input.calls.find(::isAsked)
+        val index = calls.indexOfFirst(::isAsked)
+        return if (index < 0) null else calls.removeAt(index).also(taken::add)
     }
 
     override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
-        val number = begun.begin { end -> complete(end.failure?.let(::Failed)) }
+        val number = begin("call", underWay?.let(::described).orEmpty(), 0) { end -> complete(end.failure?.let(::Failed)) }
         if (underWay?.number != number) found("number of a call", "${underWay?.number}", "$number", null)
         return {}
     }
@@ -208,8 +248,8 @@ internal class ReplayedInputs(
         override val cause = failure.message
     }
 
-    override fun <V> timer(work: Callable<V>, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
-        begun.begin { work.call() }
+    override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
+        begin("timer", "$delayNs", delayNs) { work.call() }
         return Never(work)
     }
 
@@ -218,7 +258,7 @@ internal class ReplayedInputs(
     }
 
     override fun act(action: ActionExec, live: (ActionExec) -> Unit) {
-        begun.begin { end ->
+        begin("action", "${action.actionTerm}", 0) { end ->
             complete(action, end)
             ts.c.addFeedbackAction(action)
         }

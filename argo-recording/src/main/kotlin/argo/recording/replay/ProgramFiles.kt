@@ -1,0 +1,33 @@
+package argo.recording.replay
+
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.createTempDirectory
+
+/**
+ * The programs in [recording] as files, in a [directory] that [close] removes.
+ *
+ * @throws RecordingException if one of them would stand elsewhere
+ */
+internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
+    /** Where the programs stand. */
+    val directory: Path = createTempDirectory("argo-replay").also(::extract)
+
+    /** The program of [agent]. Throws [RecordingException] if the recording does not hold it. */
+    fun of(agent: String): Path {
+        val source = recording.agents.getValue(agent).source
+        if (source !in recording.program) throw RecordingException("the recording does not hold the program of agent $agent")
+        return directory.resolve(source)
+    }
+
+    private fun extract(directory: Path) = recording.program.forEach { (name, text) ->
+        val file = directory.resolve(name).normalize()
+        if (!file.startsWith(directory)) throw RecordingException("the recording has a file outside of its programs: $name")
+        Files.createDirectories(file.parent)
+        Files.write(file, text)
+    }
+
+    override fun close() {
+        directory.toFile().deleteRecursively()
+    }
+}
