@@ -169,10 +169,15 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
         lastSeen.youngest(beliefs, percept, un, nowNanos)
 
-    /** A message came: see [BoardPercepts.received]. Called by the sensing thread of [port]. */
-    fun received(port: OpenPort, message: BoardMessage, askedNanos: Long) {
+    /**
+     * A message came: see [BoardPercepts.received]. Called by the sensing thread of [port].
+     * @param nextNanos when the board is asked again, by the platform's clock
+     */
+    fun received(port: OpenPort, message: BoardMessage, askedNanos: Long, nextNanos: Long) {
         answer.came(message.receivedNanos)
-        if (!percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos)) return
+        val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos)
+        answer.read(nextNanos)
+        if (!isWanted) return
         stale.renew()
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }

@@ -46,7 +46,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
     override fun mayReport(port: OpenPort) = !rules.isEmpty
 
     override fun received(port: OpenPort, message: BoardMessage, askedNanos: Long) {
-        agent.boardOn(port)?.received(port, message, askedNanos)
+        agent.boardOn(port)?.received(port, message, askedNanos, nextStart(askedNanos))
     }
 
     override fun unanswered(port: OpenPort, trouble: PortTimeoutException) {

@@ -7,24 +7,33 @@ import java.util.concurrent.TimeUnit
  * may ask.
  */
 internal class ExpectedAnswer {
-    private var askedNanos = 0L
+    private var askedNanos: Long? = null
     private var usualNanos: Long? = null
 
-    /** When the answer is expected to be there, by the platform's clock; null: none is under way, or nothing is known about it. */
+    /** When the next answer is expected to be there, by the platform's clock; null: nothing is known about it. */
     @Volatile
     private var expectedNanos: Long? = null
 
     /** The board is asked. */
     fun asked(nanos: Long) {
         askedNanos = nanos
-        expectedNanos = usualNanos?.let { nanos + it }
+        expectAfter(nanos)
     }
 
-    /** The answer has come. */
+    /** The answer has come, and is expected until it is [read]. */
     fun came(nanos: Long) {
-        val took = nanos - askedNanos
+        val asked = askedNanos ?: return // a board that speaks unasked
+        val took = nanos - asked
+        askedNanos = null
         usualNanos = usualNanos?.let { it + (took - it) / WEIGHT } ?: took
-        expectedNanos = null
+        expectedNanos = nanos
+    }
+
+    /** The answer can be perceived. The next is expected after [nextNanos], also before the board has been asked for it. */
+    fun read(nextNanos: Long) = expectAfter(nextNanos)
+
+    private fun expectAfter(nanos: Long) {
+        expectedNanos = usualNanos?.let { nanos + it }
     }
 
     /** The answer has not come in time, so none is waited for until one comes. */

@@ -1,6 +1,11 @@
 package argo.behaviour
 
+import argo.observing.AgentObserver
+import argo.observing.AgentObserverProvider
+import argo.observing.ObservedAgent
+import argo.observing.PerceivedMessage
 import argo.testkit.TestAgent
+import argo.testkit.VirtualTime
 import argo.testkit.agentOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -8,6 +13,8 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import java.util.concurrent.atomic.AtomicInteger
+import java.util.logging.Logger
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
@@ -166,6 +173,17 @@ class SeveralBoardsSpec : FunSpec({
                 bob.shouldBelieve("left::dist(f,1) & right::dist(f,2)").right().hangs()
                 bob.after(200.milliseconds).hears("user", "achieve", "look")
                 bob.shouldBelieve("ages(L,R,S) & L < 40 & R >= 190 & S >= 160 & S <= R")
+            }
+        }
+
+        test("is perceived with the others' though its filter takes longer than theirs") {
+            agentOf(leftAndRight) { options(SlowFilter.OPTION to "ttyACM1") }.use { bob ->
+                bob.left().shows("dist(f,1)")
+                bob.right().shows("dist(f,2)")
+                bob.shouldBelieve("left::dist(f,1) & right::dist(f,2)").after(200.milliseconds)
+                val before = SlowFilter.perceivedAlone.get()
+                bob.after(2.seconds)
+                SlowFilter.perceivedAlone.get() - before shouldBe 0
             }
         }
 
@@ -476,3 +494,38 @@ class SeveralBoardsSpec : FunSpec({
         }
     }
 })
+
+/** Has the messages of one board filtered for a millisecond, and counts the cycles that perceive one board without the other. */
+internal class SlowFilter(private val port: String) : AgentObserver {
+    private var perceived = 0
+
+    override fun messageFiltered(message: PerceivedMessage) {
+        val time = VirtualTime.active() ?: return
+        if (message.portName == port) time.block(time.nanos() + 1.milliseconds.inWholeNanoseconds, interruptible = false) { false }
+    }
+
+    override fun messagePerceived(message: PerceivedMessage) {
+        perceived++
+    }
+
+    override fun cycleFinished() {
+        if (perceived == 1) perceivedAlone.incrementAndGet()
+        perceived = 0
+    }
+
+    override fun close() = Unit
+
+    companion object {
+        const val OPTION = "argo_slow_filter"
+
+        /** The cycles so far in which one board was perceived alone. */
+        val perceivedAlone = AtomicInteger()
+    }
+}
+
+/** Opens a [SlowFilter]. */
+internal class SlowFilterProvider : AgentObserverProvider {
+    override val option = SlowFilter.OPTION
+    override val usage = "a port"
+    override fun open(value: String, agent: ObservedAgent, log: Logger) = SlowFilter(value)
+}
