@@ -21,6 +21,9 @@ class Exploration internal constructor() {
     internal val setUps = ArrayList<AgentSetUp.() -> Unit>()
     internal var kept: List<Rule> = usualRules()
         private set
+
+    /** The function with all of this, with its package; null: it is not known. */
+    internal var describedBy: String? = null
     internal var played: Set<Fault> = Fault.entries.toSet()
         private set
 

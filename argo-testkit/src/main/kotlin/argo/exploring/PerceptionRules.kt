@@ -18,7 +18,8 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
 /**
  * An agent that gets no percepts stops what moves. It is blind from [blindAfter] after its newest message until the next one. While it is
  * blind no plan sends one of [moving]; and if the last of these commands before was one of [moving], it sends [safe] until [within] after
- * it got blind, or, if the port was off meanwhile, until [within] after the port is on again.
+ * it got blind, or, if the port was off meanwhile, until [within] after the port is on again. It need not if it is blind for no longer than
+ * [within].
  *
  * @param safe the command that stops what moves; `speed` stands for `speed(0)` too
  */
@@ -83,6 +84,7 @@ private class StopsWhenBlind(
         val commands = entries.filterIsInstance<Issued>().filter { it.plan != null && (isMoving(it) || isCommand(it.command, safe)) }
         commands.firstOrNull { isMoving(it) && it.at > blind && it.at < next }
             ?.let { return Breach(it.at, "$agent sends ${it.command} by ${it.plan}, though it has perceived nothing since ${inMs(last)}") }
+        if (next <= blind + within) return null
         val before = commands.lastOrNull { it.at <= blind }?.takeIf(::isMoving) ?: return null
         val off = entries.any { it is PortChanged && it.status == "off" && it.at in last..next }
         val seeingAgain = entries.firstOrNull { it is PortChanged && it.status == "on" && it.at > last }?.at

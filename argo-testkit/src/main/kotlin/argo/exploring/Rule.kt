@@ -33,8 +33,11 @@ fun rule(name: String, breachIn: (Run) -> Breach?): Rule = object : Rule {
 
 /** The rules of this package, which can be printed as a program: `toString` is the call that makes them. */
 internal abstract class ReadyRule(override val name: String, private vararg val arguments: Any) : Rule {
+    /** The name of the function that makes it. */
+    val function: String get() = javaClass.simpleName.replaceFirstChar(Char::lowercase)
+
     final override fun toString() =
-        javaClass.simpleName.replaceFirstChar(Char::lowercase) + arguments.joinToString(prefix = "(", postfix = ")", transform = ::argument)
+        function + arguments.joinToString(prefix = "(", postfix = ")", transform = ::argument)
 
     private fun argument(value: Any): String =
         if (value is Collection<*>) "listOf(${value.joinToString { kotlinOf(it as Any) }})" else kotlinOf(value)

@@ -8,11 +8,12 @@ fun specOf(found: Found): String {
     val name = found.scenario.name.split(Regex("\\W|_")).joinToString("") { it.replaceFirstChar(Char::uppercase) }
     val rule = found.rule.split(Regex("\\W+")).joinToString("") { it.replaceFirstChar(Char::uppercase) }
     val events = found.events.joinToString("") { "            ${it.form.kotlin},\n" }
+    val described = found.scenario.exploration.describedBy?.takeIf { '.' in it }?.let { "\nimport $it" }.orEmpty()
     return """
 import argo.exploring.*
 import argo.testkit.*
 import io.kotest.core.spec.style.FunSpec
-import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.milliseconds$described
 
 class $name${rule}Spec : FunSpec({
     // ${found.breach.how.lineSequence().first()}
@@ -30,9 +31,10 @@ ${descriptionOf(found).prependIndent("            ")}
 /** What was explored, as a program; or the call of the function that describes it, where that holds code. */
 private fun descriptionOf(found: Found): String {
     val exploration = found.scenario.exploration
-    val broken = exploration.kept.single { it.name == found.rule }
+    val broken = exploration.kept.first { it.name == found.rule }
     val isCode = exploration.setUps.isNotEmpty() || exploration.boards.values.any { it.scripts.isNotEmpty() } || broken !is ReadyRule
-    if (isCode) return "boards() // the function that describes what was explored"
+    val function = exploration.describedBy?.let { "${it.substringAfterLast('.')}()" }
+    if (isCode) return function ?: "boards() // the function that describes what was explored"
     val settling = "settling = ${kotlinOf(exploration.settling)}"
     return (listOf(settling) + exploration.boards.map { (port, board) -> boardText(port, board) } + "rules($broken)").joinToString("\n")
 }

@@ -59,6 +59,11 @@ class RulesSpec : FunSpec({
             run(steady(2000) + sends(1000, "stop") + sends(3200, "go")), 3200,
         ),
         Case(
+            stopsWhenBlind("stop", listOf("go")),
+            run(steady(2000) + sends(1000, "go") + perceives(4000) + sends(4100, "stop")),
+            run(steady(2000) + sends(1000, "go") + perceives(4001) + sends(4100, "stop")), 4000,
+        ),
+        Case(
             reactsTo("dist(front,D) & D < 20", listOf("stop")),
             run(perceives(0, near) + perceives(900, "dist(front,90)")), run(perceives(0, near) + sends(1100, "stop")), 1000,
         ),

@@ -9,6 +9,7 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.refuseWithout
 import argo.tools.doctor.DoctorCommand
+import argo.tools.exploring.ExploreCommand
 import argo.tools.filter.FilterCommand
 import argo.tools.migration.CheckAgentCommand
 import argo.tools.project.NewCommand
@@ -29,8 +30,8 @@ import picocli.CommandLine.Spec
     versionProvider = JarVersion::class,
     subcommands = [
         PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class,
-        RecordingCommand::class, FilterCommand::class, DoctorCommand::class, CheckAgentCommand::class, NewCommand::class,
-        DemoCommand::class, SampleCommand::class, ExperimentCommand::class, CompletionCommand::class,
+        RecordingCommand::class, ExploreCommand::class, FilterCommand::class, DoctorCommand::class, CheckAgentCommand::class,
+        NewCommand::class, DemoCommand::class, SampleCommand::class, ExperimentCommand::class, CompletionCommand::class,
     ],
     footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],
 )

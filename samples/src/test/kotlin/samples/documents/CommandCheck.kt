@@ -50,6 +50,7 @@ class CommandCheck(private val root: Path) {
             "sample" -> if (rest.isEmpty()) null else sample(rest)
             "tools" -> tool(rest)
             "new" -> if (rest.isEmpty()) null else tool(words)
+            "explore" -> tool(words)
             "bench" -> rest.firstOrNull { !Regex("""\b$it \(""").containsMatchIn(usage) }?.let { "./argo bench has no $it" }
             "board" -> if (rest.isEmpty() || rest.any { it.endsWith(".ino") }) null else "./argo board takes a sketch"
             "format" -> rest.firstOrNull { it !in usage }?.let { "./argo format knows nothing of $it" }

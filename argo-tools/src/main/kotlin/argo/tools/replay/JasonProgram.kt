@@ -26,15 +26,20 @@ internal fun hasJason(): Boolean = try {
  * @throws ToolException if there is no Jason
  */
 internal fun runWithJason(command: String, classPath: String?, arguments: List<String>): Int {
-    val own = System.getProperty("java.class.path")
-    val path = listOfNotNull(own, classPath, if (hasJason()) null else ownJar()?.let(::bundledJason))
-    if (classPath == null && path.size == 1) throw ToolException(missingJason())
-    return runJava(listOf("-Dargo.command=$command", "-cp", path.joinToString(File.pathSeparator), "argo.tools.MainKt") + arguments)
+    val path = classPathWithJason(classPath) ?: throw ToolException(missingJason())
+    return runJava(listOf("-Dargo.command=$command", "-cp", path, "argo.tools.MainKt") + arguments)
 }
 
-/** Why nothing is replayed without Jason, for a person. */
-internal fun missingJason() = listOf("jason/*", "build/classes/java/main").joinToString(File.pathSeparator).let {
-    "a replay runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as --class-path '$it'"
+/** The class path of this program with [classPath] and Jason; null: there is no Jason. */
+internal fun classPathWithJason(classPath: String?): String? {
+    val jason = if (hasJason()) null else ownJar()?.let(::bundledJason)
+    if (classPath == null && jason == null && !hasJason()) return null
+    return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
+}
+
+/** Why there is no [work] without Jason, for a person. */
+internal fun missingJason(work: String = "a replay") = listOf("jason/*", "build/classes/java/main").joinToString(File.pathSeparator).let {
+    "$work runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as --class-path '$it'"
 }
 
 /**

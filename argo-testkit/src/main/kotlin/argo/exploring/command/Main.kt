@@ -1,0 +1,46 @@
+package argo.exploring.command
+
+import argo.exploring.Found
+import argo.exploring.NothingFound
+import argo.exploring.outcomeOf
+import argo.exploring.reportOf
+import argo.exploring.specOf
+import java.io.IOException
+import java.io.PrintStream
+import java.nio.file.Path
+import kotlin.io.path.writeText
+import kotlin.system.exitProcess
+
+/** The program that the tool `explore` runs: see [explored]. */
+fun main(arguments: Array<String>): Unit = exitProcess(explored(arguments.toList(), System.out, System.err))
+
+/**
+ * Explores the agents in the file that the first argument names, as the others describe: `--NAME=VALUE`, those of the tool `explore`.
+ *
+ * @param out where the report goes
+ * @param err where the reason goes if nothing is explored
+ * @return the exit status: 0 no rule was broken, 1 one was, or nothing can be found out, 2 the arguments are wrong
+ */
+internal fun explored(arguments: List<String>, out: PrintStream, err: PrintStream): Int {
+    val outcome = try {
+        val options = ExploreArguments(arguments)
+        outcomeOf(options.source) { describedBy(options) }.also { if (it is Found) options.spec?.let { file -> save(it, file, out) } }
+    } catch (refused: IllegalArgumentException) {
+        err.println(refused.message)
+        return MISUSED
+    } catch (failed: IOException) {
+        err.println("the spec cannot be written: $failed")
+        return FAILED
+    }
+    out.println(reportOf(outcome))
+    return if (outcome is NothingFound) DONE else FAILED
+}
+
+private fun save(found: Found, file: Path, out: PrintStream) {
+    file.writeText(specOf(found))
+    out.println("the spec below is in $file\n")
+}
+
+private const val DONE = 0
+private const val FAILED = 1
+private const val MISUSED = 2

@@ -1,0 +1,73 @@
+package argo.tools.exploring
+
+import argo.tools.command.ToolException
+import argo.tools.command.ownJar
+import java.io.File
+import java.io.IOException
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.io.path.nameWithoutExtension
+import kotlin.io.path.readLines
+
+/**
+ * [classPath] with the test kit: of a release beside `argo.jar`, of the source tree where Maven has built it.
+ *
+ * @throws ToolException if it is neither there nor on [classPath]
+ */
+internal fun withTestKit(classPath: String): String {
+    if (filesOn(classPath).any { it.name.startsWith("argo-testkit") || it.resolve("argo/exploring/Exploration.class").isRegularFile() }) {
+        return classPath
+    }
+    val kit = ownJar()?.let(::bundledTestKit)
+        ?: throw ToolException("an exploration needs the test kit: --class-path names its jar, such as --class-path argo-testkit.jar")
+    return "$classPath${File.pathSeparator}$kit"
+}
+
+/** The test kit beside [jar], as in a release, or in the source tree that [jar] was built in; null: there is none. */
+internal fun bundledTestKit(jar: Path): Path? {
+    val file = jar.toAbsolutePath().normalize()
+    val built = file.resolve("../../../argo-testkit/target").normalize()
+    return file.resolveSibling("argo-testkit.jar").takeIf { it.isRegularFile() }
+        ?: built.takeIf { it.isDirectory() }?.listDirectoryEntries("argo-testkit-*.jar")
+            ?.find { jars -> ASIDE.none { jars.name.endsWith(it) } }
+}
+
+private val ASIDE = listOf("-sources.jar", "-javadoc.jar")
+
+/** The folders and jars on [classPath], those of `folder/`+`*` too, which Java knows and Kotlin's compiler does not. */
+internal fun filesOn(classPath: String): List<Path> = classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.flatMap { entry ->
+    val folder = entry.removeSuffix("*")
+    if (entry == folder) listOf(Path.of(entry))
+    else Path.of(folder).takeIf { it.isDirectory() }?.listDirectoryEntries("*.jar").orEmpty()
+}
+
+/**
+ * Has `kotlinc` compile [file] into [classes], and returns the name of the class with the functions of the file.
+ *
+ * @throws ToolException if there is no compiler, or it refuses the file
+ */
+internal fun compiled(file: Path, classPath: String, classes: Path): String {
+    val path = filesOn(classPath).joinToString(File.pathSeparator)
+    val compiler = try {
+        ProcessBuilder("kotlinc", "$file", "-classpath", path, "-d", "$classes", "-nowarn").redirectErrorStream(true).start()
+    } catch (_: IOException) {
+        throw ToolException(
+            "there is no kotlinc, which compiles $file (https://kotlinlang.org/docs/command-line.html). Without it, describe the boards " +
+                "with --board, or have the project's build compile it and name the class: --boards ${className(file)} --class-path …",
+        )
+    }
+    val said = compiler.inputStream.bufferedReader().readText().trim()
+    if (compiler.waitFor() != 0) throw ToolException("kotlinc does not compile $file:\n$said")
+    return className(file)
+}
+
+/** The class that holds the functions of the Kotlin file [file]. */
+private fun className(file: Path): String {
+    val inside = file.readLines().firstNotNullOfOrNull { PACKAGE.find(it)?.groupValues?.get(1) }
+    return listOfNotNull(inside, "${file.nameWithoutExtension.replaceFirstChar(Char::uppercase)}Kt").joinToString(".")
+}
+
+private val PACKAGE = Regex("^package\\s+([\\w.]+)")

@@ -1,0 +1,157 @@
+package argo.tools.exploring
+
+import argo.tools.Output
+import argo.tools.argo
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+import java.nio.file.Path
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.createDirectories
+import kotlin.io.path.createTempFile
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+
+/** `explore`, as its user runs it: each exploration is in a program of its own. */
+class ExploreCommandSpec : FunSpec({
+    val folder = tempdir().toPath()
+    val classPath = System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")
+    val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
+
+    /** Runs a Java program with [arguments] in the folder, with [path] as `PATH`. */
+    fun run(vararg arguments: String, path: String = System.getenv("PATH")): Output {
+        val (out, err) = List(2) { createTempFile(folder, "output") }
+        val process = ProcessBuilder(listOf(java, "-XX:TieredStopAtLevel=1") + arguments).directory(folder.toFile())
+            .redirectOutput(out.toFile()).redirectError(err.toFile()).apply { environment()["PATH"] = path }.start()
+        check(process.waitFor(5, TimeUnit.MINUTES)) { "${arguments.toList()} does not end" }
+        return Output(process.exitValue(), out.readText(), err.readText())
+    }
+
+    fun explore(vararg arguments: String, path: String = System.getenv("PATH")): Output =
+        run("-cp", classPath, "argo.tools.MainKt", "explore", *arguments, path = path)
+
+    /** Drives on when it gets no percepts, unless it is mended. */
+    fun robot(isMended: Boolean) = folder.resolve("robot.asl").writeText(
+        """
+        !start.
+        +!start <- argo.port(ttyACM0); argo.percepts(open); !drive.
+        -!start <- .wait(500); !start.
+        +!drive : ${if (isMended) "argo.age(dist(front,D), Ms) & Ms < 500" else "dist(front,D)"} & D > 30 <- !send(front); .wait(300); !drive.
+        +!drive <- !send(stop); .wait(300); !drive.
+        +!send(C) : last(C).
+        +!send(C) <- -+last(C); argo.act(C, [timeout(500)]).
+        -!send(C) <- -last(_); .print(C, " failed").
+        """.trimIndent(),
+    )
+
+    val board = arrayOf("--board", "ttyACM0 dist(front,5..200)")
+    val blind = arrayOf("--rule", "stopsWhenBlind(stop,[front])")
+
+    /** A `kotlinc` that is the compiler on the class path, in a folder for `PATH`. */
+    fun kotlinc(): Path = folder.resolve("bin").createDirectories().also { bin ->
+        val script = bin.resolve("kotlinc")
+        script.writeText("#!/bin/sh\nexec '$java' -cp '$classPath' org.jetbrains.kotlin.cli.jvm.K2JVMCompiler -no-stdlib \"$@\"\n")
+        script.toFile().setExecutable(true)
+    }
+
+    test("a fault is found, and its spec compiles, fails, and passes when the agent is mended") {
+        robot(isMended = false)
+        val found = explore("robot.asl", *board, *blind, "--spec", "Blind.kt", "--runs", "200")
+        withClue(found) {
+            found.status shouldBe 1
+            found.out shouldContain "the rule \"stops when blind\" is broken"
+            found.out shouldContain "class RobotStopsWhenBlindSpec : FunSpec({"
+        }
+        val compiled = run(
+            "-cp", classPath, "org.jetbrains.kotlin.cli.jvm.K2JVMCompiler", "-no-stdlib", "-classpath", classPath, "-d", "spec", "Blind.kt",
+        )
+        withClue(compiled) { compiled.status shouldBe 0 }
+        fun spec() = run(
+            "-cp", "spec${File.pathSeparator}$classPath", "io.kotest.engine.launcher.MainKt", "--spec", "RobotStopsWhenBlindSpec",
+        )
+        val failing = spec()
+        withClue(failing) {
+            failing.status shouldNotBe 0
+            failing.out shouldContain "the rule \"stops when blind\" is broken"
+        }
+        robot(isMended = true)
+        val passing = spec()
+        withClue(passing) { passing.status shouldBe 0 }
+    }
+
+    test("an agent that keeps the rules") {
+        robot(isMended = true)
+        val few = arrayOf("--runs", "3", "--seed", "7", "--faults", "cables,silence", "--without", "neverFloods")
+        val kept = explore("robot.asl", *board, *blind, *few)
+        withClue(kept) {
+            kept.status shouldBe 0
+            kept.out shouldContain "no rule was broken in 5 runs" // and two without events
+        }
+    }
+
+    test("boards and rules in Kotlin") {
+        robot(isMended = false)
+        folder.resolve("boards.kt").writeText(
+            """
+            package course
+
+            import argo.exploring.*
+
+            fun Exploration.boards() {
+                board("ttyACM0") { sensor("dist(front,%d)", 5..200) }
+                rules(rule("never drives") { run -> run.trace.firstOrNull { it is Issued && it.command == "front" }?.let { Breach(it.at, "it drives") } })
+            }
+            """.trimIndent(),
+        )
+        val found = explore("robot.asl", "--boards", "boards.kt", "--spec", "Drives.kt", path = "${kotlinc()}:${System.getenv("PATH")}")
+        withClue(found) {
+            found.status shouldBe 1
+            found.out shouldContain "the rule \"never drives\" is broken"
+            folder.resolve("Drives.kt").readText() shouldContain "import course.boards\n"
+        }
+    }
+
+    test("a file that kotlinc refuses, and no kotlinc") {
+        robot(isMended = false)
+        folder.resolve("broken.kt").writeText("fun Exploration.boards() {")
+        val refused = explore("robot.asl", "--boards", "broken.kt", path = "${kotlinc()}:${System.getenv("PATH")}")
+        withClue(refused) {
+            refused.status shouldBe 1
+            refused.err shouldContain "kotlinc does not compile broken.kt"
+        }
+        val missing = explore("robot.asl", "--boards", "broken.kt", path = "/nowhere")
+        withClue(missing) {
+            missing.status shouldBe 1
+            missing.err shouldContain "--boards BrokenKt"
+        }
+    }
+
+    test("what is no exploration is refused in words") {
+        robot(isMended = false)
+        mapOf(
+            listOf("nobody.asl", *board) to "there is no agent nobody.asl",
+            listOf("robot.asl", "--board", "ttyACM0 dist(front)") to "dist(front) always shows the same",
+            listOf("robot.asl", "--board", "ttyACM0 dist(9..5)") to "9..5 is no range",
+            listOf("robot.asl", *board, "--rule", "stopsWhenBlind(stop)") to "is written as stopsWhenBlind(stop,[front])",
+            listOf("robot.asl", *board, "--rule", "stops(") to "there is no rule stops(; there are staysAlive",
+            listOf("robot.asl", *board, "--faults", "rain") to "there is no fault rain; there are cables",
+            listOf("robot.asl", *board, "--message", "go") to "a message is AGENT SENDER PERFORMATIVE CONTENT",
+            listOf("robot.asl", "--boards", "RobotKt") to "there is no class RobotKt on the class path",
+        ).forEach { (arguments, why) ->
+            val refused = explore(*arguments.toTypedArray())
+            withClue(refused) {
+                refused.status shouldBe 2
+                refused.err shouldContain why
+            }
+        }
+        argo("explore", "robot.asl").err shouldContain "describe the agent's board"
+        argo("explore", "robot.asl", *board, "--time", "0").err shouldContain "--time is from 1 to"
+        folder.listDirectoryEntries("*Spec.kt").shouldBeEmpty()
+    }
+})
