@@ -242,9 +242,9 @@ public final class Link implements AutoCloseable {
      * Queues a command, urgent ones before the others, and returns at once. It goes out while a thread is in {@link #writeCommands}.
      *
      * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's
-     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is sent up to four
-     * times, which the board takes for one, and is waited for up to some five seconds, less if the board is known to be quick. Else it is
-     * completed with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
+     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is repeated,
+     * which the board takes for one; it is given up after four repetitions and 2 s without any frame of the board. Else it is completed
+     * with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
      * {@link ActionUnconfirmedException} if it may or may not have been carried out; {@link CommandWithdrawnException} if its time was
      * over before it began to go out; {@link CommandReplacedException} if a later one took its place before that;
      * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it;

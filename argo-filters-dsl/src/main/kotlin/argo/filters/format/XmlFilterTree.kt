@@ -148,7 +148,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         /** The members that attributes of other names become. */
         val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
 
-        /** The second is how files of earlier versions spell it. */
+        /** The second is how files of earlier versions spell it; for other old spellings see [XmlTree]. */
         val ANNOTATION = arrayOf("annotation", "anotation")
     }
 }
