@@ -11,6 +11,7 @@ import argo.ros.bridge.Commands
 import argo.ros.bridge.NeverSent
 import argo.ros.bridge.Outgoing
 import argo.ros.bridge.RosApi
+import argo.ros.bridge.SilentTopics
 import argo.ros.bridge.Subscription
 import argo.ros.bridge.TopicMessages
 import argo.ros.bridge.operation
@@ -54,14 +55,13 @@ internal class RosLink private constructor(
 
     private val topics = TopicMessages(mapping.percepts) { warn("${mapping.source}: $it") }
     private var subscribed: Map<String, Subscription> = emptyMap()
-    private var subscribedNanos = clock.nanos()
-    private var isSilenceReported = false
+    private val silent = SilentTopics()
     private var aliveNanos = clock.nanos()
     private var end: String? = null
 
     private val clockOffset = ClockOffset()
     private val commands = Commands(port, mapping.commands, clock, ::send)
-    private val api = RosApi(clock, clockOffset, ::send) { LOG.info("port $port: $it") }
+    private val api = RosApi(clock, clockOffset, ::send, ::warn) { LOG.info("port $port: $it") }
 
     @Volatile
     private var socket: BridgeSocket? = null
@@ -102,6 +102,7 @@ internal class RosLink private constructor(
         lock.withLock {
             if (topic !in subscribed) return
             topics.add(topic, message, trueNanos, nowNanos)
+            silent.heard(topic, nowNanos)
             changed.signalAll()
         }
     }
@@ -115,9 +116,8 @@ internal class RosLink private constructor(
             val news = left.map { operation("unsubscribe", "id" to it, "topic" to it) } +
                 wanted.values.filter { subscribed[it.topic] != it }.map(::subscriptionTo)
             news.forEach { socket.queue(Outgoing(it)) }
-            if (wanted != subscribed) subscribedNanos = clock.nanos()
             subscribed = wanted
-            isSilenceReported = false
+            silent.keepOnly(wanted.keys, clock.nanos())
             topics.keepOnly(wanted.keys)
             changed.signalAll()
         }
@@ -131,6 +131,7 @@ internal class RosLink private constructor(
     /** Waits for a message of a topic. While there is none, the bridge is asked halfway whether it is there. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         api.renew()
+        lock.withLock { silent.next(clock.nanos()).mapNotNull(subscribed::get) }.forEach { api.explainSilence(it.topic, it.type) }
         return lock.withLock { next(timeoutMs) }
     }
 
@@ -156,13 +157,7 @@ internal class RosLink private constructor(
     private fun silence(startNanos: Long, timeoutMs: Int): BoardMessage? {
         val now = clock.nanos()
         if (aliveNanos - startNanos < 0) throw PortTimeoutException(port, "the bridge at port $port has not answered within $timeoutMs ms")
-        if (subscribed.isEmpty()) return topics.take(now) // nothing is wanted of it, and it is there
-        val silent = subscribed.keys.filterNot(topics::has)
-        if (!isSilenceReported && silent.isNotEmpty() && now - subscribedNanos > SILENCE_NANOS) {
-            isSilenceReported = true
-            LOG.warning("port $port: nothing has come of ${silent.joinToString(" and ")}; does a node publish it?")
-        }
-        return null
+        return if (subscribed.isEmpty()) topics.take(now) else null // where nothing is wanted of it, it is enough that it is there
     }
 
     private fun await(nanos: Long) {
@@ -219,7 +214,6 @@ internal class RosLink private constructor(
     companion object {
         private val LOG: Logger = Logger.getLogger(RosLink::class.java.name)
         private val TROUBLE = setOf("error", "warning")
-        private val SILENCE_NANOS = TimeUnit.SECONDS.toNanos(5)
         private const val QUOTED = 60
         private const val MAX_WARNED = 100
         private const val CHECKING_MS = 1_000L

@@ -45,9 +45,6 @@ internal class TopicMessages(private val rules: List<PerceptRule>, private val w
     /** When there is news though no message comes; null: never. */
     fun dueNanos(): Long? = expiryNanos
 
-    /** Whether a message of [topic] has come. */
-    fun has(topic: String): Boolean = topic in newest
-
     /** All that holds at [nowNanos], in the order of the rules. */
     fun take(nowNanos: Long): BoardMessage {
         isNew = false

@@ -1,0 +1,25 @@
+package argo.ros
+
+import java.util.concurrent.CopyOnWriteArrayList
+import java.util.logging.Handler
+import java.util.logging.Level
+import java.util.logging.LogRecord
+import java.util.logging.Logger
+
+/** What [source] logs as a warning from now on. */
+internal class LoggedWarnings(source: Class<*>) : AutoCloseable {
+    private val logger = Logger.getLogger(source.name)
+    val messages = CopyOnWriteArrayList<String>()
+
+    private val handler = object : Handler() {
+        override fun publish(record: LogRecord) {
+            if (record.level == Level.WARNING) messages += record.message
+        }
+
+        override fun flush() = Unit
+
+        override fun close() = Unit
+    }.also(logger::addHandler)
+
+    override fun close() = logger.removeHandler(handler)
+}

@@ -1,0 +1,101 @@
+package argo.ros
+
+import argo.ros.bridge.operationIn
+import argo.ros.bridge.part
+import argo.ros.bridge.text
+import kotlinx.serialization.json.JsonObject
+import org.java_websocket.WebSocket
+import org.java_websocket.handshake.ClientHandshake
+import org.java_websocket.server.WebSocketServer
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.Executors
+import java.util.concurrent.TimeUnit
+
+/**
+ * Answers a client as a bridge did in a transcript, a file of `src/test/ros/record.py`: to an operation that the client sent there, with what
+ * the bridge sent because of it, as long after it. Operations that the transcript does not have get no answer.
+ */
+internal class TranscriptBridge(transcript: String) : AutoCloseable {
+    /** An operation of the client, and what the bridge sent because of it, each so many ms later. */
+    private class Exchange(val operation: JsonObject, val atMs: Long) {
+        val answers = ArrayList<Pair<Long, String>>()
+        var isOver = false
+    }
+
+    private val exchanges = exchangesOf(checkNotNull(javaClass.getResource("/transcripts/$transcript.jsonl")).readText())
+    private val started = CountDownLatch(1)
+    private val timer = Executors.newSingleThreadScheduledExecutor { Thread(it, "transcript-timer").apply { isDaemon = true } }
+
+    private val server = object : WebSocketServer(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 1) {
+        override fun onOpen(connection: WebSocket, handshake: ClientHandshake) = Unit
+
+        override fun onClose(connection: WebSocket, code: Int, reason: String, remote: Boolean) = Unit
+
+        override fun onMessage(connection: WebSocket, message: String) = answer(connection, checkNotNull(operationIn(message)))
+
+        override fun onError(connection: WebSocket?, trouble: Exception) = Unit
+
+        override fun onStart() = started.countDown()
+    }.apply {
+        isReuseAddr = true
+        isDaemon = true
+        isTcpNoDelay = true
+        start()
+    }
+
+    init {
+        check(started.await(20, TimeUnit.SECONDS)) { "the bridge does not start" }
+    }
+
+    val number: Int get() = server.port
+
+    private fun exchangesOf(transcript: String): List<Exchange> {
+        val exchanges = ArrayList<Exchange>()
+        for (line in transcript.lines().filter { it.isNotBlank() }.map { checkNotNull(operationIn(it)) }) {
+            val ms = line.text("ms")!!.toLong()
+            val operation = line.part("message")!!
+            if (line.text("from") == "client") exchanges += Exchange(operation, ms)
+            else exchanges.last { isCause(it.operation, operation) }.let { it.answers += ms - it.atMs to "$operation" }
+        }
+        return exchanges
+    }
+
+    /** Whether the bridge sent [answer] because of [operation]. */
+    private fun isCause(operation: JsonObject, answer: JsonObject): Boolean {
+        if (answer.text("op") == "service_response") return operation.text("id") == answer.text("id")
+        val goal = answer.part("msg")?.part("status")?.part("goal_id")?.text("id") ?: return isSubscriptionTo(operation, answer)
+        return idOf(operation) == goal // the goal, or the last that was sent about it, as its cancellation
+    }
+
+    private fun isSubscriptionTo(operation: JsonObject, answer: JsonObject) =
+        operation.text("op") == "subscribe" && operation.text("topic") == answer.text("topic")
+
+    /** What answers name [operation] by. */
+    private fun idOf(operation: JsonObject): String? {
+        val message = operation.part("msg") ?: return operation.text("id")
+        return message.part("goal_id")?.text("id") ?: message.text("id")
+    }
+
+    @Synchronized
+    private fun answer(connection: WebSocket, operation: JsonObject) {
+        val exchange = exchanges.find { !it.isOver && withoutIds(it.operation) == withoutIds(operation) } ?: return
+        exchange.isOver = true
+        val id = idOf(operation)
+        val recorded = idOf(exchange.operation)
+        for ((ms, text) in exchange.answers) {
+            val answer = if (id == null) text else text.replace("\"$recorded\"", "\"$id\"")
+            timer.schedule({ if (connection.isOpen) connection.send(answer) }, ms, TimeUnit.MILLISECONDS)
+        }
+    }
+
+    /** [operation] without what differs each time. */
+    private fun withoutIds(operation: JsonObject): JsonObject =
+        JsonObject(operation - "id" + listOfNotNull(operation.part("msg")?.let { "msg" to JsonObject(it - "goal_id" - "id") }))
+
+    override fun close() {
+        server.stop(0)
+        timer.shutdownNow()
+    }
+}

@@ -1,0 +1,73 @@
+"""A robot on a real ROS 1 graph: what tests, and recordings of bridges, have behind their bridge.
+
+    robot.py [HZ]
+
+Publishes /count (std_msgs/Int32), /sonar (sensor_msgs/Range, with the time) and /scan (sensor_msgs/LaserScan, with a NaN and an infinite
+range) at HZ, 20 unless given, and on /driven what comes on /cmd_vel. Serves /horn (std_srvs/Trigger) and /lamp (std_srvs/SetBool, no
+success when it is switched off), and the action /drive (actionlib/TestAction): a goal above 0 succeeds after so many tenths of a second,
+one below is aborted, and 0 is rejected.
+"""
+
+import sys
+import threading
+import time
+
+import rospy
+from actionlib import ActionServer
+from actionlib.msg import TestAction, TestResult
+from geometry_msgs.msg import Twist
+from sensor_msgs.msg import LaserScan, Range
+from std_msgs.msg import Int32
+from std_srvs.srv import SetBool, SetBoolResponse, Trigger, TriggerResponse
+
+goals = {}
+
+
+def drive(handle):
+    goal = handle.get_goal().goal
+    if goal == 0:
+        handle.set_rejected(None, "there is nowhere to go")
+        return
+    handle.set_accepted()
+    cancelled = goals[handle.get_goal_id().id] = threading.Event()
+
+    def arrive():
+        if cancelled.wait(abs(goal) / 10):
+            handle.set_canceled(None, "it was cancelled")
+        elif goal < 0:
+            handle.set_aborted(TestResult(result=goal), "a wall is in the way")
+        else:
+            handle.set_succeeded(TestResult(result=goal), "")
+
+    threading.Thread(target=arrive, daemon=True).start()
+
+
+def cancel(handle):
+    goals[handle.get_goal_id().id].set()
+
+
+def main(hz):
+    rospy.init_node("robot")
+    driven = rospy.Publisher("/driven", Twist, queue_size=10)
+    rospy.Subscriber("/cmd_vel", Twist, driven.publish)
+    rospy.Service("/horn", Trigger, lambda request: TriggerResponse(True, "it sounds"))
+    rospy.Service("/lamp", SetBool, lambda request: SetBoolResponse(request.data, "" if request.data else "it has no switch"))
+    ActionServer("/drive", TestAction, drive, cancel, auto_start=False).start()
+    counts = rospy.Publisher("/count", Int32, queue_size=1)
+    sonar = rospy.Publisher("/sonar", Range, queue_size=1)
+    scans = rospy.Publisher("/scan", LaserScan, queue_size=1)
+    begun, count = time.monotonic(), 0
+    while not rospy.is_shutdown():
+        count += 1
+        counts.publish(count)
+        distance = Range(radiation_type=Range.ULTRASOUND, min_range=0.02, max_range=4.0, range=0.5 + count % 100 / 100)
+        distance.header.stamp = rospy.Time.now()
+        sonar.publish(distance)
+        scans.publish(LaserScan(ranges=[float("inf"), float("nan"), 1.5, 0.75]))
+        time.sleep(max(0.0, begun + count / hz - time.monotonic()))
+
+
+try:
+    main(float(sys.argv[1]) if len(sys.argv) > 1 else 20.0)
+except rospy.ROSInterruptException:
+    pass
