@@ -177,6 +177,7 @@ internal class AgentIo(
     fun perceiveThrough(filter: PerceptionFilter?, board: Board) {
         board.perceiveThrough(filter)
         renewLines()
+        observers().boardFilterChanged(board.port.link.port, filter)
     }
 
     /** Why the filters of the boards in its namespace keep or drop [percept]. Any thread. */

@@ -44,6 +44,9 @@ interface AgentObserver : AutoCloseable {
     /** The agent perceives through [filter] from now on; null: through none. Called by the agent's thread. */
     fun filterChanged(filter: PerceptionFilter?) = Unit
 
+    /** The agent perceives the board on [port] alone through [filter] from now on; null: through none. Called by the agent's thread. */
+    fun boardFilterChanged(port: String, filter: PerceptionFilter?) = Unit
+
     /** The agent has called `argo.record(Why)`: returns whether what led here is kept. Called by the agent's thread. */
     fun recordWanted(why: String): Boolean = false
 

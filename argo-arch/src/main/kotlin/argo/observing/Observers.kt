@@ -43,6 +43,8 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
 
     fun filterChanged(filter: PerceptionFilter?) = each { it.filterChanged(filter) }
 
+    fun boardFilterChanged(port: String, filter: PerceptionFilter?) = each { it.boardFilterChanged(port, filter) }
+
     fun cycleFinished() = each { it.cycleFinished() }
 
     fun close() = each { it.close() }

@@ -2,172 +2,234 @@ package argo.recording
 
 import kotlinx.serialization.Serializable
 
-/**
- * A reasoning cycle of an agent: what entered it, and what came of that. Nothing of it changes.
- *
- * @property index counts the recorded cycles of an agent, from 1; cycles in which nothing happened are not recorded
- * @property number Jason's number of the cycle
- * @property ns when it began, in ns of the agent's clock
- * @property counters where Jason's counters stood, which all agents of a program share; null: where this agent's last cycle left them
- */
+/** A reasoning cycle of an agent: what entered it, and what came of that. Nothing of it changes. */
 @Serializable
 data class Cycle(
+    @Holds("counts the recorded cycles of the agent, from 1; cycles in which nothing happened are not recorded")
     val index: Long,
+    @Holds("Jason's number of the cycle")
     val number: Int,
+    @Holds("when it began, in ns of the agent's clock")
     val ns: Long,
+    @Holds("where Jason's counters stood, which all agents of a program share; missing: where this agent's last cycle left them")
     val counters: List<Int>? = null,
+    @Holds("what entered the agent")
     val input: Input = Input(),
+    @Holds("what came of it")
     val course: Course = Course(),
 )
 
-/**
- * What entered an agent in a cycle.
- *
- * @property events triggers that another thread had put into its event queue since its last cycle
- * @property percepts how what it perceived differs from what it perceived before; null: its boards and its environment had nothing for it
- * @property isOfSeveralBoards whether percept events of several boards took turns
- * @property boards the percepts of events that took turns, each with the port of its board
- * @property critical percepts that meet critical rules, whose events came first
- * @property mail the messages that had come
- * @property ends what had ended that it had begun outside of its thread, in the order in which it was carried out
- * @property sleep whether it might have slept, each time that Jason asked: `y` or `n`
- * @property calls the calls of internal actions and functions whose results are not in the program, in their order
- */
+/** What entered an agent in a cycle. */
 @Serializable
 data class Input(
+    @Holds("triggers that another thread had put into its event queue since its last cycle")
     val events: List<String> = emptyList(),
+    @Holds("the messages of boards that it perceived, in their order")
+    val snapshots: List<PerceivedSnapshot> = emptyList(),
+    @Holds("how what it perceived differs from what it perceived before; missing: its boards and its environment had nothing for it")
     val percepts: PerceptChange? = null,
+    @Holds("whether percept events of several boards took turns")
     val isOfSeveralBoards: Boolean = false,
+    @Holds("the percepts of events that took turns, each with the port of its board")
     val boards: Map<String, String> = emptyMap(),
+    @Holds("percepts that meet critical rules, whose events came first")
     val critical: List<String> = emptyList(),
+    @Holds("the messages of other agents that had come")
     val mail: List<Mail> = emptyList(),
+    @Holds("what had ended that it had begun outside of its thread, in the order in which it was carried out")
     val ends: List<End> = emptyList(),
+    @Holds("whether it might have slept, each time that Jason asked: y or n")
     val sleep: String = "",
+    @Holds("the calls of internal actions and functions whose results are not in the program, in their order")
     val calls: List<Call> = emptyList(),
+    @Holds("the filters that it changed to")
+    val filters: List<FilterChange> = emptyList(),
 )
 
-/**
- * How a list of percepts differs from the one before: the first [keep] and the last [keepLast] stay, [now] stands between them.
- */
+/** How a list of percepts differs from the one before: the first [keep] and the last [keepLast] stay, [now] stands between them. */
 @Serializable
-data class PerceptChange(val keep: Int = 0, val now: List<String> = emptyList(), val keepLast: Int = 0)
+data class PerceptChange(
+    @Holds("how many at the beginning stay")
+    val keep: Int = 0,
+    @Holds("those behind them, if they are not those of the cycle's snapshots")
+    val now: List<String> = emptyList(),
+    @Holds("how many at the end stay")
+    val keepLast: Int = 0,
+    @Holds("how many of what the filters let through of the cycle's snapshots come before those behind the first that stay")
+    internal val skip: Int = 0,
+    @Holds("how many there are behind the first that stay, which are those of the snapshots; 0: see now")
+    internal val take: Int = 0,
+    @Holds("those among them that are written in another way than the board did, by their place from 0")
+    internal val others: Map<Int, String> = emptyMap(),
+)
 
 /** A message between agents: what is said and to whom, as of Jason's internal action `.send`. */
 @Serializable
 data class Mail(
+    @Holds("what the message is, such as tell or achieve")
     val performative: String,
+    @Holds("the agent that sent it")
     val sender: String?,
+    @Holds("the agent that it is for; everybody: all")
     val receiver: String?,
+    @Holds("what is said")
     val content: String,
+    @Holds("its name")
     val id: String,
+    @Holds("the name of the message that it answers")
     val inReplyTo: String? = null,
+    @Holds("why it could not be sent; missing: it was")
     val failure: String? = null,
 )
 
-/**
- * Something has ended that an agent began outside of its thread.
- *
- * @property number its number, in the order in which the agent began things; 0: another thread began it
- * @property kind `timer`, `call` of an internal action, `action` of the environment, or `thread`: work that another thread left
- * @property failure why it failed; null: it did not
- * @property thread the thread that left the work
- */
+/** Something has ended that an agent began outside of its thread. */
 @Serializable
-data class End(val number: Int, val kind: String, val failure: CallFailure? = null, val thread: String? = null)
-
-/**
- * Why a call failed: the atom of the annotation `error(…)`, and the message for a person.
- */
-@Serializable
-data class CallFailure(val error: String, val message: String)
-
-/**
- * A call of an internal action, or of an arithmetic function.
- *
- * @property name the action as the agent writes it
- * @property args its arguments as they were when it was called
- * @property answers the arguments with the values that were found for their variables, once for each way; of a function its value
- * @property isBacktracking whether there may have been other ways
- * @property failure why it failed; null: it did not
- * @property number what it began outside of the agent's thread; see [End.number]
- * @property commands what it had sent to boards
- * @property isOfProject whether the project wrote the action or function: a replay carries it out again
- */
-@Serializable
-data class Call(
-    val name: String,
-    val args: List<String> = emptyList(),
-    val answers: List<List<String>> = emptyList(),
-    val isBacktracking: Boolean = false,
+data class End(
+    @Holds("its number, in the order in which the agent began things; 0: another thread began it")
+    val number: Int,
+    @Holds("timer, call of an internal action, action of the environment, or thread: work that another thread left")
+    val kind: String,
+    @Holds("why it failed; missing: it did not")
     val failure: CallFailure? = null,
-    val number: Int? = null,
-    val commands: List<Sent> = emptyList(),
-    val isOfProject: Boolean = false,
+    @Holds("the thread that left the work")
+    val thread: String? = null,
 )
 
-/** A command: its number, as of [argo.observing.IssuedCommand], the port of its board, and its text. */
+/** Why a call failed. */
 @Serializable
-data class Sent(val number: Long, val port: String, val text: String)
+data class CallFailure(
+    @Holds("the atom of the annotation error(…) of the failed plan")
+    val error: String,
+    @Holds("the message for a person")
+    val message: String,
+)
 
-/**
- * What came of a cycle.
- *
- * @property event the trigger of the event that was chosen
- * @property plan the plan that was chosen for it
- * @property step the step of an intention that was carried out
- * @property action the action that the environment was to carry out
- * @property mail the messages to other agents
- * @property printed the lines that plans printed
- * @property beliefs how many beliefs the agent had at the end
- */
+/** A call of an internal action, or of an arithmetic function. */
+@Serializable
+data class Call(
+    @Holds("the action or function as the agent writes it")
+    val name: String,
+    @Holds("its arguments as they were when it was called")
+    val args: List<String> = emptyList(),
+    @Holds("what was found for arguments with variables, by their place from 0, once for each way; none: it was not true")
+    val answers: List<Map<Int, String>> = emptyList(),
+    @Holds("whether there may have been other ways")
+    val isBacktracking: Boolean = false,
+    @Holds("why it failed; missing: it did not")
+    val failure: CallFailure? = null,
+    @Holds("the number of what it began outside of the agent's thread, which an end has later")
+    val number: Int? = null,
+    @Holds("what it had sent to boards")
+    val commands: List<Sent> = emptyList(),
+    @Holds("whether the project wrote the action or function: a replay carries it out again")
+    val isOfProject: Boolean = false,
+    @Holds("the value of a function")
+    val value: String? = null,
+)
+
+/** A command. */
+@Serializable
+data class Sent(
+    @Holds("counts the agent's commands, from 1")
+    val number: Long,
+    @Holds("the port of its board")
+    val port: String,
+    @Holds("what is sent")
+    val text: String,
+)
+
+/** The agent perceives through a filter from now on. */
+@Serializable
+data class FilterChange(
+    @Holds("the port of the board alone that is perceived so; missing: all boards")
+    val port: String? = null,
+    @Holds("the name of the filter; missing: everything is kept")
+    val name: String? = null,
+    @Holds("the attachment that holds it, in XML")
+    val file: String? = null,
+)
+
+/** What came of a cycle. */
 @Serializable
 data class Course(
+    @Holds("the trigger of the event that was chosen")
     val event: String? = null,
+    @Holds("the plan that was chosen for it")
     val plan: Place? = null,
+    @Holds("the step of an intention that was carried out")
     val step: Step? = null,
+    @Holds("the action that the environment was to carry out")
     val action: String? = null,
+    @Holds("the messages to other agents")
     val mail: List<Mail> = emptyList(),
+    @Holds("the lines that plans printed")
     val printed: List<String> = emptyList(),
+    @Holds("how many beliefs the agent had at the end")
     val beliefs: Int = 0,
 )
 
 /** Where a plan stands. */
 @Serializable
-data class Place(val label: String?, val file: String?, val line: Int?)
+data class Place(
+    @Holds("the label of the plan")
+    val label: String? = null,
+    @Holds("the file")
+    val file: String? = null,
+    @Holds("the line of its trigger")
+    val line: Int? = null,
+)
 
-/**
- * A step of an intention.
- *
- * @property intention its number, counted for each agent
- * @property depth how many plans the intention consisted of
- * @property plan the plan that the step is of
- * @property line the line of the step in [Place.file]
- * @property text the step as the plan has it; null: the plan had ended
- */
+/** A step of an intention. */
 @Serializable
-data class Step(val intention: Int, val depth: Int, val plan: Place, val line: Int?, val text: String?)
+data class Step(
+    @Holds("the number of the intention, counted for each agent")
+    val intention: Int,
+    @Holds("how many plans the intention consisted of")
+    val depth: Int,
+    @Holds("the plan that the step is of; missing: the one chosen in this cycle")
+    val plan: Place = Place(),
+    @Holds("the line of the step in the file of its plan")
+    val line: Int? = null,
+    @Holds("the step as the plan has it; missing: the plan had ended")
+    val text: String? = null,
+)
 
-/**
- * A message of a board that the agent perceived.
- *
- * @property port the port that it came from
- * @property namespace where it is believed; null: in the default namespace
- * @property receivedNs when its last byte came, in ns of the agent's clock
- * @property texts the percepts as they came off the line
- * @property kept those that the filter let through, and those that stand in for held-back ones; null: all
- */
+/** A message of a board that the agent perceived. */
 @Serializable
 data class PerceivedSnapshot(
+    @Holds("the port that it came from")
     val port: String,
+    @Holds("where it is believed; missing: in the default namespace")
     val namespace: String? = null,
+    @Holds("when its last byte came, in ns of the agent's clock")
     val receivedNs: Long,
+    @Holds("the percepts as they came off the line")
     val texts: List<String>,
+    @Holds("those that the filter let through, and those that stand in for held-back ones; missing: all")
     val kept: List<String>? = null,
 )
 
-/** What became of a command, and when, in ns of the agent's clock. */
+/** What became of a command. */
 @Serializable
-data class CommandEnd(val number: Long, val port: String, val text: String, val ns: Long, val failure: CallFailure? = null)
+data class CommandEnd(
+    @Holds("the number of the command")
+    val number: Long,
+    @Holds("the port of its board; missing: the call of a cycle that sent it has it, and the text")
+    val port: String? = null,
+    @Holds("what was sent, as a reflex of the computer")
+    val text: String? = null,
+    @Holds("when this was known, in ns of the agent's clock")
+    val ns: Long,
+    @Holds("why it failed; missing: it did not")
+    val failure: CallFailure? = null,
+)
+
+/** Why a recording was wanted at this place. */
+@Serializable
+internal data class Mark(
+    @Holds("the argument of argo.record")
+    val why: String,
+)
 
 /**
  * The agent of a recording, in its metadata.

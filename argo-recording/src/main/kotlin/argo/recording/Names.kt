@@ -8,5 +8,8 @@ const val FORMAT = "1"
 /** The name of the metadata of the agent called [name]. */
 internal fun agentMetadata(name: String) = "agent/$name"
 
+/** The name of the attachment with the filter [filter] of [agent]. */
+internal fun filterName(agent: String, filter: String) = "filter/$agent/$filter.xml"
+
 /** The name of the attachment with the file [file] of the program of [agent]. */
 internal fun programName(agent: String, file: Path) = "program/$agent/${file.joinToString("/")}"

@@ -38,8 +38,10 @@ internal class KeptAction(action: ActionExec, private val ended: (ActionExec) ->
     override fun getIntention() = null.also { ended(this) }
 }
 
-/** The texts of the arguments of [call] as they are bound now. */
-internal fun bound(call: InternalCall, un: Unifier = call.un): List<String> = call.args.map { textOf(it.capply(un)) }
+/** The texts of those arguments of [call] that had variables, as they are bound now, by their places. */
+internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> = buildMap {
+    call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) }
+}
 
 /** How a call failed that threw [failed]. */
 internal fun callFailure(failed: JasonException) = CallFailure(

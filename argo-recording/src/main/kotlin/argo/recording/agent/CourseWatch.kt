@@ -48,8 +48,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     /** What came of the cycle that ends. */
     fun end(): Course {
         val event = ts.c.selectedEvent
-        val sent = mail
-        if (sent.isNotEmpty()) mail = ArrayList()
+        val sent = if (mail.isEmpty()) emptyList() else mail.also { mail = ArrayList() }
         return Course(
             event = event?.trigger?.toString(),
             plan = if (event == null) null else ts.c.selectedOption?.plan?.let(::placeOf),

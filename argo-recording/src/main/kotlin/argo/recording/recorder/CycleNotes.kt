@@ -4,10 +4,14 @@ import argo.observing.IssuedCommand
 import argo.recording.Call
 import argo.recording.CallFailure
 import argo.recording.End
+import argo.recording.FilterChange
 import argo.recording.Input
 import argo.recording.Mail
+import argo.recording.PerceivedSnapshot
 import argo.recording.PerceptChange
 import argo.recording.Sent
+import argo.recording.agent.textOf
+import jason.asSyntax.Literal
 
 /** What has entered an agent in the cycle that runs. Belongs to the agent's thread. */
 internal class CycleNotes {
@@ -15,7 +19,8 @@ internal class CycleNotes {
         private set
     var counters: List<Int>? = null
     var events: List<String> = emptyList()
-    var percepts: PerceptChange? = null
+    val snapshots = ArrayList<PerceivedSnapshot>()
+    var percepts: PerceptNote? = null
     var isOfSeveralBoards = false
     var critical: List<String> = emptyList()
     val boards = LinkedHashMap<String, String>()
@@ -23,6 +28,7 @@ internal class CycleNotes {
     val ends = ArrayList<End>()
     val sleep = StringBuilder()
     val calls = ArrayList<CallNote>()
+    val filters = ArrayList<FilterChange>()
 
     /** The call that is being carried out; null: none is. */
     var underWay: CallNote? = null
@@ -37,6 +43,7 @@ internal class CycleNotes {
         this.ns = ns
         counters = null
         events = emptyList()
+        snapshots.clear()
         percepts = null
         isOfSeveralBoards = false
         critical = emptyList()
@@ -45,18 +52,33 @@ internal class CycleNotes {
         ends.clear()
         sleep.setLength(0)
         calls.clear()
+        filters.clear()
         underWay = null
     }
 
+    /** Whether nothing has entered the agent. */
+    fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
+        filters.isEmpty()
+
+    /** What has entered it; its percepts are in [percepts]. */
     fun input() = Input(
-        events, percepts, isOfSeveralBoards, boards.toMap(), critical, mail.toList(), ends.toList(), sleep.toString(),
-        calls.map { it.call() },
+        events, snapshots.toList(), null, isOfSeveralBoards, boards.toMap(), critical, mail.toList(), ends.toList(), sleep.toString(),
+        calls.map { it.call() }, filters.toList(),
     )
+}
+
+/** How percepts differ from those before, see [PerceptChange]. Their literals do not change: Jason believes copies of them. */
+internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
+    val size: Int get() = now.size
+
+    /** Any thread. */
+    fun change() = PerceptChange(keep, now.map(::textOf), keepLast)
 }
 
 /** A call whose result is not known yet, or may become known later in the cycle. */
 internal class CallNote(private val name: String, private val args: List<String>, private val isOfProject: Boolean) {
-    val answers = ArrayList<List<String>>()
+    val answers = ArrayList<Map<Int, String>>()
+    var value: String? = null
     var isBacktracking = false
     var failure: CallFailure? = null
     var number: Int? = null
@@ -66,5 +88,5 @@ internal class CallNote(private val name: String, private val args: List<String>
         commands += Sent(command.number, command.port, command.text)
     }
 
-    fun call() = Call(name, args, answers.toList(), isBacktracking, failure, number, commands.toList(), isOfProject)
+    fun call() = Call(name, args, answers.toList(), isBacktracking, failure, number, commands.toList(), isOfProject, value)
 }

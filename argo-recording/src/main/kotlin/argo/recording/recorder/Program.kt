@@ -7,6 +7,7 @@ import argo.recording.programName
 import argo.recording.storage.RecordSink
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Rule
+import jason.infra.local.BaseLocalMAS
 import jason.infra.local.LocalAgArch
 import jason.util.Config
 import java.io.IOException
@@ -20,13 +21,9 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink) {
     val name = ts.agArch.agName
     val files = sources(ts)
     val root = commonDirectory(files)
-    for (file in files) {
-        val text = try {
-            Files.readAllBytes(file)
-        } catch (_: IOException) {
-            continue // it has gone since the agent read it
-        }
-        sink.attach(programName(name, root.relativize(file)), "text/plain", text)
+    files.forEach { sink.attach(programName(name, root.relativize(it)), it) }
+    BaseLocalMAS.getRunner()?.project?.takeIf { it.agents.isNotEmpty() }?.let { project ->
+        sink.attach("program/${project.socName}.mas2j", "text/plain", "$project".encodeToByteArray()) // Jason does not keep the file's name
     }
     val main = fileOf(ts.ag.aslSrc)
     sink.metadata(
@@ -48,6 +45,16 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink) {
             "java" to System.getProperty("java.version"),
         ),
     )
+}
+
+/** Stores the text of [file], if it has not gone since Jason read it. */
+private fun RecordSink.attach(name: String, file: Path) {
+    val text = try {
+        Files.readAllBytes(file)
+    } catch (_: IOException) {
+        return
+    }
+    attach(name, "text/plain", text)
 }
 
 /** The files that the agent's program has been read from. */

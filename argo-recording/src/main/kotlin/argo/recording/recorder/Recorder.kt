@@ -4,6 +4,7 @@ import argo.boundary.Boundary
 import argo.boundary.Inbox
 import argo.boundary.InternalCall
 import argo.boundary.Perception
+import argo.filters.PerceptionFilter
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
 import argo.observing.IssuedCommand
@@ -13,9 +14,8 @@ import argo.recording.CallFailure
 import argo.recording.CommandEnd
 import argo.recording.Cycle
 import argo.recording.End
-import argo.recording.Input
+import argo.recording.FilterChange
 import argo.recording.PerceivedSnapshot
-import argo.recording.PerceptChange
 import argo.recording.agent.Begun
 import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
@@ -41,6 +41,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ScheduledFuture
 import java.util.logging.Logger
 
@@ -60,6 +61,8 @@ internal class Recorder(
     private val begun = Begun()
     private var running: Running? = null
     private var isRefused = false
+    private val filters = StoredFilters(agent.name, track::attach)
+    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // the commands under way that a call of a cycle has sent
 
     @Volatile
     private var inCycle: Thread? = null
@@ -154,7 +157,7 @@ internal class Recorder(
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live().also { value ->
         val agent = current() ?: return@also
-        agent.now.calls += CallNote(name, args.map(::textOf), isOfProject).apply { answers += listOf("$value") }
+        agent.now.calls += CallNote(name, args.map(::textOf), isOfProject).apply { this.value = "$value" }
     }
 
     override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
@@ -211,10 +214,10 @@ internal class Recorder(
         inCycle = null
         Keeper.current = null
         val course = agent.course.end()
-        val input = agent.now.input()
+        val now = agent.now
         agent.events = agent.ts.c.events.size
-        if (input.isNothing() && !agent.now.isAtWork && course.event == null && course.step == null) return
-        track.cycle(Cycle(++agent.cycles, agent.ts.agArch.cycleNumber, agent.now.ns, agent.now.counters, input, course))
+        if (now.isNothing() && !now.isAtWork && course.event == null && course.step == null) return
+        track.cycle(Cycle(++agent.cycles, agent.ts.agArch.cycleNumber, now.ns, now.counters, now.input(), course), now.percepts)
         agent.counters = Counters.read()
     }
 
@@ -222,16 +225,30 @@ internal class Recorder(
     private fun current() = if (inCycle === Thread.currentThread()) running else null
 
     override fun messagePerceived(message: PerceivedMessage) {
+        val agent = current() ?: return
         val kept = message.kept.takeIf { it != message.texts }
-        track.snapshot(PerceivedSnapshot(message.portName, message.namespace, message.receivedNanos, message.texts, kept))
+        agent.now.snapshots += PerceivedSnapshot(message.portName, message.namespace, message.receivedNanos, message.texts, kept)
+    }
+
+    override fun filterChanged(filter: PerceptionFilter?) = changed(null, filter)
+
+    override fun boardFilterChanged(port: String, filter: PerceptionFilter?) = changed(port, filter)
+
+    private fun changed(port: String?, filter: PerceptionFilter?) {
+        current()?.now?.filters?.add(FilterChange(port, filter?.name, filter?.let(filters::store)))
     }
 
     override fun commandIssued(command: IssuedCommand) {
-        current()?.now?.underWay?.sent(command)
+        val call = current()?.now?.underWay ?: return
+        call.sent(command)
+        inCalls += command.number
     }
 
-    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =
-        track.ended(CommandEnd(command.number, command.port, command.text, agent.nanos(), failure?.run { CallFailure(error, cause) }))
+    override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) {
+        val isInCall = inCalls.remove(command.number)
+        val (port, text) = if (isInCall) null to null else command.port to command.text
+        track.ended(CommandEnd(command.number, port, text, agent.nanos(), failure?.run { CallFailure(error, cause) }))
+    }
 
     override fun recordWanted(why: String): Boolean {
         track.save(why, agent.nanos())
@@ -259,16 +276,13 @@ internal class RecordedFailure(failure: CallFailure) : CommandFailure {
 }
 
 /** How [now] differs from [before]. */
-internal fun changed(before: List<Literal>, now: List<Literal>): PerceptChange {
+internal fun changed(before: List<Literal>, now: List<Literal>): PerceptNote {
     val most = minOf(before.size, now.size)
     var keep = 0
     while (keep < most && isSame(before[keep], now[keep])) keep++
     var keepLast = 0
     while (keepLast < most - keep && isSame(before[before.size - 1 - keepLast], now[now.size - 1 - keepLast])) keepLast++
-    return PerceptChange(keep, now.subList(keep, now.size - keepLast).map(::textOf), keepLast)
+    return PerceptNote(keep, now.subList(keep, now.size - keepLast), keepLast)
 }
 
 private fun isSame(one: Literal, other: Literal) = one === other || one == other && !one.hasAnnot() && !other.hasAnnot()
-
-private fun Input.isNothing() =
-    events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty()

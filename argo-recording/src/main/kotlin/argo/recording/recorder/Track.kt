@@ -2,7 +2,9 @@ package argo.recording.recorder
 
 import argo.recording.CommandEnd
 import argo.recording.Cycle
-import argo.recording.PerceivedSnapshot
+import argo.recording.Mark
+import argo.recording.jsonSchema
+import argo.recording.lean
 import argo.recording.storage.RecordChannel
 import argo.recording.storage.RecordSink
 import kotlinx.serialization.KSerializer
@@ -10,27 +12,30 @@ import kotlinx.serialization.json.Json
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
-/** What [recording] holds of one agent, called [agent]. Any thread may call. */
+/** What [recording] holds of one agent, called [agent]. Any thread may call; texts are made by the thread that stores them. */
 internal class Track(private val agent: String, private val recording: SharedRecording, private val nanos: () -> Long) {
     private val sink: RecordSink = recording.sink
-    private val cycles = channel("cycle", "argo.Cycle")
-    private val snapshots = channel("snapshot", "argo.Snapshot")
-    private val commands = channel("command", "argo.Command")
-    private val marks = channel("mark", "argo.Mark")
+    private val cycles = channel("cycle", "argo.Cycle", Cycle.serializer())
+    private val commands = channel("command", "argo.Command", CommandEnd.serializer())
+    private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()
 
-    private fun channel(name: String, schema: String) = sink.channel("/$agent/$name", schema, SCHEMA)
+    private fun channel(name: String, schema: String, serializer: KSerializer<*>) =
+        sink.channel("/$agent/$name", schema, jsonSchema(serializer.descriptor))
 
-    fun cycle(cycle: Cycle) = store(cycles, cycle.ns, Cycle.serializer(), cycle)
+    /** Stores [cycle], in which what the agent perceived differs from before by [percepts]. */
+    fun cycle(cycle: Cycle, percepts: PerceptNote?) = store(cycles, cycle.ns, CYCLE_BYTES + (percepts?.size ?: 0) * PERCEPT_BYTES) {
+        json(Cycle.serializer(), cycle.copy(input = cycle.input.copy(percepts = percepts?.change())).lean())
+    }
 
-    fun snapshot(snapshot: PerceivedSnapshot) = store(snapshots, nanos(), PerceivedSnapshot.serializer(), snapshot)
+    fun ended(command: CommandEnd) = store(commands, command.ns, COMMAND_BYTES) { json(CommandEnd.serializer(), command) }
 
-    fun ended(command: CommandEnd) = store(commands, command.ns, CommandEnd.serializer(), command)
+    fun attach(name: String, text: String) = sink.attach(name, "text/xml", text.encodeToByteArray())
 
     /** The agent wants the recording because of [why]: a ring is saved, by another thread. */
     fun save(why: String, ns: Long) {
-        sink.offer(marks, ns + offsetNs, Json.encodeToString(mapOf("why" to why)).encodeToByteArray())
+        store(marks, ns, why.length) { json(Mark.serializer(), Mark(why)) }
         recording.save()
     }
 
@@ -39,12 +44,18 @@ internal class Track(private val agent: String, private val recording: SharedRec
         if (!isClosed.getAndSet(true)) recording.leave()
     }
 
-    private fun <T> store(channel: RecordChannel, ns: Long, serializer: KSerializer<T>, value: T) {
-        sink.offer(channel, ns + offsetNs, JSON.encodeToString(serializer, value).encodeToByteArray())
+    private fun store(channel: RecordChannel, ns: Long, bytes: Int, encode: () -> ByteArray) {
+        sink.offer(channel, ns + offsetNs, bytes, encode)
     }
+
+    private fun <T> json(serializer: KSerializer<T>, value: T) = JSON.encodeToString(serializer, value).encodeToByteArray()
 
     private companion object {
         val JSON = Json { encodeDefaults = false }
-        const val SCHEMA = """{"type":"object"}"""
+
+        /** About the room that a record takes while it waits. */
+        const val CYCLE_BYTES = 500
+        const val PERCEPT_BYTES = 100
+        const val COMMAND_BYTES = 100
     }
 }

@@ -3,9 +3,9 @@ package argo.recording.replay
 import argo.mcap.McapReader
 import argo.recording.Cycle
 import argo.recording.FORMAT
-import argo.recording.PerceivedSnapshot
 import argo.recording.RecordedAgent
 import argo.recording.agentMetadata
+import argo.recording.whole
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.json.Json
 import java.io.IOException
@@ -54,10 +54,7 @@ class Recording(private val file: Path) : AutoCloseable {
     }
 
     /** The cycles of [agent], in their order. */
-    fun cycles(agent: String): Sequence<Cycle> = messages("/$agent/cycle", Cycle.serializer())
-
-    /** The messages of boards that [agent] perceived, in their order. */
-    fun snapshots(agent: String): Sequence<PerceivedSnapshot> = messages("/$agent/snapshot", PerceivedSnapshot.serializer())
+    fun cycles(agent: String): Sequence<Cycle> = messages("/$agent/cycle", Cycle.serializer()).map(Cycle::whole)
 
     private fun <T> messages(topic: String, serializer: KSerializer<T>): Sequence<T> =
         reader.messages(topics = setOf(topic)).map { JSON.decodeFromString(serializer, it.data.decodeToString()) }

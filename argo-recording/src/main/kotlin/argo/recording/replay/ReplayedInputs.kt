@@ -189,8 +189,8 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         return true
     }
 
-    private fun bind(call: InternalCall, un: Unifier, answer: List<String>) = call.args.zip(answer).forEach { (argument, text) ->
-        if (!argument.isGround) un.unifies(argument, termOf(text))
+    private fun bind(call: InternalCall, un: Unifier, answer: Map<Int, String>) = answer.forEach { (place, text) ->
+        call.args.getOrNull(place)?.let { un.unifies(it, termOf(text)) }
     }
 
     /** Carries the project's own action out again, and compares what it gives. */
@@ -213,7 +213,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     }
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
-        val recorded = take(name, args.map(::textOf))?.answers?.firstOrNull()?.firstOrNull()
+        val recorded = take(name, args.map(::textOf))?.value
         if (recorded == null) {
             if (!isAsking) found("call", calls.firstOrNull()?.let(::described), "$name(${args.joinToString(",")})", null)
             return live()

@@ -7,11 +7,12 @@ internal class ChannelWriter(private val writer: McapWriter) {
     private val schemas = HashMap<Pair<String, String>, Int>()
     private val channels = HashMap<RecordChannel, Int>()
 
-    fun message(channel: RecordChannel, timeNs: Long, data: ByteArray) {
+    fun message(message: Encoded) {
+        val channel = message.channel
         val number = channels.getOrPut(channel) {
             val schema = channel.schemaName to channel.jsonSchema
             writer.channel(channel.topic, schemas.getOrPut(schema) { writer.schema(channel.schemaName, channel.jsonSchema) })
         }
-        writer.message(number, timeNs, timeNs, data)
+        writer.message(number, message.timeNs, message.timeNs, message.data)
     }
 }

@@ -21,7 +21,15 @@ interface RecordSink : AutoCloseable {
      * @param data its JSON in UTF-8; not to be changed afterwards
      * @return false if there is no room for it, or storing has ended; the recording then has a gap, which it reports itself
      */
-    fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean
+    fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
+
+    /**
+     * Leaves a message to be stored, as the other [offer], whose JSON another thread makes.
+     *
+     * @param bytes about the room that it takes until then
+     * @param encode makes it, later, of what does not change; if it throws, the message becomes a gap
+     */
+    fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean
 
     /** Leaves a file to be stored, such as a program's text. It is never dropped. */
     fun attach(name: String, mediaType: String, data: ByteArray)

@@ -40,9 +40,9 @@ class RecordingFile internal constructor(
     override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
         channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
 
-    override fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean {
+    override fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean {
         require(timeNs >= 0) { "a time before 0: $timeNs" }
-        return waiting.offer(Waiting.Message(channel, timeNs, data))
+        return waiting.offer(Waiting.Message(channel, timeNs, bytes, encode))
     }
 
     override fun attach(name: String, mediaType: String, data: ByteArray) {
@@ -92,7 +92,7 @@ class RecordingFile internal constructor(
 
     private fun write(next: Waiting, writer: McapWriter, messages: ChannelWriter) {
         when (next) {
-            is Waiting.Message -> messages.message(next.channel, next.timeNs, next.data)
+            is Waiting.Message -> messages.message(next.encoded())
             is Waiting.Attachment -> writer.attachment(next.name, next.mediaType, next.data)
             is Waiting.Metadata -> writer.metadata(next.name, next.values)
             is Waiting.Flush -> store(writer)

@@ -8,7 +8,10 @@ import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
 import java.nio.file.StandardOpenOption.WRITE
 import java.time.Duration
 import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
@@ -19,33 +22,46 @@ import kotlin.concurrent.withLock
  */
 class RecordingRing(private val last: Duration, private val maxBytes: Long = MAX_BYTES) : RecordSink {
     private val channels = ConcurrentHashMap<String, RecordChannel>()
+    private val waiting = WaitingRecords(RecordingFile.MAX_WAITING_BYTES)
     private val lock = ReentrantLock()
-    private val messages = ArrayDeque<Waiting.Message>()
+    private val messages = ArrayDeque<Encoded>()
     private val others = ArrayList<Waiting>()
     private var bytes = 0L
     private var newestNs = 0L
-    private var isClosed = false
+    private val keeping = thread(name = "argo-recording-ring", isDaemon = true, block = ::keepAll)
 
     override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
         channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
 
-    override fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean {
+    override fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean {
         require(timeNs >= 0) { "a time before 0: $timeNs" }
-        lock.withLock {
-            if (isClosed || data.size > maxBytes) return false
-            messages += Waiting.Message(channel, timeNs, data)
-            bytes += data.size
-            newestNs = maxOf(newestNs, timeNs)
-            while (bytes > maxBytes || newestNs - messages.first().timeNs > last.toNanos()) bytes -= messages.removeFirst().data.size
-            return true
-        }
+        return waiting.offer(Waiting.Message(channel, timeNs, bytes, encode))
     }
 
-    override fun attach(name: String, mediaType: String, data: ByteArray) = keep(Waiting.Attachment(name, mediaType, data))
+    private fun keepAll() {
+        while (true) waiting.take(PATIENCE_NS)?.forEach(::keep) ?: return
+    }
 
-    override fun metadata(name: String, values: Map<String, String>) = keep(Waiting.Metadata(name, values))
+    private fun keep(next: Waiting) = when (next) {
+        is Waiting.Message -> keep(next.encoded())
+        is Waiting.Flush -> next.done.countDown()
+        else -> lock.withLock { others += next }
+    }
 
-    private fun keep(other: Waiting) = lock.withLock { if (!isClosed) others += other }
+    private fun keep(message: Encoded) = lock.withLock {
+        messages += message
+        bytes += message.data.size
+        newestNs = maxOf(newestNs, message.timeNs)
+        while (bytes > maxBytes || newestNs - messages.first().timeNs > last.toNanos()) bytes -= messages.removeFirst().data.size
+    }
+
+    override fun attach(name: String, mediaType: String, data: ByteArray) {
+        waiting.add(Waiting.Attachment(name, mediaType, data))
+    }
+
+    override fun metadata(name: String, values: Map<String, String>) {
+        waiting.add(Waiting.Metadata(name, values))
+    }
 
     /**
      * Writes what is kept to the file [path], in place of what it held. It goes on being kept. Waits for the disk, so the agent's thread is
@@ -54,6 +70,7 @@ class RecordingRing(private val last: Duration, private val maxBytes: Long = MAX
      * @throws java.io.IOException if it cannot be written
      */
     fun save(path: Path) {
+        flush()
         val (others, messages) = lock.withLock { others.toList() to messages.toList() }
         McapWriter(FileChannel.open(path, CREATE, TRUNCATE_EXISTING, WRITE)).use { writer ->
             val channelWriter = ChannelWriter(writer)
@@ -64,23 +81,30 @@ class RecordingRing(private val last: Duration, private val maxBytes: Long = MAX
                     else -> error("only these are kept")
                 }
             }
-            messages.forEach { channelWriter.message(it.channel, it.timeNs, it.data) }
+            messages.forEach(channelWriter::message)
         }
     }
 
-    /** Nothing is ever on its way to a disk. */
-    override fun flush() = Unit
+    override fun flush() {
+        val done = CountDownLatch(1)
+        if (waiting.add(Waiting.Flush(done))) done.await()
+    }
 
     /** Forgets everything, and keeps no more. */
-    override fun close() = lock.withLock {
-        isClosed = true
-        messages.clear()
-        others.clear()
-        bytes = 0
+    override fun close() {
+        waiting.close()
+        keeping.join()
+        lock.withLock {
+            messages.clear()
+            others.clear()
+            bytes = 0
+        }
     }
 
     companion object {
         /** The bytes of messages that are kept at most unless another number is given. */
         const val MAX_BYTES = 64L * 1024 * 1024
+
+        private val PATIENCE_NS = TimeUnit.MILLISECONDS.toNanos(500)
     }
 }

@@ -6,7 +6,17 @@ import kotlin.concurrent.withLock
 
 /** What waits to be written. */
 internal sealed interface Waiting {
-    class Message(val channel: RecordChannel, val timeNs: Long, val data: ByteArray) : Waiting
+    /** Its JSON is made by [encode] and takes about [bytes]. */
+    class Message(val channel: RecordChannel, val timeNs: Long, val bytes: Int, private val encode: () -> ByteArray) : Waiting {
+        constructor(gap: Gap) : this(Gap.CHANNEL, gap.untilNs, 0, gap::json)
+
+        /** With its JSON; a gap if that cannot be made. */
+        fun encoded(): Encoded = try {
+            Encoded(channel, timeNs, encode())
+        } catch (_: RuntimeException) {
+            Encoded(Gap.CHANNEL, timeNs, Gap.of(timeNs).json())
+        }
+    }
 
     class Attachment(val name: String, val mediaType: String, val data: ByteArray) : Waiting
 
@@ -14,6 +24,9 @@ internal sealed interface Waiting {
 
     class Flush(val done: CountDownLatch) : Waiting
 }
+
+/** A message as it is stored. */
+internal class Encoded(val channel: RecordChannel, val timeNs: Long, val data: ByteArray)
 
 /**
  * Records on their way to the thread that writes them, at most [maxBytes] of messages. Those that find no room become a [Gap], in their
@@ -31,12 +44,12 @@ internal class WaitingRecords(private val maxBytes: Long) {
     /** Adds [message] if there is room. */
     fun offer(message: Waiting.Message): Boolean = lock.withLock {
         if (isClosed) return false
-        if (bytes + message.data.size > maxBytes) {
+        if (bytes + message.bytes > maxBytes) {
             gap = gap?.and(message.timeNs) ?: Gap.of(message.timeNs)
             return false
         }
         endGap()
-        bytes += message.data.size
+        bytes += message.bytes
         waiting += message
         if (bytes > maxBytes / 2) hurry()
         return true
@@ -72,7 +85,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
     }
 
     private fun endGap() {
-        gap?.let { waiting += Waiting.Message(Gap.CHANNEL, it.untilNs, it.json()) }
+        gap?.let { waiting += Waiting.Message(it) }
         gap = null
     }
 

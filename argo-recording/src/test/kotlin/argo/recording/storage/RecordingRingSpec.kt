@@ -26,7 +26,7 @@ class RecordingRingSpec : FunSpec({
             val ring = RecordingRing(Duration.ofNanos(100), maxBytes = room * 10L)
             val all = steps.runningFold(0L) { time, step -> time + step }.drop(1)
             all.forEach { ring.offer(ring.cycles(), it, ByteArray(10)) shouldBe true }
-            ring.save(path)
+            ring.use { it.save(path) }
             times(path) shouldBe all.filter { it >= all.last() - 100 }.takeLast(room)
         }
     }

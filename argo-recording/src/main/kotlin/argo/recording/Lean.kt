@@ -1,0 +1,31 @@
+package argo.recording
+
+/** This cycle as a file has it, where each thing stands once; [whole] turns it back. */
+internal fun Cycle.lean(): Cycle = copy(
+    input = input.copy(percepts = input.percepts?.lean(input.snapshots)),
+    course = course.copy(step = course.step?.let { if (it.plan == course.plan) it.copy(plan = Place()) else it }),
+)
+
+/** This cycle as it was before it was made [lean]. */
+internal fun Cycle.whole(): Cycle = copy(
+    input = input.copy(percepts = input.percepts?.whole(input.snapshots)),
+    course = course.copy(step = course.step?.let { if (it.plan == Place()) it.copy(plan = course.plan ?: Place()) else it }),
+)
+
+private fun PerceptChange.lean(snapshots: List<PerceivedSnapshot>): PerceptChange {
+    val texts = snapshots.texts()
+    val first = now.indices.firstOrNull { now[it] in texts } ?: return this
+    val skip = texts.indexOf(now[first]) - first
+    val others = now.indices.filter { now[it] != texts.getOrNull(skip + it) }.associateWith(now::get)
+    return if (skip < 0 || others.size > now.size / 2) this else copy(now = emptyList(), skip = skip, take = now.size, others = others)
+}
+
+private fun PerceptChange.whole(snapshots: List<PerceivedSnapshot>): PerceptChange {
+    if (take == 0) return this
+    val texts = snapshots.texts()
+    return PerceptChange(keep, List(take) { others[it] ?: texts[skip + it] }, keepLast)
+}
+
+/** What filters let through of these, as beliefs are written: without blanks. */
+private fun List<PerceivedSnapshot>.texts(): List<String> =
+    flatMap { it.kept ?: it.texts }.map { if ('"' in it) it else it.filterNot(Char::isWhitespace) }
