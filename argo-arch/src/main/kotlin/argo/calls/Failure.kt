@@ -1,19 +1,10 @@
 package argo.calls
 
+import argo.links.errorOf
 import argo.observing.CommandFailure
 import jason.JasonException
 import jason.asSyntax.ASSyntax
-import javino.ActionFailedException
-import javino.ActionRefusedException
-import javino.ActionUnconfirmedException
-import javino.CommandReplacedException
-import javino.CommandWithdrawnException
-import javino.NoSuchPortException
-import javino.PortBusyException
 import javino.PortException
-import javino.PortGoneException
-import javino.PortPermissionException
-import javino.PortTimeoutException
 
 /**
  * Why an internal action could not do what it was asked.
@@ -34,22 +25,7 @@ internal fun Failure.whileLost(): Failure =
 internal fun wrongArgument(cause: String) = Failure("wrong_arguments", cause)
 
 /** What [trouble] with a port means to a plan; what no transport should throw is `port_failed` too. */
-internal fun failureOf(trouble: Throwable): Failure =
-    if (trouble is PortException) failureOf(trouble) else Failure("port_failed", "$trouble")
-
-private fun failureOf(trouble: PortException): Failure = Failure(
-    when (trouble) {
-        is NoSuchPortException -> "no_such_port"
-        is PortBusyException -> "port_busy"
-        is PortPermissionException -> "port_permission"
-        is PortGoneException -> "port_gone"
-        is PortTimeoutException -> "port_timeout"
-        is ActionRefusedException -> "act_refused"
-        is ActionFailedException -> "act_failed"
-        is ActionUnconfirmedException -> "act_unconfirmed"
-        is CommandWithdrawnException -> "act_timeout"
-        is CommandReplacedException -> "act_replaced"
-        else -> "port_failed"
-    },
-    trouble.message ?: trouble.javaClass.simpleName,
+internal fun failureOf(trouble: Throwable): Failure = Failure(
+    errorOf(trouble),
+    if (trouble is PortException) trouble.message ?: trouble.javaClass.simpleName else "$trouble",
 )

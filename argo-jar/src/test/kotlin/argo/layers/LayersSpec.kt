@@ -35,7 +35,7 @@ class LayersSpec : FunSpec({
         "argo.links" to emptyList(),
         "argo.boundary" to listOf("argo.observing"),
         "argo.platform" to listOf("argo.links", "argo.boundary"),
-        "argo.calls" to listOf("argo.observing"),
+        "argo.calls" to listOf("argo.observing", "argo.links"),
         "argo.connecting" to listOf("argo.calls", "argo.platform", "argo.links"),
         "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.links", "argo.observing"),
         "argo.sensing" to listOf("argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.links"),

@@ -2,11 +2,7 @@ package argo.ros.serving
 
 import argo.links.BoardLink
 import argo.links.Wish
-import javino.ActionFailedException
-import javino.ActionRefusedException
-import javino.ActionUnconfirmedException
-import javino.CommandReplacedException
-import javino.CommandWithdrawnException
+import argo.links.errorOf
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortInterruptedException
@@ -141,14 +137,5 @@ internal class ServedBoard(
 /** What an agent calls the failure [trouble] of a command; null: it was carried out. */
 internal fun outcomeOf(trouble: Throwable?): Outcome {
     val cause = if (trouble is CompletionException) trouble.cause else trouble
-    val error = when (cause) {
-        null -> return Outcome.DONE
-        is ActionRefusedException -> "act_refused"
-        is ActionFailedException -> "act_failed"
-        is ActionUnconfirmedException -> "act_unconfirmed"
-        is CommandWithdrawnException -> "act_timeout"
-        is CommandReplacedException -> "act_replaced"
-        else -> "port_gone"
-    }
-    return Outcome(error, cause.message ?: "$cause")
+    return if (cause == null) Outcome.DONE else Outcome(errorOf(cause), cause.message ?: "$cause")
 }

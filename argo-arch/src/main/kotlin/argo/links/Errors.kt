@@ -1,0 +1,31 @@
+package argo.links
+
+import javino.ActionFailedException
+import javino.ActionRefusedException
+import javino.ActionUnconfirmedException
+import javino.CommandReplacedException
+import javino.CommandWithdrawnException
+import javino.NoSuchPortException
+import javino.PortBusyException
+import javino.PortException
+import javino.PortGoneException
+import javino.PortPermissionException
+import javino.PortTimeoutException
+
+/**
+ * What plans and clients call [trouble] with a port or a command: the atom in `error(…)`. What is no [PortException], and what no transport
+ * should throw, is `port_failed`.
+ */
+fun errorOf(trouble: Throwable): String = when (trouble) {
+    is NoSuchPortException -> "no_such_port"
+    is PortBusyException -> "port_busy"
+    is PortPermissionException -> "port_permission"
+    is PortGoneException -> "port_gone"
+    is PortTimeoutException -> "port_timeout"
+    is ActionRefusedException -> "act_refused"
+    is ActionFailedException -> "act_failed"
+    is ActionUnconfirmedException -> "act_unconfirmed"
+    is CommandWithdrawnException -> "act_timeout"
+    is CommandReplacedException -> "act_replaced"
+    else -> "port_failed"
+}
