@@ -10,6 +10,7 @@ dependencies {
     compileOnly(libs.picocli)
     testImplementation(libs.jason)
     testImplementation(project(":argo-tools"))
+    testImplementation(project(":argo-testkit")) // tests run agents in its virtual time
     testImplementation(libs.picocli)
 }
 

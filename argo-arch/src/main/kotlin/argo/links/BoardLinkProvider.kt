@@ -8,7 +8,8 @@ import java.util.WeakHashMap
 
 /**
  * Opens boards that are reached otherwise than by bytes on a line. Found by [java.util.ServiceLoader]: a class with a public constructor
- * without arguments, named in `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. Boards on lines come by [javino.TransportProvider].
+ * without arguments, named in `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. Boards on lines
+ * come by [javino.TransportProvider].
  *
  * Called by any thread. Unlike a line, what it opens may be opened by several agents at once.
  */
@@ -25,6 +26,15 @@ interface BoardLinkProvider {
      */
     @Throws(PortException::class)
     fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink
+
+    /**
+     * Opens a board called [port] that a test plays, with nothing behind it; null: boards of this scheme cannot be played so.
+     *
+     * @param heard takes what the board is sent, and the name of what takes it there, as the topic of a robot
+     * @throws PortException as [open], for what is not about a connection
+     */
+    @Throws(PortException::class)
+    fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (name: String, message: String) -> Unit): PlayedBoard? = null
 
     /** Whether [open] is worth trying; asked again and again for a board that has gone, so it is cheap. */
     fun isPresent(port: String): Boolean = true
@@ -46,4 +56,21 @@ interface BoardLinkProvider {
             return synchronized(known) { known[loader]?.get() ?: found.also { known[loader] = SoftReference(it) } }
         }
     }
+}
+
+/**
+ * A board that a test plays.
+ *
+ * @property link what the agent has of it
+ */
+abstract class PlayedBoard(val link: BoardLink) {
+    /**
+     * The board sends [message] from its source [name], as the topic of a robot.
+     *
+     * @throws IllegalArgumentException if it is no message
+     */
+    abstract fun says(name: String, message: String)
+
+    /** The far end goes: [link] fails from now on. */
+    abstract fun goes()
 }

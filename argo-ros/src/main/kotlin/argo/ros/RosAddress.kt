@@ -25,7 +25,9 @@ internal data class RosAddress(val socket: URI, val mapping: String) {
             return RosAddress(URI("ws://$host:$socketPort/"), mapping.ifEmpty { USUAL_MAPPING })
         }
 
-        private fun malformed(port: String) = NoSuchPortException(
+        private fun malformed(port: String) = if ('?' in port) NoSuchPortException(
+            port, "a token stands in the file robot.ros.token beside robot.ros.yaml, not in the name of a port, which is logged",
+        ) else NoSuchPortException(
             port, "\"$port\" names no robot: that is ros://HOST:PORT, as ros://192.168.1.20:9090, and #NAME behind it for NAME.ros.yaml",
         )
     }

@@ -4,6 +4,7 @@ import argo.links.BoardLink
 import argo.links.BoardMessage
 import argo.links.SentCommand
 import argo.links.Wish
+import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket
 import argo.ros.bridge.ClockOffset
@@ -64,7 +65,7 @@ internal class RosLink private constructor(
     private val api = RosApi(clock, clockOffset, ::send, ::warn) { LOG.info("port $port: $it") }
 
     @Volatile
-    private var socket: BridgeSocket? = null
+    private var bridge: Bridge? = null
 
     override val isOpen: Boolean get() = lock.withLock { end == null }
     override val speaksUnasked get() = true
@@ -109,19 +110,19 @@ internal class RosLink private constructor(
 
     override fun wants(wish: Wish) {
         val wanted = wish.subscriptions(mapping.percepts).associateBy { it.topic }
-        val socket = socket ?: return
+        val bridge = bridge ?: return
         lock.withLock {
             if (end != null) return
             val left = subscribed.keys - wanted.keys
             val news = left.map { operation("unsubscribe", "id" to it, "topic" to it) } +
                 wanted.values.filter { subscribed[it.topic] != it }.map(::subscriptionTo)
-            news.forEach { socket.queue(Outgoing(it)) }
+            news.forEach { bridge.queue(Outgoing(it)) }
             subscribed = wanted
             silent.keepOnly(wanted.keys, clock.nanos())
             topics.keepOnly(wanted.keys)
             changed.signalAll()
         }
-        socket.flush()
+        bridge.flush()
     }
 
     private fun subscriptionTo(one: Subscription) = operation(
@@ -147,7 +148,7 @@ internal class RosLink private constructor(
             if (now - end >= 0) return silence(start, timeoutMs)
             if (now - half >= 0 && !isAsked) {
                 isAsked = true
-                if (aliveNanos - start < 0) socket?.ping()
+                if (aliveNanos - start < 0) bridge?.ping()
             }
             await(listOfNotNull(if (isAsked) end else half, topics.dueNanos()).minOf { it - now })
         }
@@ -189,8 +190,8 @@ internal class RosLink private constructor(
     private fun send(text: String) = send(Outgoing(text))
 
     private fun send(message: Outgoing) {
-        val socket = socket
-        if (socket != null) socket.send(message) else message.left.completeExceptionally(NeverSent())
+        val bridge = bridge
+        if (bridge != null) bridge.send(message) else message.left.completeExceptionally(NeverSent())
     }
 
     private fun warn(message: String) {
@@ -206,7 +207,7 @@ internal class RosLink private constructor(
         }
         api.close()
         commands.gone(reason)
-        socket?.close()
+        bridge?.close()
     }
 
     override fun close() = gone("it was closed")
@@ -222,13 +223,18 @@ internal class RosLink private constructor(
          * Connects to the bridge at [address], and has the fields of [mapping] checked against what the bridge knows of their types, if it
          * does.
          *
+         * @param token what the bridge is shown; null: nothing
          * @throws PortException if there is no bridge, or a field is none
          */
-        fun open(port: String, address: URI, mapping: Mapping, isPaced: Boolean, clock: LineClock): RosLink {
+        fun open(port: String, address: URI, mapping: Mapping, isPaced: Boolean, clock: LineClock, token: String? = null): RosLink =
+            over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, token) }
+
+        /** As [open], over the connection that [connect] makes. */
+        fun over(port: String, mapping: Mapping, isPaced: Boolean, clock: LineClock, connect: (BridgeListener) -> Bridge): RosLink {
             val link = RosLink(port, mapping, isPaced, clock)
             var isOpened = false
             try {
-                link.socket = BridgeSocket.connect(port, address, link.Listener())
+                link.bridge = connect(link.Listener())
                 link.begin()
                 isOpened = true
                 return link
@@ -243,7 +249,7 @@ internal class RosLink private constructor(
     /** The connection may have ended before it was this link's. */
     private fun abandon() {
         close()
-        socket?.close()
+        bridge?.close()
     }
 
     private fun begin() {

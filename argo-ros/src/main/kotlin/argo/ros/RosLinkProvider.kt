@@ -2,8 +2,12 @@ package argo.ros
 
 import argo.links.BoardLink
 import argo.links.BoardLinkProvider
+import argo.links.PlayedBoard
+import argo.ros.bridge.PlayedBridge
+import argo.ros.bridge.operationIn
 import argo.ros.mapping.MappingException
 import argo.ros.mapping.findMapping
+import argo.ros.mapping.findToken
 import javino.LineClock
 import javino.PortFaultException
 
@@ -13,11 +17,27 @@ class RosLinkProvider : BoardLinkProvider {
 
     override fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink {
         val address = RosAddress.of(port)
-        val mapping = try {
-            findMapping(address.mapping)
-        } catch (refused: MappingException) {
-            throw PortFaultException(port, "port $port cannot be opened: ${refused.message}", refused)
+        val mapping = read(port) { findMapping(address.mapping) }
+        return RosLink.open(port, address.socket, mapping, isPaced, clock, read(port) { findToken(address.mapping) })
+    }
+
+    override fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (String, String) -> Unit): PlayedBoard {
+        lateinit var bridge: PlayedBridge
+        val mapping = read(port) { findMapping(RosAddress.of(port).mapping) }
+        val link = RosLink.over(port, mapping, isPaced, clock) { listener ->
+            PlayedBridge(listener, heard).also { bridge = it }
         }
-        return RosLink.open(port, address.socket, mapping, isPaced, clock)
+        return object : PlayedBoard(link) {
+            override fun says(name: String, message: String) =
+                bridge.publish(name, requireNotNull(operationIn(message)) { "the message of a topic is a JSON object, not $message" })
+
+            override fun goes() = bridge.end()
+        }
+    }
+
+    private fun <T> read(port: String, find: () -> T): T = try {
+        find()
+    } catch (refused: MappingException) {
+        throw PortFaultException(port, "port $port cannot be opened: ${refused.message}", refused)
     }
 }

@@ -14,8 +14,8 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * Answers a client as a bridge did in a transcript, a file of `src/test/ros/record.py`: to an operation that the client sent there, with what
- * the bridge sent because of it, as long after it. Operations that the transcript does not have get no answer.
+ * Answers a client as a bridge did in a transcript, a file of `src/test/ros/record.py`: to an operation that the client sent there, with
+ * what the bridge sent because of it, as long after it. Operations that the transcript does not have get no answer.
  */
 internal class TranscriptBridge(transcript: String) : AutoCloseable {
     /** An operation of the client, and what the bridge sent because of it, each so many ms later. */

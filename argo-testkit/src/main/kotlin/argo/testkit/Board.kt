@@ -1,6 +1,9 @@
 package argo.testkit
 
 import argo.filters.matching.perceptsOf
+import argo.links.BoardLink
+import argo.links.BoardLinkProvider
+import argo.links.PlayedBoard
 import argo.perception.whyLeftOut
 import javino.Frame
 import javino.LineClock
@@ -35,6 +38,8 @@ class Board internal constructor(private val time: VirtualTime) {
     private var refusal: ((String) -> PortException)? = null
     private var elsewhere: ((String, LineSettings, LineClock) -> Transport)? = null
     private var line: MemoryLine? = null
+    private var played: PlayedBoard? = null
+    private val taking = ArrayList<String>()
     private val threads = ArrayList<Thread>()
     private var answer: (Set<String>) -> String? = { "" }
 
@@ -138,6 +143,28 @@ class Board internal constructor(private val time: VirtualTime) {
      */
     fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
+    /**
+     * Its port is not a line but what its name says, as `ros://robot:9090`, of a robot whose topics a mapping turns into percepts. The
+     * mapping and all of ARGO's side are the real ones, with nothing behind them: the robot [publishes] what the test has it publish, and
+     * does each command at once. The board's other settings have no effect then, except for those of its port. To be called before the port
+     * is opened.
+     */
+    fun playsItsMapping(): Board = apply { isMapped = true }
+
+    /**
+     * The robot says [message], in JSON, on [topic], if its port is open and the agent wants that topic. For a board that
+     * [plays its mapping][playsItsMapping].
+     * @throws IllegalArgumentException if [message] is none
+     * @throws IllegalStateException if the board is not mapped
+     */
+    fun publishes(topic: String, message: String): Board = apply {
+        check(isMapped) { "a board on a line has no topics: call playsItsMapping() before its port is opened" }
+        played?.says(topic, message)
+    }
+
+    /** What the robot was sent, each with the topic, service or action that took it there: `/cmd_vel {"linear":{"x":0.3}}`. */
+    val published: List<String> get() = taking
+
     /** It speaks version 2 of the protocol with agents that do; to be called before the port is opened. */
     fun version2(): Board = apply {
         isVersion2 = true
@@ -209,6 +236,7 @@ class Board internal constructor(private val time: VirtualTime) {
     fun disconnects(): Board = apply {
         isConnected = false
         line?.unplug()
+        played?.goes()
         recovers()
     }
 
@@ -225,7 +253,7 @@ class Board internal constructor(private val time: VirtualTime) {
     fun admits(): Board = apply { refusal = null }
 
     /** Whether the agent has its port open. */
-    val isOpen: Boolean get() = line?.let { !it.isGone } ?: false
+    val isOpen: Boolean get() = line?.let { !it.isGone } ?: played?.link?.isOpen ?: false
 
     /** The messages that have arrived, requests for percepts and commands, in their order. */
     val received: List<String> get() = fake.received() + replayed
@@ -251,10 +279,27 @@ class Board internal constructor(private val time: VirtualTime) {
     /** Whether its port exists. */
     internal val isPresent: Boolean get() = isConnected
 
-    internal fun open(port: String, settings: LineSettings): Transport {
+    /** Whether its port is what its name says, see [playsItsMapping]. */
+    internal var isMapped = false
+        private set
+
+    /** Opens its port as what its name says. */
+    internal fun openMapped(port: String, isPaced: Boolean): BoardLink {
+        awaitOpening(port)
+        val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time) { name, message -> taking += "$name $message" }
+            ?: throw NoSuchPortException(port, "port $port has no mapping to play; for ros:// the library argo-ros is needed")
+        played = opened
+        return NotedLink(opened.link) { replayed += it }
+    }
+
+    private fun awaitOpening(port: String) {
         if (openingNanos > 0) time.block(time.nanos() + openingNanos, interruptible = false) { false }
         if (!isConnected) throw NoSuchPortException(port, "there is no port $port")
         refusal?.let { throw it(port) }
+    }
+
+    internal fun open(port: String, settings: LineSettings): Transport {
+        awaitOpening(port)
         elsewhere?.let { return it(port, settings, time) }
         val line = MemoryLine.paced(port, settings, time).also { this.line = it }
         threads.removeAll { !it.isAlive }

@@ -23,7 +23,9 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
 
     override fun open(port: String, settings: LinkSettings, owner: String): BoardLink {
         if (port.isBlank()) throw NoSuchPortException(port, "a port has a name")
-        return JavinoLink(Link.over(at(port).open(port, settings.line()), settings, time))
+        val board = at(port)
+        if (board.isMapped) return board.openMapped(port, settings.paced())
+        return JavinoLink(Link.over(board.open(port, settings.line()), settings, time))
     }
 
     override fun isPresent(port: String) = at(port).isPresent

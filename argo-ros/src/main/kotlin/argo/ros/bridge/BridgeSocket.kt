@@ -33,29 +33,39 @@ internal interface BridgeListener {
     fun gone(reason: String)
 }
 
+/** A connection to a bridge. Nothing here waits for the bridge. Safe for use by several threads. */
+internal interface Bridge : AutoCloseable {
+    /** Sends [message]. Whoever waits for messages that have left may be called by this thread, so that no lock is to be held. */
+    fun send(message: Outgoing)
+
+    /** Has [message] sent by the next [send] or [flush], and calls nobody. */
+    fun queue(message: Outgoing)
+
+    /** Sends what was queued; as [send]. */
+    fun flush()
+
+    /** Asks the bridge to show that it is there. */
+    fun ping()
+}
+
 /**
- * A WebSocket to a bridge. Messages go out in their order, those that are urgent before the others that wait; nothing here waits for the
- * bridge. Safe for use by several threads.
+ * A WebSocket to a bridge. Messages go out in their order, those that are urgent before the others that wait.
  *
  * @param client stays in use as long as there is a socket
  */
-internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : AutoCloseable {
+internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : Bridge {
     private val outbox = Outbox { socket.sendText(it, true) }
 
-    /** Sends [message]. Whoever waits for messages that have left may be called by this thread, so that no lock is to be held. */
-    fun send(message: Outgoing) {
+    override fun send(message: Outgoing) {
         outbox.add(message)
         outbox.flush()
     }
 
-    /** Has [message] sent by the next [send] or [flush], and calls nobody. */
-    fun queue(message: Outgoing) = outbox.add(message)
+    override fun queue(message: Outgoing) = outbox.add(message)
 
-    /** Sends what was queued; as [send]. */
-    fun flush() = outbox.flush()
+    override fun flush() = outbox.flush()
 
-    /** Asks the bridge to show that it is there. */
-    fun ping() {
+    override fun ping() {
         try {
             socket.sendPing(ByteBuffer.allocate(0))
         } catch (_: IllegalStateException) {
@@ -125,14 +135,16 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
          * Connects to the bridge at [address].
          *
          * @param port its name, for messages
+         * @param token what the bridge is shown, as `Authorization: Bearer …`; null: nothing
          * @throws NoSuchPortException if there is no such host, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted
          * @throws PortFaultException if what answers is no bridge
          */
-        fun connect(port: String, address: URI, listener: BridgeListener): BridgeSocket {
+        fun connect(port: String, address: URI, listener: BridgeListener, token: String? = null): BridgeSocket {
             val client = client()
-            val opening: CompletableFuture<WebSocket> = client.newWebSocketBuilder()
-                .connectTimeout(Duration.ofSeconds(CONNECTING_S)).buildAsync(address, Receiver(listener))
+            val builder = client.newWebSocketBuilder().connectTimeout(Duration.ofSeconds(CONNECTING_S))
+            if (token != null) builder.header("Authorization", "Bearer $token")
+            val opening: CompletableFuture<WebSocket> = builder.buildAsync(address, Receiver(listener))
             var isTaken = false
             try {
                 return BridgeSocket(client, opening.get(2 * CONNECTING_S, TimeUnit.SECONDS)).also { isTaken = true }

@@ -21,8 +21,8 @@ import java.util.concurrent.atomic.AtomicLong
 
 /**
  * Asks the node `rosapi`, which often runs beside a bridge, for the robot's time, for types, and for who publishes what. Where it does not
- * run, none of that is known. A bridge of ROS 1 reports no mistakes to its clients, so that asking is the only way to find them. Safe for use
- * by several threads.
+ * run, none of that is known. A bridge of ROS 1 reports no mistakes to its clients, so that asking is the only way to find them. Safe for
+ * use by several threads.
  *
  * @param offset takes the times
  * @param send sends a message to the bridge

@@ -8,6 +8,9 @@ import java.nio.file.Path
 
 private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
 
+/** What a header of HTTP takes. */
+private val TOKEN = Regex("[!-~]+")
+
 /** What mappings end with. */
 internal const val SUFFIX = ".ros.yaml"
 
@@ -37,6 +40,23 @@ internal fun findMapping(name: String, directory: Path = Path.of("").toAbsoluteP
         ?: throw notRead(fileName, "there is no such file in $directory, nor on the class path; it says which topics are which percepts")
     val text = resource.openConnection().apply { useCaches = false }.getInputStream().use { it.readBytes().decodeToString() }
     return mappingOf(text, fileName)
+}
+
+/**
+ * The token that the bridge of the mapping [name] wants, from the file `NAME.ros.token` in [directory]; null: there is no such file.
+ *
+ * @throws MappingException if it cannot be read, or holds no token
+ */
+internal fun findToken(name: String, directory: Path = Path.of("").toAbsolutePath()): String? {
+    val file = directory.resolve("$name.ros.token")
+    if (!NAME.matches(name) || !Files.isRegularFile(file)) return null
+    val token = try {
+        Files.readString(file).trim()
+    } catch (unreadable: IOException) {
+        throw notRead("$file", "it cannot be read: $unreadable")
+    }
+    if (!TOKEN.matches(token)) throw notRead("$file", "it holds no token, which is one line of letters, digits and signs without blanks")
+    return token
 }
 
 private fun notRead(source: String, message: String) = MappingException(listOf(Problem(source, 1, 1, message)))

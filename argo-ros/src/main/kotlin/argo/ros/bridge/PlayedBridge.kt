@@ -1,0 +1,77 @@
+package argo.ros.bridge
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ConcurrentHashMap
+
+/**
+ * A bridge in this program that a test plays: it answers at once, on the thread that asks it. Services and goals succeed, and there is no
+ * `rosapi`.
+ *
+ * @param heard takes each message that goes to a topic, and the request or goal of each service and action, with its name
+ */
+internal class PlayedBridge(private val listener: BridgeListener, private val heard: (name: String, message: String) -> Unit) : Bridge {
+    private val subscribed = ConcurrentHashMap.newKeySet<String>()
+    private val outbox = Outbox { text ->
+        answer(checkNotNull(operationIn(text)))
+        CompletableFuture.completedFuture(Unit)
+    }
+
+    override fun send(message: Outgoing) {
+        outbox.add(message)
+        outbox.flush()
+    }
+
+    override fun queue(message: Outgoing) = outbox.add(message)
+
+    override fun flush() = outbox.flush()
+
+    override fun ping() = listener.isAlive()
+
+    /** A node publishes [message], in JSON, on [topic]. */
+    fun publish(topic: String, message: JsonObject) {
+        if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
+    }
+
+    /** The connection ends from the bridge's side. */
+    fun end() = listener.gone("the bridge has closed the connection")
+
+    private fun answer(operation: JsonObject) {
+        val topic = operation.text("topic").orEmpty()
+        when (operation.text("op")) {
+            "subscribe" -> subscribed += topic
+            "unsubscribe" -> subscribed -= topic
+            "publish" -> published(topic, operation.part("msg") ?: return)
+            "call_service" -> called(operation)
+            "send_action_goal" -> {
+                heard(operation.text("action").orEmpty(), "${operation["args"]}")
+                listener.text(operation("action_result", "id" to operation.text("id"), "status" to SUCCEEDED_2, "result" to true))
+            }
+        }
+    }
+
+    private fun published(topic: String, message: JsonObject) {
+        val goal = message.part("goal_id").takeIf { topic.endsWith(GOAL) } ?: return heard(topic, "$message")
+        heard(topic.removeSuffix(GOAL), "${message["goal"]}")
+        val status = JsonObject(mapOf("goal_id" to goal, "status" to JsonPrimitive(SUCCEEDED_1)))
+        publish(topic.removeSuffix(GOAL) + "/result", JsonObject(mapOf("status" to status)))
+    }
+
+    private fun called(operation: JsonObject) {
+        val service = operation.text("service").orEmpty()
+        val isKnown = !service.startsWith("/rosapi/")
+        if (isKnown) heard(service, "${operation["args"] ?: JsonArray(emptyList())}")
+        val values = if (isKnown) JsonObject(emptyMap()) else JsonPrimitive("Service $service does not exist")
+        listener.text(operation("service_response", "id" to operation.text("id"), "values" to values, "result" to isKnown))
+    }
+
+    override fun close() = outbox.close()
+
+    private companion object {
+        const val GOAL = "/goal"
+        const val SUCCEEDED_1 = 3 // actionlib_msgs/GoalStatus
+        const val SUCCEEDED_2 = 4 // action_msgs/msg/GoalStatus
+    }
+}

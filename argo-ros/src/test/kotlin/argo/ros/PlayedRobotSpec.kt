@@ -1,0 +1,59 @@
+package argo.ros
+
+import argo.testkit.agentOf
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlin.time.Duration.Companion.seconds
+
+private const val PORT = "ros://robot:9090"
+
+private val PROGRAM = """
+    !start.
+    +!start <- argo.port("$PORT"); argo.limit(50); argo.percepts(open); argo.act(move(0.3, 0)).
+    +dist(f, D) : D < 40 <- argo.act(stop); argo.act(dock); +docked.
+""".trimIndent()
+
+/** Agents in the test kit's virtual time, whose robot's topics pass the real mapping `robot.ros.yaml`. */
+class PlayedRobotSpec : FunSpec({
+    test("messages of topics become percepts, and commands become messages, by the mapping") {
+        agentOf(PROGRAM) { board(PORT).playsItsMapping() }.use { robot ->
+            robot.shouldSend("move(0.3,0)")
+            robot.board.publishes("/sonar/front", """{"range": 0.5}""")
+            robot.shouldBelieve("dist(f,50)").shouldNotSend("stop")
+            robot.board.publishes("/sonar/front", """{"range": 0.382}""")
+            robot.shouldSend("stop").shouldSend("dock").shouldBelieve("docked").shouldBelieve("dist(f,38)")
+            robot.board.published shouldBe listOf(
+                """/cmd_vel {"linear":{"x":0.3},"angular":{"z":0}}""", """/cmd_vel {"linear":{"x":0},"angular":{"z":0}}""",
+                """/dock {"station":"home"}""",
+            )
+        }
+    }
+
+    test("what is published while the robot is gone is never perceived, and its port comes back") {
+        agentOf(PROGRAM) { board(PORT).playsItsMapping() }.use { robot ->
+            robot.shouldBelieve("port(\"$PORT\",on)")
+            robot.board.disconnects()
+            robot.shouldBelieve("port(\"$PORT\",off)")
+            robot.board.publishes("/sonar/front", """{"range": 0.3}""")
+            robot.board.reconnects()
+            robot.shouldBelieve("port(\"$PORT\",on)", within = 5.seconds).shouldNotBelieve("dist(f,30)")
+            robot.board.publishes("/sonar/front", """{"range": 0.3}""")
+            robot.shouldBelieve("dist(f,30)")
+        }
+    }
+
+    test("a test that misspells is refused") {
+        agentOf(PROGRAM) { board(PORT).playsItsMapping() }.use { robot ->
+            robot.shouldBelieve("port(\"$PORT\",on)")
+            shouldThrow<IllegalArgumentException> { robot.board.publishes("/sonar/front", "range 0.3") }.message shouldContain "JSON"
+            shouldThrow<IllegalStateException> { robot.board("ttyACM0").publishes("/a", "{}") }.message shouldContain "playsItsMapping()"
+        }
+    }
+
+    test("a mapping that is refused fails argo.port") {
+        val program = """!start. +!start <- argo.port("$PORT#none"). -!start[error(E)] <- +why(E)."""
+        agentOf(program) { board("$PORT#none").playsItsMapping() }.use { it.shouldBelieve("why(port_failed)") }
+    }
+})

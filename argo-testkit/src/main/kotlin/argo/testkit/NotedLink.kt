@@ -1,0 +1,18 @@
+package argo.testkit
+
+import argo.links.BoardLink
+import argo.links.SentCommand
+import javino.SendOptions
+
+/** [link], each command of which [note] takes as it is sent. */
+internal class NotedLink(private val link: BoardLink, private val note: (String) -> Unit) : BoardLink by link {
+    override fun send(text: String, options: SendOptions): SentCommand {
+        note(text)
+        return link.send(text, options)
+    }
+
+    override fun sendAndAwait(text: String, options: SendOptions) {
+        note(text)
+        link.sendAndAwait(text, options)
+    }
+}
