@@ -11,6 +11,7 @@ sourceSets.named("main") { resources.srcDir("../argo-testkit/src/planted/resourc
 dependencies {
     implementation(project(":argo-arch"))
     implementation(project(":argo-testkit")) // the bench of stops runs in its virtual time
+    implementation(project(":argo-recording")) // the bench of recordings
     implementation(project(":argo-ros")) // the bench of robots that speak ROS
     implementation(libs.java.websocket) // its bridge
     implementation(libs.jason)

@@ -3,7 +3,10 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 
 const [how, file, modules] = process.argv.slice(2);
-const { McapIndexedReader, McapStreamReader } = createRequire(`${modules}/`)("@mcap/core");
+const require = createRequire(`${modules}/`);
+const { McapIndexedReader, McapStreamReader } = require("@mcap/core");
+const lz4 = require("lz4js");
+const decompressHandlers = { lz4: (data, size) => lz4.decompress(data, Number(size)) };
 const bytes = new Uint8Array(readFileSync(file));
 const text = (data) => new TextDecoder().decode(data);
 const line = (topic, message) => console.log(`${topic} ${message.sequence} ${message.logTime} ${text(message.data)}`);
@@ -16,7 +19,7 @@ async function whole() {
     size: async () => BigInt(bytes.length),
     read: async (at, length) => bytes.slice(Number(at), Number(at + length)),
   };
-  const reader = await McapIndexedReader.Initialize({ readable });
+  const reader = await McapIndexedReader.Initialize({ readable, decompressHandlers });
   for await (const message of reader.readMessages()) line(reader.channelsById.get(message.channelId).topic, message);
   for await (const of of reader.readAttachments()) attachment(of);
   for await (const of of reader.readMetadata()) metadata(of);
@@ -25,7 +28,7 @@ async function whole() {
 
 // From its beginning, as far as it goes.
 function cut() {
-  const reader = new McapStreamReader({ validateCrcs: true });
+  const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
   const topics = new Map();
   reader.append(bytes);
   for (let record; (record = reader.nextRecord()); ) {

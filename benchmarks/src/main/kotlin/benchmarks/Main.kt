@@ -24,13 +24,15 @@ fun main(args: Array<String>) {
         "ros" -> if (!ros()) exitProcess(1)
         "explore" -> if (!explored(args.getOrNull(2))) exitProcess(1)
         "soak" -> if (!soak()) exitProcess(1)
+        "record" -> if (!recorded()) exitProcess(1)
+        REPLAY -> replayRecordings(args.drop(1))
         Crowd.NAME -> Crowd().run()
         BoardsCourse.NAME -> BoardsCourse(args[1].toInt(), args[2].toInt()).run()
         ManyBoards.NAME -> ManyBoards().run()
         BoardHost.NAME -> hostBoards(args.drop(1))
         LATENCY_COURSE -> latencyCourse(args[1])
         else -> {
-            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore")
+            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record")
             exitProcess(2)
         }
     }

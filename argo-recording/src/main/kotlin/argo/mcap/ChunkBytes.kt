@@ -29,11 +29,11 @@ internal class ChunkBytes {
         records.record(Op.MESSAGE) { u16(channel).u32(sequence).u64(logTimeNs).u64(publishTimeNs).bytes(data) }
     }
 
-    /** All of its record that comes before [records], written into [target]. */
-    fun head(target: RecordBytes): RecordBytes {
+    /** All of its record that comes before [compressed], which are its [records], written into [target]. */
+    fun head(target: RecordBytes, compressed: RecordBytes): RecordBytes {
         val head = RecordBytes().u64(times?.first ?: 0).u64(times?.last ?: 0).u64(size.toLong())
-            .u32(CRC32().apply { update(records.array(), 0, size) }.value).text("").u64(size.toLong())
-        return target.clear().u8(Op.CHUNK).u64(head.size + size.toLong()).bytes(head.array(), 0, head.size)
+            .u32(CRC32().apply { update(records.array(), 0, size) }.value).text(Lz4.NAME).u64(compressed.size.toLong())
+        return target.clear().u8(Op.CHUNK).u64(head.size + compressed.size.toLong()).bytes(head.array(), 0, head.size)
     }
 
     fun clear() {

@@ -6,7 +6,8 @@ import java.nio.file.Path
 import kotlin.io.path.inputStream
 
 /**
- * Reads a file of MCAP version 0 with uncompressed chunks, also one that was cut off or has damaged parts: it gives what is whole.
+ * Reads a file of MCAP version 0 whose chunks are compressed by LZ4 or not at all, also one that was cut off or has damaged parts: it gives
+ * what is whole.
  *
  * The whole file is looked through once when it is opened, one chunk in memory at a time. For one thread.
  *
@@ -59,7 +60,7 @@ class McapReader(path: Path) : Closeable {
         val wanted = contents.channels.filterValues { topics == null || it.topic in topics }
         return contents.parts.asSequence()
             .filter { it.times.last >= from && it.times.first < until }
-            .flatMap { part -> messagesOf(input.read(part.at, part.length), wanted) }
+            .flatMap { part -> messagesOf(part.records(input), wanted) }
             .filter { it.logTimeNs in from until until }
     }
 

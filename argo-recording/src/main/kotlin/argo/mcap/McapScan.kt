@@ -4,7 +4,22 @@ import java.nio.ByteBuffer
 import java.util.zip.CRC32
 
 /** A place in the file with whole records of messages, whose log times are in [times]. */
-internal class MessagePart(val at: Long, val length: Long, val times: LongRange)
+internal class MessagePart(private val at: Long, private val length: Long, private val packed: Packed, val times: LongRange) {
+    /** Its records, which [input] has. */
+    fun records(input: McapInput): ByteBuffer = packed.unpacked(input.read(at, length))
+}
+
+/** How the records of a chunk are packed: by [compression], as MCAP calls it, and into how many [bytes] they unfold. */
+internal class Packed(private val compression: String, private val bytes: Long) {
+    fun unpacked(records: ByteBuffer): ByteBuffer = when (compression) {
+        "" -> records
+        Lz4.NAME -> {
+            if (bytes > McapInput.MAX_RECORD_BYTES) throw McapException("it is a chunk of $bytes bytes")
+            Lz4.decompress(records, bytes.toInt())
+        }
+        else -> throw McapException("it is a chunk compressed by $compression, which cannot be read here")
+    }
+}
 
 /** What a file holds, and where. */
 internal class McapContents {
@@ -31,6 +46,7 @@ internal class McapContents {
 internal class McapScan(private val input: McapInput) {
     private val contents = McapContents()
     private var isDataOver = false
+    private var hasChunks = false
 
     fun run(): McapContents {
         checkMagic()
@@ -86,7 +102,11 @@ internal class McapScan(private val input: McapInput) {
             Op.HEADER -> contents.library = input.read(at, length).run { text(); text() }
             Op.SCHEMA -> schema(input.read(at, length))
             Op.CHANNEL -> channel(input.read(at, length))
-            Op.MESSAGE -> messages(start, input.read(start, RECORD_HEAD_BYTES + length))
+            Op.MESSAGE -> {
+                if (hasChunks) throw McapException("it is a message outside of chunks, or was made one") // an index is but one bit from it
+                val record = input.read(start, RECORD_HEAD_BYTES + length)
+                messages(record) { MessagePart(start, RECORD_HEAD_BYTES + length, Packed("", 0), it) }
+            }
             Op.CHUNK -> chunk(at, length)
             Op.ATTACHMENT -> attachment(at, length)
             Op.METADATA -> input.read(at, length).run { contents.metadata += McapMetadata(text(), map()) }
@@ -111,22 +131,24 @@ internal class McapScan(private val input: McapInput) {
     }
 
     private fun chunk(at: Long, length: Long) {
+        hasChunks = true
         val chunk = input.read(at, length)
         chunk.u64()
         chunk.u64()
         val recordBytes = chunk.u64()
         val checksum = chunk.u32()
-        val compression = chunk.text()
-        if (compression.isNotEmpty()) throw McapException("it is a chunk compressed by $compression, which cannot be read here")
-        val records = chunk.part(chunk.u64())
+        val packed = Packed(chunk.text(), recordBytes)
+        val compressed = chunk.part(chunk.u64())
+        val place = at + chunk.position() - compressed.remaining()
+        val bytes = compressed.remaining().toLong()
+        val records = packed.unpacked(compressed)
         if (records.remaining().toLong() != recordBytes) throw McapException("its length is damaged")
         if (checksum != 0L && checksum != checksumOf(records)) throw McapException("it is damaged: its checksum is wrong")
-        messages(at + chunk.position() - records.remaining(), records)
+        messages(records) { MessagePart(place, bytes, packed, it) }
     }
 
-    /** Takes schemas and channels of [records], which are at [at] in the file, and notes where the messages are. */
-    private fun messages(at: Long, records: ByteBuffer) {
-        val length = records.remaining().toLong()
+    /** Takes schemas and channels of [records], and notes where the messages are, of which [partOf] makes a place by their times. */
+    private fun messages(records: ByteBuffer, partOf: (LongRange) -> MessagePart) {
         var times: LongRange? = null
         var count = 0L
         records.forEachRecord { op, content ->
@@ -139,7 +161,7 @@ internal class McapScan(private val input: McapInput) {
                 }
             }
         }
-        times?.let { contents.parts += MessagePart(at, length, it) }
+        times?.let { contents.parts += partOf(it) }
         contents.messageCount += count
     }
 

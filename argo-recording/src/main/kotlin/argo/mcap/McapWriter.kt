@@ -4,8 +4,8 @@ import java.nio.channels.WritableByteChannel
 import java.util.zip.CRC32
 
 /**
- * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in uncompressed chunks, each with its checksum and an index behind it,
- * and a summary at the end. What has been written up to the last chunk can be read without the rest.
+ * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in chunks that LZ4 compresses, each with its checksum and an index
+ * behind it, and a summary at the end. What has been written up to the last chunk can be read without the rest.
  *
  * For one thread. Each function throws the [java.io.IOException] of the sink; the file is then of no more use than what was whole before.
  *
@@ -20,6 +20,7 @@ class McapWriter(
 ) : AutoCloseable {
     private val summary = Summary()
     private val chunk = ChunkBytes()
+    private val compression = Lz4()
     private val record = RecordBytes()
     private val checksum = CRC32()
     private var isClosed = false
@@ -96,13 +97,15 @@ class McapWriter(
     /** Ends the chunk, so that the sink has all that was added. */
     fun flush() {
         if (chunk.size == 0) return
-        write(chunk.head(record))
-        write(chunk.records)
+        val compressed = compression.compress(chunk.records.array(), chunk.size)
+        write(chunk.head(record, compressed))
+        write(compressed)
         val indexAt = written
         val places = chunk.channels.associateWith { channel ->
             written.also { write(record.clear().messageIndex(channel, chunk.entries(channel))) }
         }
-        summary.chunks += ChunkIndex(chunk.times, wholeBytes, indexAt - wholeBytes, places, written - indexAt, chunk.size.toLong())
+        val (packedBytes, recordBytes) = compressed.size.toLong() to chunk.size.toLong()
+        summary.chunks += ChunkIndex(chunk.times, wholeBytes, indexAt - wholeBytes, places, written - indexAt, packedBytes, recordBytes)
         chunk.clear()
         wholeBytes = written
     }

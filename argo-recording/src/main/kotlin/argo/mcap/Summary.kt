@@ -8,6 +8,7 @@ internal class ChunkIndex(
     val length: Long,
     val messageIndexes: Map<Int, Long>,
     val messageIndexLength: Long,
+    val compressedBytes: Long,
     val recordBytes: Long,
 )
 
@@ -67,7 +68,7 @@ internal class Summary {
     private fun RecordBytes.chunkIndex(chunk: ChunkIndex) = record(Op.CHUNK_INDEX) {
         u64(chunk.times?.first ?: 0).u64(chunk.times?.last ?: 0).u64(chunk.at).u64(chunk.length)
         sized { chunk.messageIndexes.forEach { (channel, at) -> u16(channel).u64(at) } }
-        u64(chunk.messageIndexLength).text("").u64(chunk.recordBytes).u64(chunk.recordBytes)
+        u64(chunk.messageIndexLength).text(Lz4.NAME).u64(chunk.compressedBytes).u64(chunk.recordBytes)
     }
 
     private fun RecordBytes.attachmentIndex(index: AttachmentIndex) = record(Op.ATTACHMENT_INDEX) {

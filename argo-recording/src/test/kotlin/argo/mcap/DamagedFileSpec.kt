@@ -92,6 +92,14 @@ class DamagedFileSpec : FunSpec({
         read(file).second.first() shouldContain "compressed by zstd"
     }
 
+    test("an index that one bit has made a message adds none") {
+        val index = (parts.last().bytes.toInt() downTo 0).first { bytes[it].toInt() == Op.MESSAGE_INDEX && bytes[it + 1].toInt() == 54 }
+        file.writeBytes(bytes.copyOf().also { it[index] = Op.MESSAGE.toByte() })
+        val (messages, problems) = read(file)
+        messages shouldBe parts.last().messages
+        problems.first() shouldContain "the record at byte $index was left out: it is a message outside of chunks"
+    }
+
     test("messages outside of chunks are read, as other writers leave them") {
         val records = RecordBytes().schema(McapSchema(1, "S", "jsonschema", "{}"))
             .channel(McapChannel(3, "/robot/x", McapSchema(1, "S", "jsonschema", "{}"), "json"))
