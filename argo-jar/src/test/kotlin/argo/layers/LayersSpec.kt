@@ -105,8 +105,13 @@ class LayersSpec : FunSpec({
 
     context("the live view") {
         test("knows observed agents and filters, and of ARGO nothing else") {
-            noClasses().that().resideInAPackage("argo.view..").should()
-                .dependOnClassesThat(productBut("argo.view..", "argo.observing", "argo.filters..")).check(product)
+            noClasses().that().resideInAPackage("argo.view").should()
+                .dependOnClassesThat(productBut("argo.view", "argo.observing", "argo.filters..")).check(product)
+        }
+        test("shows recordings knowing how they are read and what a tool is") {
+            noClasses().that().resideInAPackage("argo.view.timeline").should()
+                .dependOnClassesThat(productBut("argo.view..", "argo.recording", "argo.recording.replay", "argo.tools.command"))
+                .check(product)
         }
     }
 

@@ -1,5 +1,6 @@
 package argo.view
 
+import com.sun.net.httpserver.HttpExchange
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 
@@ -30,3 +31,19 @@ internal class HttpResponse(
     @Serializable
     private class Message(val message: String)
 }
+
+/** Begins the response to an exchange with [status], content of [type] and so many bytes; see [HttpExchange.sendResponseHeaders]. */
+internal fun HttpExchange.begin(status: Int, type: String, length: Long) {
+    HEADERS.forEach { (name, value) -> responseHeaders.add(name, value) }
+    responseHeaders.add("Content-Type", "$type; charset=utf-8")
+    sendResponseHeaders(status, length)
+}
+
+private val HEADERS = mapOf(
+    "Cache-Control" to "no-store",
+    "Content-Security-Policy" to "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; " +
+        "base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+    "Referrer-Policy" to "no-referrer",
+    "X-Content-Type-Options" to "nosniff",
+    "X-Frame-Options" to "DENY",
+)

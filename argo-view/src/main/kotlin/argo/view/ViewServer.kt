@@ -93,12 +93,6 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
         responseBody.use { it.write(response.body) } // before what is left of a long request is read
     }
 
-    private fun HttpExchange.begin(status: Int, type: String, length: Long) {
-        HEADERS.forEach { (name, value) -> responseHeaders.add(name, value) }
-        responseHeaders.add("Content-Type", "$type; charset=utf-8")
-        sendResponseHeaders(status, length)
-    }
-
     /** Serves the exchange with [handle], and drops the connection of a browser that has gone or was waited for too long. */
     private fun HttpExchange.use(handle: (HttpExchange) -> Unit) {
         try {
@@ -120,13 +114,5 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
 
         /** How long a browser whose connection is lost waits before it tries again. */
         const val RETRY_MS = 1000
-        val HEADERS = mapOf(
-            "Cache-Control" to "no-store",
-            "Content-Security-Policy" to "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; " +
-                "base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
-            "Referrer-Policy" to "no-referrer",
-            "X-Content-Type-Options" to "nosniff",
-            "X-Frame-Options" to "DENY",
-        )
     }
 }

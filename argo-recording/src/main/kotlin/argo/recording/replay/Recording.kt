@@ -1,6 +1,7 @@
 package argo.recording.replay
 
 import argo.mcap.McapReader
+import argo.recording.CommandEnd
 import argo.recording.Cycle
 import argo.recording.FORMAT
 import argo.recording.RecordedAgent
@@ -55,6 +56,9 @@ class Recording(private val file: Path) : AutoCloseable {
 
     /** The cycles of [agent], in their order. */
     fun cycles(agent: String): Sequence<Cycle> = messages("/$agent/cycle", Cycle.serializer()).map(Cycle::whole)
+
+    /** What became of the commands of [agent], in the order in which that was known. */
+    fun commandEnds(agent: String): Sequence<CommandEnd> = messages("/$agent/command", CommandEnd.serializer())
 
     private fun <T> messages(topic: String, serializer: KSerializer<T>): Sequence<T> =
         reader.messages(topics = setOf(topic)).map { JSON.decodeFromString(serializer, it.data.decodeToString()) }

@@ -1,0 +1,49 @@
+package argo.view.timeline
+
+import kotlinx.serialization.Serializable
+
+/** A row of the timeline of an agent, from top to bottom. */
+internal enum class Lane {
+    /** What went over the line: messages of boards, and commands when they had left or the board had acted. */
+    LINE,
+
+    /** What the agent perceived, when its cycle took it. */
+    PERCEPTS,
+
+    /** The events that the agent chose. */
+    EVENTS,
+
+    /** The steps of its intentions. */
+    INTENTIONS,
+
+    /** Its commands, from being issued to their outcome. */
+    COMMANDS,
+
+    /** The lines that it printed. */
+    PRINTED,
+}
+
+/**
+ * Something at a time in the recording of an agent. Nothing of it changes once the timeline is made.
+ *
+ * @property id its place in [Timeline.items]
+ * @property agent the place of its agent in [Timeline.agents]
+ * @property from when it began, in seconds since the beginning of the recording
+ * @property until when it ended; null: it took no time
+ * @property text what it is, in short
+ * @property detail more of it, a line for each thing
+ * @property isBad whether it is a failure
+ * @property causes the ids of what it came of
+ */
+@Serializable
+internal class Item(
+    val id: Int,
+    val agent: Int,
+    val lane: Lane,
+    val from: Double,
+    val until: Double? = null,
+    val text: String,
+    val detail: List<String> = emptyList(),
+    val isBad: Boolean = false,
+    val causes: List<Int> = emptyList(),
+)

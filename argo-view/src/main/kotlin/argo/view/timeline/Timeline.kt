@@ -1,0 +1,92 @@
+package argo.view.timeline
+
+import argo.recording.replay.Recording
+import kotlinx.serialization.Serializable
+
+/** What the page draws of a lane between two times: [items], or in their place [heaps] if they are too many. */
+@Serializable
+internal class LanePart(val agent: Int, val lane: Lane, val items: List<Item> = emptyList(), val heaps: List<Heap> = emptyList())
+
+/** [count] items that are too near to each other to be drawn; [id] is the first one, or the first failure. */
+@Serializable
+internal class Heap(val from: Double, val until: Double, val count: Int, val isBad: Boolean, val id: Int)
+
+/** An item with all that it came of and all that came of it, the nearest first. */
+@Serializable
+internal class Related(val item: Item, val causes: List<Item>, val effects: List<Item>)
+
+/**
+ * What happened to the agents of a recording, and what each thing came of. Does not change.
+ *
+ * @property agents their names
+ * @property seconds how long the recording is
+ * @property items all of it; the place of each is its id
+ */
+internal class Timeline(val agents: List<String>, val seconds: Double, val items: List<Item>) {
+    private val lanes: Map<Pair<Int, Lane>, List<Item>> =
+        items.groupBy { it.agent to it.lane }.mapValues { (_, items) -> items.sortedBy { it.from } }
+    private val longest: Map<Pair<Int, Lane>, Double> =
+        lanes.mapValues { (_, items) -> items.maxOf { (it.until ?: it.from) - it.from } }
+    private val effects: Map<Int, List<Int>> =
+        items.flatMap { item -> item.causes.map { it to item.id } }.groupBy({ it.first }, { it.second })
+
+    /** What there is from [from] to [until], in seconds; of a lane with more than [most] items, so many heaps. */
+    fun between(from: Double, until: Double, most: Int): List<LanePart> =
+        lanes.entries.sortedBy { (key, _) -> key.first * Lane.entries.size + key.second.ordinal }.map { (key, all) ->
+            val first = all.firstFrom(from - longest.getValue(key))
+            val some = all.subList(first, maxOf(first, all.firstFrom(until, isAfter = true))).filter { (it.until ?: it.from) >= from }
+            val (agent, lane) = key
+            if (some.size <= most) LanePart(agent, lane, some) else LanePart(agent, lane, heaps = heaps(some, from, until, most))
+        }
+
+    private fun heaps(items: List<Item>, from: Double, until: Double, most: Int): List<Heap> {
+        val width = (until - from) / most
+        return items.groupBy { ((it.from - from) / width).toInt() }.values.map { heap ->
+            val bad = heap.find { it.isBad }
+            Heap(heap.first().from, heap.last().from, heap.size, bad != null, (bad ?: heap.first()).id)
+        }
+    }
+
+    /** The item [id] and what it is linked with, at most [most] in each direction; null: there is none. */
+    fun related(id: Int, most: Int): Related? {
+        val item = items.getOrNull(id) ?: return null
+        return Related(item, reached(id, most) { items[it].causes }, reached(id, most) { effects[it].orEmpty() })
+    }
+
+    /** The item before or after [id] in its lane; [id] itself if there is none. */
+    fun beside(id: Int, isAfter: Boolean): Int? {
+        val item = items.getOrNull(id) ?: return null
+        val lane = lanes.getValue(item.agent to item.lane)
+        return (lane.getOrNull(lane.indexOf(item) + if (isAfter) 1 else -1) ?: item).id
+    }
+
+    private fun reached(from: Int, most: Int, next: (Int) -> List<Int>): List<Item> {
+        val reached = linkedSetOf(from)
+        val open = ArrayDeque(listOf(from))
+        while (open.isNotEmpty() && reached.size <= most) {
+            for (id in next(open.removeFirst())) if (reached.size <= most && reached.add(id)) open += id
+        }
+        return reached.drop(1).map(items::get)
+    }
+
+    /** The place of the first item that begins at [time] or later, or later only. */
+    private fun List<Item>.firstFrom(time: Double, isAfter: Boolean = false): Int =
+        binarySearch { if (it.from < time || isAfter && it.from == time) -1 else 1 }.let { -it - 1 }
+
+    companion object {
+        /**
+         * Reads [recording].
+         * @throws IllegalArgumentException if a message in it cannot be read
+         */
+        fun of(recording: Recording): Timeline {
+            val agents = recording.agents.keys.sorted()
+            val zeroNs = agents.mapNotNull { recording.cycles(it).firstOrNull()?.ns }.minOrNull() ?: 0
+            val items = ArrayList<Item>()
+            agents.forEachIndexed { place, agent ->
+                val made = AgentItems(place, zeroNs, items, recording.commandEnds(agent).associateBy { it.number })
+                recording.cycles(agent).forEach(made::add)
+            }
+            return Timeline(agents, items.maxOfOrNull { it.until ?: it.from } ?: 0.0, items)
+        }
+    }
+}
