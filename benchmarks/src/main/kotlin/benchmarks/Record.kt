@@ -98,7 +98,7 @@ private class Cycles(nanos: List<Long>) {
 private fun program(intervalMs: Int) =
     """
     !start.
-    +!start <- argo.port("sim:$BOARD"); argo.limit($intervalMs); argo.percepts(open).
+    +!start <- argo.port("sim:$BOARD", [baud(115200)]); argo.limit($intervalMs); argo.percepts(open).
     +dist(f,Cm) : Cm < 60 <- argo.act(stop).
     +dist(f,Cm) <- argo.act(forward).
     """.trimIndent()
@@ -107,7 +107,7 @@ private const val BOARD = "bench-record"
 private const val INTERVAL_MS = 20
 private const val WARM_UP_MS = 1
 private const val DRIVES = 3
-private const val DRIVE_S = 12
+private const val DRIVE_S = 10
 private const val LOADING = 6 // a sixth of a drive: classes are loaded and the port is opened
 private const val MOST_COST = 5
 private const val MOST_MEGABYTES = 2
