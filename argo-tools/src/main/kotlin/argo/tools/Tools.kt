@@ -17,6 +17,7 @@ import argo.tools.recording.RecordingCommand
 import argo.tools.samples.DemoCommand
 import argo.tools.samples.ExperimentCommand
 import argo.tools.samples.SampleCommand
+import argo.tools.why.WhyCommand
 import picocli.CommandLine.Command
 import picocli.CommandLine.IVersionProvider
 import picocli.CommandLine.Model.CommandSpec
@@ -30,8 +31,9 @@ import picocli.CommandLine.Spec
     versionProvider = JarVersion::class,
     subcommands = [
         PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class,
-        RecordingCommand::class, ExploreCommand::class, FilterCommand::class, DoctorCommand::class, CheckAgentCommand::class,
-        NewCommand::class, DemoCommand::class, SampleCommand::class, ExperimentCommand::class, CompletionCommand::class,
+        RecordingCommand::class, WhyCommand::class, ExploreCommand::class, FilterCommand::class, DoctorCommand::class,
+        CheckAgentCommand::class, NewCommand::class, DemoCommand::class, SampleCommand::class, ExperimentCommand::class,
+        CompletionCommand::class,
     ],
     footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],
 )

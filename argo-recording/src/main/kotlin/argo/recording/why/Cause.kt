@@ -1,0 +1,168 @@
+package argo.recording.why
+
+import argo.recording.Place
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.Transient
+
+/** What something in a recording came of. In JSON its `type` is the name of its kind. Times are in seconds since the first cycle. */
+@Serializable
+sealed interface Cause {
+    /** What this came of itself. */
+    val causes: List<Cause> get() = emptyList()
+
+    /** How many causes lie one behind the other, this one being the first. */
+    val depth: Int get() = 1
+}
+
+/**
+ * What a board sent at once.
+ *
+ * @property number counts the messages of boards that the agent perceived, from 1
+ * @property port the port that it came from
+ * @property namespace where it is believed; null: in the default namespace
+ * @property seconds when its last byte came
+ * @property cycle Jason's number of the cycle in which it was perceived
+ * @property texts the percepts as they came off the line
+ * @property kept those that the filter let through; null: all
+ */
+@Serializable
+data class Frame(
+    val number: Int,
+    val port: String,
+    val namespace: String? = null,
+    val seconds: Double,
+    val cycle: Int,
+    val texts: List<String>,
+    val kept: List<String>? = null,
+)
+
+/**
+ * A percept came, or went.
+ *
+ * @property belief the percept
+ * @property isGone whether it went
+ * @property seconds when the cycle began in which it was perceived
+ * @property frame the frame by which it came, or which had it no more; null: no board sent it
+ * @property from where it came from if no board sent it: `argo`, which believes the states of ports, or `environment`
+ * @property filter why the filter let it through; null: there was none, or the recording does not have it
+ */
+@Serializable
+@SerialName("percept")
+data class PerceptCause(
+    val belief: String,
+    val isGone: Boolean = false,
+    val seconds: Double,
+    val frame: Frame? = null,
+    val from: String? = null,
+    val filter: String? = null,
+) : Cause
+
+/** An agent sent a message. */
+@Serializable
+@SerialName("message")
+data class MessageCause(val sender: String, val performative: String, val content: String, val seconds: Double) : Cause
+
+/** A goal or a belief that the agent began with. */
+@Serializable
+@SerialName("beginning")
+data class BeginningCause(val text: String, val file: String? = null, val line: Int? = null) : Cause
+
+/** What the recording does not have, or what lies further back than is followed: [why] for a person. */
+@Serializable
+@SerialName("unknown")
+data class UnknownCause(val text: String, val why: String) : Cause
+
+/**
+ * A step of a plan was carried out.
+ *
+ * @property step the step as the plan has it
+ * @property line its line in [Place.file] of the plan
+ * @property seconds when the cycle began in which it was carried out
+ * @property plan the plan that it is of, as it was chosen
+ * @property tests the tests and conditions in the plan's body that led to the step
+ */
+@Serializable
+@SerialName("step")
+data class StepCause(
+    val step: String,
+    val line: Int? = null,
+    val seconds: Double,
+    val plan: PlanCause,
+    val tests: List<Condition> = emptyList(),
+) : Cause {
+    override val causes get() = listOf(plan) + tests.flatMap { it.causes }
+
+    @Transient
+    override val depth: Int = 1 + causes.maxOf { it.depth }
+}
+
+/**
+ * A plan was chosen for an event.
+ *
+ * @property place where it stands
+ * @property trigger the event
+ * @property seconds when the cycle began in which it was chosen
+ * @property cycle Jason's number of that cycle
+ * @property conditions the parts of its context, as they were then
+ * @property event what the event came of
+ * @property again how often the plan had called itself, as the last step, before
+ */
+@Serializable
+@SerialName("plan")
+data class PlanCause(
+    val place: Place,
+    val trigger: String,
+    val seconds: Double,
+    val cycle: Int,
+    val conditions: List<Condition> = emptyList(),
+    val event: Cause,
+    val again: Int = 0,
+) : Cause {
+    override val causes get() = listOf(event) + conditions.flatMap { it.causes }
+
+    @Transient
+    override val depth: Int = 1 + causes.maxOf { it.depth }
+}
+
+/**
+ * A part of the context of a plan, or a test in its body.
+ *
+ * @property text as the program has it
+ * @property value with the values of its variables; the same if it has none
+ * @property holds whether it was true
+ * @property causes why what it speaks of was believed
+ */
+@Serializable
+data class Condition(val text: String, val value: String, val holds: Boolean = true, val causes: List<Cause> = emptyList())
+
+/** All percepts that this came of, itself among them: the one whose event is at the root first. */
+fun Cause.percepts(): List<PerceptCause> = (listOfNotNull(this as? PerceptCause) + causes.flatMap { it.percepts() }).distinct()
+
+/** All frames that this came of. */
+fun Cause.frames(): List<Frame> = percepts().mapNotNull { it.frame }.distinct()
+
+/** The root of this: the percept, the message or the goal of the program whose event began the intention. */
+fun Cause.root(): Cause = when (this) {
+    is StepCause -> plan.root()
+    is PlanCause -> event.root()
+    else -> this
+}
+
+/** This with causes that lie at most so many [levels] behind. */
+internal fun Cause.within(levels: Int): Cause = when {
+    depth <= levels -> this
+    this is StepCause -> copy(plan = plan.planWithin(levels - 1), tests = tests.map { it.within(levels - 1) })
+    this is PlanCause -> planWithin(levels)
+    else -> this
+}
+
+private fun PlanCause.planWithin(levels: Int): PlanCause = when {
+    depth <= levels -> this
+    levels <= 1 -> copy(event = UnknownCause(trigger, "further back than is followed"), conditions = conditions.map { it.within(0) })
+    else -> copy(event = event.within(levels - 1), conditions = conditions.map { it.within(levels - 1) })
+}
+
+/** This with causes of so many [levels] at most. */
+internal fun Condition.within(levels: Int): Condition =
+    if (causes.all { it.depth <= levels }) this else copy(causes = if (levels < 1) emptyList() else causes.map { it.within(levels) })

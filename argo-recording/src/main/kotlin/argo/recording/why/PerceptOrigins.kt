@@ -1,0 +1,74 @@
+package argo.recording.why
+
+import argo.recording.PerceivedSnapshot
+import argo.recording.agent.literalOf
+import argo.recording.agent.textOf
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+
+/** Which frame each percept of an agent came by, and went by. */
+internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private val filterOf: (port: String, text: String) -> String?) {
+    private val present = HashMap<String, PerceptCause>()
+    private val gone = object : LinkedHashMap<String, PerceptCause>() {
+        override fun removeEldestEntry(eldest: Map.Entry<String, PerceptCause>) = size > MAX_GONE
+    }
+    private val newest = LinkedHashMap<String, Frame>()
+    private var frames = 0
+
+    /** The newest frame of each board that has been perceived. */
+    val newestFrames: Collection<Frame> get() = newest.values
+
+    /** The agent perceives [percepts] in the cycle of this [number] at [ns], of [snapshots] and of what it perceived before. */
+    fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
+        val seconds = secondsOf(ns)
+        val now = snapshots.map { frameOf(it, number) to keysOf(it) }
+        now.forEach { (frame, _) -> newest[frame.port] = frame }
+        val keys = percepts.associateBy(::keyOf)
+        for ((key, percept) in keys) {
+            if (key in present) continue
+            val found = now.find { (_, kept) -> key in kept }
+            val frame = found?.first
+            val filter = found?.let { (frame, kept) -> filterOf(frame.port, kept.getValue(key)) }
+            present[key] = PerceptCause(key, false, seconds, frame, if (frame == null) fromOf(percept) else null, filter)
+        }
+        for (key in present.keys - keys.keys) {
+            val was = present.remove(key) ?: continue
+            gone[key] = PerceptCause(key, true, seconds, now.map { it.first }.find { it.port == was.frame?.port }, was.from)
+        }
+    }
+
+    /** How [percept] came that is perceived now; null: it is not perceived. */
+    fun of(percept: Literal): PerceptCause? = present[keyOf(percept)]
+
+    /** How [percept] went; null: it is not known. */
+    fun goneOf(percept: Literal): PerceptCause? = gone[keyOf(percept)]
+
+    /** How the percept went last that [matches]; null: none has. */
+    fun lastGone(matches: (Literal) -> Boolean): PerceptCause? = gone.values.lastOrNull { matches(literalOf(it.belief)) }
+
+    private fun frameOf(snapshot: PerceivedSnapshot, number: Int) = Frame(
+        ++frames, snapshot.port, snapshot.namespace, secondsOf(snapshot.receivedNs), number, snapshot.texts, snapshot.kept,
+    )
+
+    /** The percepts in [snapshot] that were kept, as they are believed, each with its text. */
+    private fun keysOf(snapshot: PerceivedSnapshot): Map<String, String> = (snapshot.kept ?: snapshot.texts).mapNotNull { text ->
+        believed(text, snapshot.namespace)?.let { keyOf(it) to text }
+    }.toMap()
+
+    private fun fromOf(percept: Literal) = if ("${percept.functor}/${percept.arity}" in OF_ARGO) "argo" else "environment"
+
+    private companion object {
+        const val MAX_GONE = 1000
+        val OF_ARGO = setOf("port/2", "stale/1", "reflex/2")
+    }
+}
+
+/** The percept that a board's [text] is believed as in [namespace]; null: it cannot be read. */
+internal fun believed(text: String, namespace: String?): Literal? = try {
+    literalOf(text).let { if (namespace == null) it else it.cloneNS(ASSyntax.createAtom(namespace)) as Literal }
+} catch (_: IllegalArgumentException) {
+    null
+}
+
+/** What [literal] is without its annotations. */
+internal fun keyOf(literal: Literal): String = textOf(if (literal.hasAnnot()) literal.copy().apply { clearAnnots() } else literal)

@@ -1,0 +1,76 @@
+package argo.recording.why
+
+import argo.recording.replay.RecordingException
+import kotlinx.serialization.Serializable
+import kotlin.math.abs
+
+/**
+ * A command of an agent in a recording.
+ *
+ * @property number counts the commands of the agent, from 1
+ * @property text what was sent, `speed(120)`, or the action of the environment
+ * @property port the port of its board; null: it was an action of the environment
+ * @property seconds when the cycle began in which it was issued, since the first cycle
+ * @property cycle the index of that cycle, see [argo.recording.Cycle.index]
+ */
+@Serializable
+data class RecordedCommand(
+    val agent: String,
+    val number: Int,
+    val text: String,
+    val port: String? = null,
+    val seconds: Double,
+    val cycle: Long,
+)
+
+/**
+ * Which command is asked about.
+ *
+ * @property text the whole command, or its functor
+ * @property seconds about when, since the first cycle; null: at any time
+ * @property count the how manieth command of this [text], from 1; null: the last one, or the one next to [seconds]
+ */
+data class Question(val text: String, val seconds: Double? = null, val count: Int? = null) {
+    override fun toString() = text + (seconds?.let { "@${it}s" } ?: count?.let { "#$it" }.orEmpty())
+
+    /** Whether [command] is what is asked about, at any time. */
+    fun isAbout(command: String): Boolean = command == text || command.substringBefore('(') == text
+
+    /**
+     * The command of [all] that is asked about.
+     * @throws RecordingException if there is none; it names those around the time
+     */
+    fun find(all: List<RecordedCommand>): RecordedCommand {
+        val fitting = all.filter { isAbout(it.text) }
+        val found = when {
+            count != null -> fitting.getOrNull(count - 1)
+            seconds != null -> fitting.minByOrNull { abs(it.seconds - seconds) }?.takeIf { abs(it.seconds - seconds) <= TOLERANCE_S }
+            else -> fitting.lastOrNull()
+        }
+        return found ?: throw RecordingException(notFound(all, fitting.size))
+    }
+
+    private fun notFound(all: List<RecordedCommand>, fitting: Int): String {
+        if (all.isEmpty()) return "the recording holds no command"
+        val what = if (count != null && fitting > 0) "there are only $fitting commands $text" else "there is no command $this"
+        val near = seconds?.let { at -> all.sortedBy { abs(it.seconds - at) }.take(SHOWN).sortedBy { it.seconds } } ?: all.takeLast(SHOWN)
+        val shown = near.joinToString { "%s@%.3fs".format(it.text, it.seconds) }
+        return "$what; those ${if (seconds == null) "at the end" else "around that time"}: $shown"
+    }
+
+    companion object {
+        /** How far the time of a question may be from the command's. */
+        const val TOLERANCE_S = 0.5
+        private const val SHOWN = 8
+        private val AT = Regex("""(.+?)@(\d{1,9}(?:\.\d{1,9})?)\s*s?""")
+        private val COUNTED = Regex("""(.+)#([1-9]\d{0,8})""")
+
+        /** The question that [text] asks: `stop@12.3s`, `stop#3`, `stop`; null: it is none. */
+        fun of(text: String): Question? {
+            val asked = text.trim()
+            AT.matchEntire(asked)?.destructured?.let { (command, seconds) -> return Question(command.trim(), seconds.toDouble()) }
+            COUNTED.matchEntire(asked)?.destructured?.let { (command, count) -> return Question(command.trim(), count = count.toInt()) }
+            return if (asked.isEmpty()) null else Question(asked)
+        }
+    }
+}

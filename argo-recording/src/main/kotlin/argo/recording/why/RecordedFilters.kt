@@ -1,0 +1,40 @@
+package argo.recording.why
+
+import argo.filters.FilterException
+import argo.filters.format.XmlFilters
+import argo.filters.matching.Explanation
+import argo.filters.matching.FilterSession
+import argo.recording.FilterChange
+
+/**
+ * The filters that an agent perceives through in the course of its recording.
+ *
+ * @param files the files in the recording, by their names
+ */
+internal class RecordedFilters(private val files: Map<String, ByteArray>) {
+    private var ofAll: FilterSession<String>? = null
+    private val ofBoards = HashMap<String, FilterSession<String>?>()
+
+    /** The agent perceives through other filters from its next cycle on. */
+    fun changed(changes: List<FilterChange>) = changes.forEach { change ->
+        val port = change.port
+        if (port == null) {
+            ofAll = sessionOf(change)
+            ofBoards.clear()
+        } else {
+            ofBoards[port] = sessionOf(change)
+        }
+    }
+
+    /** Why the filter of the board on [port] keeps or drops [text]; null: it has none. What rates hold back is not known. */
+    fun explain(port: String, text: String): Explanation? = (if (port in ofBoards) ofBoards[port] else ofAll)?.explain(text, 0)
+
+    private fun sessionOf(change: FilterChange): FilterSession<String>? {
+        val text = files[change.file ?: return null] ?: return null
+        return try {
+            FilterSession.ofTexts().apply { switchTo(XmlFilters.read(text.decodeToString(), "${change.name}.xml")) }
+        } catch (_: FilterException) {
+            null // of a later version
+        }
+    }
+}

@@ -1,0 +1,287 @@
+package argo.recording.why
+
+import argo.boundary.Boundary
+import argo.boundary.Perception
+import argo.recording.Cycle
+import argo.recording.Place
+import argo.recording.agent.fileName
+import argo.recording.replay.ReplayedInputs
+import argo.recording.replay.normal
+import jason.asSemantics.Event
+import jason.asSemantics.IntendedMeans
+import jason.asSemantics.Intention
+import jason.asSemantics.Option
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.InternalActionLiteral
+import jason.asSyntax.Literal
+import jason.asSyntax.LogicalFormula
+import jason.asSyntax.Plan
+import jason.asSyntax.PlanBody
+import jason.asSyntax.PlanBody.BodyType
+import jason.asSyntax.SourceInfo
+import java.util.IdentityHashMap
+import java.util.WeakHashMap
+
+/**
+ * Follows an agent while it is replayed: what its events came of, which plans were chosen and under which conditions, and what its steps
+ * note and send. It stands around the [inputs] of the agent, and only asks.
+ *
+ * @param firstNs when the recording began, in ns of the agent's clock
+ * @param filters the filters that the recording has
+ * @param taken is called when an event has been taken from the queue, before a plan is looked for
+ */
+internal class Trace(
+    private val inputs: ReplayedInputs,
+    private val firstNs: Long,
+    private val filters: RecordedFilters = RecordedFilters(emptyMap()),
+    private val taken: (Trace, Event) -> Unit = { _, _ -> },
+) : Boundary by inputs {
+    /** A plan that was chosen, and what its body has tested since. */
+    private class Adopted(val plan: PlanCause) {
+        val tests = LinkedHashMap<String, Condition>()
+    }
+
+    /** A command, to a board or to the environment, and the step that issued it; its number counts from 1. */
+    class Issued(val cycle: Cycle, val port: String?, val text: String, val cause: StepCause?)
+
+    /** What the boards have sent. */
+    val percepts = PerceptOrigins(::secondsOf) { port, text -> filters.explain(port, text)?.toString() }
+
+    /** All commands so far. */
+    val issued = ArrayList<Issued>()
+
+    /** What became of events that were [taken]: the plan that was chosen last. */
+    var chosen: PlanCause? = null
+        private set
+
+    /** The agent's transition system. There from its first cycle on. */
+    lateinit var ts: TransitionSystem
+        private set
+
+    private val origins = IdentityHashMap<Event, Cause>()
+    private val adopted = WeakHashMap<IntendedMeans, Adopted>()
+    private val notes = HashMap<String, Cause>()
+    private val mail = ArrayList<MessageCause>()
+    private var pending: Pair<Option, Adopted>? = null
+    private var event: Event? = null
+    private var option: Option? = null
+    private var selected: Intention? = null
+    private var step: StepCause? = null
+    private var isFirst = true
+    private var isWatching = false
+    private lateinit var conditions: Conditions
+
+    private val cycle get() = inputs.cycle
+
+    override fun cycleStarting(ts: TransitionSystem) {
+        this.ts = ts
+        if (isFirst) conditions = Conditions(ts.ag, ::originOf, ::goneOf)
+        inputs.cycleStarting(ts)
+        notice { if (isFirst) beginning(it.trigger.literal) else UnknownCause(shown(it), "another thread of the project put it there") }
+        isFirst = false
+        event = ts.c.selectedEvent
+        option = ts.c.selectedOption
+        selected = ts.c.selectedIntention
+        step = null
+        cycle.input.mail.mapTo(mail) { MessageCause(it.sender.orEmpty(), it.performative, it.content, secondsOf(cycle.ns)) }
+    }
+
+    override fun perceive(live: () -> Perception): Perception = inputs.perceive(live).also { perception ->
+        perception.percepts?.let { percepts.perceived(it, cycle.input.snapshots, cycle.number, cycle.ns) }
+    }
+
+    override fun takeMail(live: () -> Unit) {
+        notice { perceptOrigin(it) }
+        inputs.takeMail(live)
+        notice { UnknownCause(shown(it), "a timer of the agent ended") }
+    }
+
+    override fun ruleApplied() {
+        if (isWatching) return // Jason asks while it evaluates what is asked here
+        isWatching = true
+        try {
+            inputs.ruleApplied()
+            watch()
+        } finally {
+            isWatching = false
+        }
+    }
+
+    private fun watch() {
+        bindPending()
+        val c = ts.c
+        if (c.selectedEvent !== event) {
+            event?.let(origins::remove)
+            event = c.selectedEvent
+            c.selectedEvent?.let { taken(this, it) }
+            chosen = null
+        }
+        if (c.selectedOption !== option) {
+            option = c.selectedOption
+            val event = event
+            option?.let { chosen -> if (event != null) pending = chosen to inputs.asking { adopt(event, chosen) } }
+        }
+        if (c.selectedIntention !== selected) {
+            selected = c.selectedIntention
+            selected?.takeUnless { it.isFinished }?.let { inputs.asking { carryingOut(it.peek()) } }
+        }
+    }
+
+    override fun cycleFinished() {
+        bindPending()
+        notice { event -> step ?: UnknownCause(shown(event), "what added it was not seen") }
+        event?.let(origins::remove)
+        inputs.repeated.flatMap { it.commands }.forEach { issue(it.port, it.text) }
+        ts.c.action?.let { issue(null, normal("${it.actionTerm}")) }
+        filters.changed(cycle.input.filters)
+        inputs.cycleFinished()
+    }
+
+    /** The agent issues a command that is not in the recording. */
+    fun issue(port: String?, text: String) {
+        issued += Issued(cycle, port, text, step)
+    }
+
+    /** The seconds from the beginning of the recording to [ns]. */
+    fun secondsOf(ns: Long): Double = (ns - firstNs) / NANOS
+
+    /** Why [plan], which is relevant under [un], is not applicable now: the parts of its context up to the first one that fails. */
+    fun failing(plan: Plan, un: Unifier): List<Condition> =
+        plan.context?.let { context -> inputs.asking { conditions.failing(context, un) } }.orEmpty()
+
+    /** Whether the context of [plan] is true under [un]. */
+    fun isApplicable(plan: Plan, un: Unifier): Boolean =
+        plan.context.let { context -> context == null || inputs.asking { conditions.solution(context, un) != null } }
+
+    private fun notice(cause: (Event) -> Cause) {
+        for (event in ts.c.eventsPlusAtomic) if (event !in origins) origins[event] = cause(event)
+    }
+
+    private fun adopt(event: Event, option: Option): Adopted {
+        val intention = event.intention?.takeUnless { it === Intention.EmptyInt || it.isFinished }
+        val parent = intention?.peek()?.let(adopted::get)
+        val context = option.plan.context?.let { conditions.holding(it, option.unifier) }.orEmpty()
+        val above = parent?.let { stepOf(intention.peek(), it) } ?: origins[event] ?: mailOrigin(event)
+        val place = placeOf(option.plan)
+        val again = (above as? StepCause)?.plan?.takeIf { it.place == place && (intention == null || isTail(intention, option.plan)) }
+        val cause = PlanCause(
+            place, shown(event), secondsOf(cycle.ns), cycle.number, context.map { it.within(MAX_ASIDE) },
+            (again?.event ?: above).within(MAX_DEPTH), again?.let { it.again + 1 } ?: 0,
+        )
+        chosen = cause
+        return Adopted(cause)
+    }
+
+    /** Whether the plan calls itself as its last step, so that Jason forgets the one before. */
+    private fun isTail(intention: Intention, plan: Plan): Boolean =
+        intention.peek().let { it.plan === plan && it.currentStep?.bodyNext == null }
+
+    private fun bindPending() {
+        val (option, chosen) = pending ?: return
+        val c = ts.c
+        val candidates = c.runningIntentionsPlusAtomic.asSequence() + listOfNotNull(event?.intention, c.selectedIntention)
+        val means = candidates.filterNot { it === Intention.EmptyInt || it.isFinished }.map { it.peek() }
+            .find { it.plan === option.plan && it.unif === option.unifier } ?: return
+        adopted[means] = chosen
+        pending = null
+    }
+
+    private fun carryingOut(means: IntendedMeans) {
+        val body = means.currentStep?.takeUnless { it.isEmptyBody } ?: return
+        val adopted = adopted[means] ?: return
+        test(means, body, adopted)
+        step = stepOf(means, adopted)?.also { note(means, body, it) }
+    }
+
+    private fun stepOf(means: IntendedMeans, adopted: Adopted): StepCause? {
+        val body = means.currentStep ?: return null
+        val tests = adopted.tests.values.map { it.within(MAX_ASIDE) }
+        return StepCause(textOf(body), body.srcInfo?.srcLine, secondsOf(cycle.ns), adopted.plan, tests)
+    }
+
+    private fun test(means: IntendedMeans, body: PlanBody, adopted: Adopted) {
+        val term = body.bodyTerm
+        val formula = when {
+            body.bodyType == BodyType.test || body.bodyType == BodyType.constraint -> term as? LogicalFormula
+            term is InternalActionLiteral && term.functor in BRANCHES -> term.getTerm(0) as? LogicalFormula
+            else -> null
+        } ?: return
+        val un = conditions.solution(formula, means.unif)
+        val parts = if (un == null) conditions.failing(formula, means.unif) else conditions.holding(formula, un)
+        parts.forEach { adopted.tests["${body.srcInfo?.srcLine} ${it.text}"] = it }
+    }
+
+    private fun note(means: IntendedMeans, body: PlanBody, step: StepCause) {
+        if (body.bodyType !in NOTING) return
+        val literal = body.bodyTerm.capply(means.unif) as? Literal ?: return
+        val key = normal(keyOf(literal))
+        notes.remove(key) // the newest one last
+        if (notes.size >= MAX_NOTES) notes.clear()
+        notes[key] = step
+    }
+
+    private fun originOf(belief: Literal): Cause = when {
+        belief.hasSource(jason.bb.BeliefBase.APercept) -> percepts.of(belief) ?: UnknownCause(keyOf(belief), "it was perceived before")
+        else -> notes[normal(keyOf(belief))] ?: tellOrigin(belief) ?: beginning(belief)
+    }
+
+    private fun tellOrigin(belief: Literal): Cause? =
+        mail.lastOrNull { it.content == keyOf(belief) } ?: belief.getSources()?.map { "$it" }?.firstNotNullOfOrNull { from ->
+            mail.lastOrNull { it.sender == from }
+        }
+
+    private fun goneOf(literal: Literal): List<Cause> = listOfNotNull(percepts.lastGone { Unifier().unifies(literal, it) })
+
+    private fun perceptOrigin(event: Event): Cause {
+        val literal = event.trigger.literal
+        val found = if (event.trigger.isAddition) percepts.of(literal) else percepts.goneOf(literal)
+        return found ?: UnknownCause(shown(event), "it came from outside of the agent, but not with a percept")
+    }
+
+    private fun mailOrigin(event: Event): Cause {
+        val literal = event.trigger.literal
+        val sender = if (literal.functor == "kqml_received") "${literal.getTerm(0)}" else literal.sources?.firstOrNull()?.let { "$it" }
+        return mail.lastOrNull { it.sender == sender } ?: UnknownCause(shown(event), "what added it was not seen")
+    }
+
+    private fun beginning(literal: Literal) =
+        BeginningCause(keyOf(literal), literal.srcInfo?.srcFile?.let(::fileName), literal.srcInfo?.srcLine?.takeIf { it > 0 })
+
+    /** When the cycle began that is under way, in seconds since the beginning. */
+    val now: Double get() = secondsOf(cycle.ns)
+
+    /** What [event] came of, which was taken in this cycle; null: that is not known. */
+    fun causeOf(event: Event): Cause? {
+        val intention = event.intention?.takeUnless { it === Intention.EmptyInt || it.isFinished }
+        return intention?.peek()?.let { means -> adopted[means]?.let { stepOf(means, it) } } ?: origins[event]
+    }
+
+    /** The trigger of [event], without annotations. */
+    fun shown(event: Event): String =
+        event.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
+
+    companion object {
+        private const val NANOS = 1e9
+        private const val MAX_NOTES = 10_000
+
+        /** How far an intention is followed to its root. */
+        private const val MAX_DEPTH = 60
+
+        /** How far a condition is followed. */
+        private const val MAX_ASIDE = 8
+        private val BRANCHES = setOf(".if_then_else", ".loop")
+        private val NOTING = setOf(
+            BodyType.addBel, BodyType.addBelBegin, BodyType.addBelEnd, BodyType.addBelNewFocus, BodyType.delAddBel,
+        )
+
+        /** Where [plan] stands. */
+        fun placeOf(plan: Plan): Place {
+            val source: SourceInfo? = plan.trigger.literal.srcInfo ?: plan.srcInfo
+            return Place(plan.label?.functor?.takeUnless { it.startsWith("p__") }, source?.srcFile?.let(::fileName), source?.srcLine)
+        }
+
+        /** [body] as the program has it. */
+        fun textOf(body: PlanBody): String = normal("${body.bodyType}${body.bodyTerm}")
+    }
+}

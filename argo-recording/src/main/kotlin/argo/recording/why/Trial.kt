@@ -1,0 +1,94 @@
+package argo.recording.why
+
+import argo.recording.Cycle
+import argo.recording.Input
+import argo.recording.RecordedAgent
+import argo.recording.replay.ProgramFiles
+import argo.recording.replay.RecordingException
+import argo.recording.replay.ReplayedAgent
+import argo.recording.replay.ReplayedInputs
+import jason.asSyntax.Literal
+import java.util.concurrent.TimeUnit
+
+/** Runs an agent of a recording again, up to a cycle. */
+internal class Trial(
+    private val agent: RecordedAgent,
+    private val programs: ProgramFiles,
+    private val cycles: List<Cycle>,
+    private val firstNs: Long,
+) {
+    /**
+     * Runs it on what was recorded, up to the cycle [last], watched by what [traceOf] makes; [ran] is called behind each cycle. Returns
+     * that, and what the agent has begun outside of its thread.
+     * @throws RecordingException if it does something else than it did
+     */
+    fun asRecorded(last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs) -> Trace): Pair<Trace, List<Beginning>> {
+        lateinit var trace: Trace
+        lateinit var inputs: NotingInputs
+        var differing: String? = null
+        ReplayedAgent(
+            agent, programs,
+            found = { cycle, what, recorded, now, cause ->
+                if (!what.startsWith("result of ") && differing == null) {
+                    differing = "cycle ${cycle.number}, $what: recorded ${recorded ?: "nothing"}, now ${now ?: "nothing"}; $cause"
+                }
+            },
+            inputsOf = { found -> NotingInputs(found).also { inputs = it } },
+            boundaryOf = { traceOf(it).also { made -> trace = made } },
+        ).use { replayed ->
+            for (cycle in cycles.takeWhile { it.index <= last }) {
+                replayed.run(cycle)
+                ran(trace)
+                differing?.let { throw RecordingException("the replay of agent ${agent.name} differs from the recording at $it") }
+            }
+        }
+        return trace to inputs.begun
+    }
+
+    /** Runs it up to the cycle [last] with percepts [changed] from the cycle [from] on, and returns the commands since then. */
+    fun changed(begun: List<Beginning>, from: Long, last: Long, changed: (List<Literal>) -> List<Literal>): List<Trace.Issued> {
+        lateinit var trace: Trace
+        lateinit var inputs: AlteredInputs
+        var isChanging = false
+        val altered = { _: Any ->
+            AlteredInputs(begun, { if (isChanging) changed(it) else it }) { trace.issue(null, it) }.also { inputs = it }
+        }
+        val watched = { inputs: ReplayedInputs -> Trace(inputs, firstNs).also { trace = it } }
+        ReplayedAgent(agent, programs, inputsOf = altered, boundaryOf = watched).use { replayed ->
+            var earlier = 0
+            val wanted = cycles.takeWhile { it.index <= last }
+            for ((place, cycle) in wanted.withIndex()) {
+                if (!isChanging && cycle.index >= from) {
+                    isChanging = true
+                    earlier = trace.issued.size
+                }
+                replayed.run(cycle)
+                if (isChanging) between(replayed, inputs, cycle, wanted.getOrNull(place + 1)?.ns)
+            }
+            return trace.issued.drop(earlier)
+        }
+    }
+
+    /**
+     * Runs the cycles that the changed agent needs between [cycle] and the one at [untilNs], in which the recorded one slept; behind the
+     * last one, null, no time passes.
+     */
+    private fun between(replayed: ReplayedAgent, inputs: AlteredInputs, cycle: Cycle, untilNs: Long?) {
+        val gapNs = if (untilNs == null) 0 else untilNs - cycle.ns
+        val most = if (untilNs == null) MAX_BETWEEN else minOf(gapNs / CYCLE_NS, MAX_BETWEEN)
+        var now = cycle.ns
+        repeat(most.toInt()) {
+            val c = replayed.ts.c
+            val isBusy = c.hasEvent() || c.hasRunningIntention()
+            val due = inputs.dueNs?.let { maxOf(it, now) }
+            if (!isBusy) now = due?.takeIf { it < (untilNs ?: (cycle.ns + 1)) } ?: return
+            replayed.runBetween(Cycle(cycle.index, cycle.number, now, null, Input()))
+        }
+    }
+
+    private companion object {
+        /** A cycle takes about so long. */
+        val CYCLE_NS = TimeUnit.MILLISECONDS.toNanos(1)
+        const val MAX_BETWEEN = 500L
+    }
+}

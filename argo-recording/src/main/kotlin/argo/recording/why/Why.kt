@@ -1,0 +1,142 @@
+package argo.recording.why
+
+import argo.filters.matching.Explanation
+import argo.recording.Cycle
+import argo.recording.agent.literalOf
+import argo.recording.replay.ProgramFiles
+import argo.recording.replay.Recording
+import argo.recording.replay.RecordingException
+import jason.asSyntax.Literal
+
+/**
+ * Answers why the agents of [recording] did something, and why not: Jason runs them again on what was recorded, and is watched.
+ *
+ * Close it at the end. For one thread; at a time there can be one replay in a program.
+ */
+class Why(private val recording: Recording) : AutoCloseable {
+    private val programs = ProgramFiles(recording)
+    private val cycles = recording.agents.keys.associateWith { recording.cycles(it).toList() }
+    private val firstNs = cycles.values.mapNotNull { it.firstOrNull()?.ns }.minOrNull() ?: 0
+
+    /** All commands of the agents, in the order of their times. */
+    val commands: List<RecordedCommand> = cycles.flatMap { (agent, cycles) -> commandsOf(agent, cycles) }.sortedBy { it.seconds }
+
+    private fun commandsOf(agent: String, cycles: List<Cycle>): List<RecordedCommand> {
+        var number = 0
+        return cycles.flatMap { cycle ->
+            val toBoards = cycle.input.calls.flatMap { it.commands }.map { it.text to it.port }
+            val sent = toBoards + listOfNotNull(cycle.course.action?.let { it to null })
+            sent.map { (text, port) -> RecordedCommand(agent, ++number, text, port, (cycle.ns - firstNs) / NANOS, cycle.index) }
+        }
+    }
+
+    /**
+     * Why [command] was issued.
+     *
+     * @param isTrying whether to look for another value of a percept with which it would not have been
+     * @throws RecordingException if the agent cannot be replayed up to there, or does something else than it did
+     */
+    fun answer(command: RecordedCommand, isTrying: Boolean = true): Answer {
+        val (cause, begun) = causeOf(command)
+        val frame = (cause?.root() as? PerceptCause)?.frame
+        val frames = (listOfNotNull(frame) + cause?.frames().orEmpty()).distinct()
+        val had = if (isTrying && cause != null) Flips(cause) { percept, of -> had(command, begun, percept, of) }.find() else emptyList()
+        return Answer(command, cause, frame, frames, had)
+    }
+
+    /**
+     * What the agent does if it perceives [percept] in place of what it perceived of that kind, the same functor and the same arguments but
+     * for numbers: from the frame on by which that came until the cycle of [command].
+     *
+     * @throws RecordingException as of [answer], or if [percept] is none
+     */
+    fun had(command: RecordedCommand, percept: String): Had {
+        val literal = literal(percept)
+        val (cause, begun) = causeOf(command)
+        val of = cause?.percepts().orEmpty().find { isOfKind(literalOf(it.belief), literal) }
+        return had(command, begun, literal, of) ?: throw RecordingException("$percept is what the agent perceived")
+    }
+
+    /**
+     * Why the command that [question] asks about was not issued by [agent] up to its time, or to the end of the recording.
+     * @throws RecordingException as of [answer]
+     */
+    fun not(agent: String, question: Question): NotAnswer {
+        val cycles = cyclesOf(agent)
+        val until = question.seconds?.let { firstNs + (it * NANOS).toLong() } ?: Long.MAX_VALUE
+        val last = cycles.lastOrNull { it.ns <= until } ?: throw RecordingException("agent $agent had no cycle before $question")
+        val filters = RecordedFilters(recording.program)
+        val unchosen = Unchosen(question) { port, text -> filters.explain(port, text)?.toString() }
+        lateinit var trace: Trace
+        trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs ->
+            Trace(inputs, firstNs, filters, unchosen::taken).also { trace = it }
+        }
+        return NotAnswer(agent, question.text, (last.ns - firstNs) / NANOS, unchosen.plans(trace))
+    }
+
+    private fun causeOf(command: RecordedCommand): Pair<StepCause?, List<Beginning>> {
+        val cycles = cyclesOf(command.agent)
+        val filters = RecordedFilters(recording.program)
+        val (trace, begun) = trial(command.agent, cycles).asRecorded(command.cycle) { Trace(it, firstNs, filters) }
+        return trace.issued.getOrNull(command.number - 1)?.cause to begun
+    }
+
+    /** Null: [percept] is what the agent perceived. */
+    private fun had(command: RecordedCommand, begun: List<Beginning>, percept: Literal, of: PerceptCause?): Had? {
+        val cycles = cyclesOf(command.agent)
+        if (of?.belief == keyOf(percept)) return null
+        val from = cycles.first { it.index == command.cycle || of?.isIn(it) == true }
+        val before = commands.filter { it.agent == command.agent && it.cycle in from.index..command.cycle && it.number <= command.number }
+        val isDropped = isDropped(percept, of?.frame?.port, cycles.takeWhile { it.index < from.index })
+        val issued = trial(command.agent, cycles).changed(begun, from.index, command.cycle) { replaced(it, percept, isDropped) }
+        val now = issued.map { it.text }
+        val times = before.count { it.text == command.text }
+        return Had(
+            keyOf(percept), of?.belief, (from.ns - firstNs) / NANOS, command.seconds,
+            now.count { it == command.text } >= times, now, before.map { it.text }, isDropped,
+        )
+    }
+
+    private fun PerceptCause.isIn(cycle: Cycle) = seconds == (cycle.ns - firstNs) / NANOS
+
+    /** Whether the filter of the board on [port] drops [percept] after the cycles [before]. */
+    private fun isDropped(percept: Literal, port: String?, before: List<Cycle>): Boolean {
+        val filters = RecordedFilters(recording.program)
+        before.forEach { filters.changed(it.input.filters) }
+        val text = keyOf(percept.cloneNS(Literal.DefaultNS) as Literal)
+        return port != null && filters.explain(port, text)?.outcome == Explanation.Outcome.DROPPED
+    }
+
+    private fun replaced(percepts: List<Literal>, by: Literal, isDropped: Boolean): List<Literal> {
+        if (isDropped) return percepts.filterNot { isOfKind(it, by) }
+        val found = percepts.indexOfFirst { isOfKind(it, by) }
+        if (found < 0) return percepts + by
+        return percepts.filterIndexed { place, it -> place == found || !isOfKind(it, by) }
+            .map { if (it === percepts[found]) withAnnotsOf(it, by) else it }
+    }
+
+    private fun withAnnotsOf(one: Literal, percept: Literal): Literal =
+        percept.copy().apply { if (one.hasAnnot()) one.annots.forEach { annotation -> addAnnot(annotation) } }
+
+    private fun literal(percept: String): Literal = try {
+        literalOf(percept)
+    } catch (_: IllegalArgumentException) {
+        throw RecordingException("$percept is no percept such as dist(front,41)")
+    }
+
+    private fun cyclesOf(agent: String) =
+        cycles[agent] ?: throw RecordingException("there is no agent $agent; those that there are: ${cycles.keys.joinToString()}")
+
+    private fun trial(agent: String, cycles: List<Cycle>) = Trial(recording.agents.getValue(agent), programs, cycles, firstNs)
+
+    override fun close() = programs.close()
+
+    private companion object {
+        const val NANOS = 1e9
+    }
+}
+
+/** Whether [one] and [other] differ in numbers alone, or not at all. */
+internal fun isOfKind(one: Literal, other: Literal): Boolean = one.functor == other.functor && one.arity == other.arity &&
+    one.negated() == other.negated() && one.ns == other.ns &&
+    (0 until one.arity).all { one.getTerm(it) == other.getTerm(it) || one.getTerm(it).isNumeric && other.getTerm(it).isNumeric }

@@ -1,0 +1,156 @@
+package argo.recording.why
+
+import argo.recording.recorded
+import argo.testkit.TestAgent
+import argo.testkit.agentOf
+import java.nio.file.Path
+import kotlin.random.Random
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
+
+/** A sensor of a scenario: a percept with one number, which is another one in some phases. */
+internal class ScenarioSensor(private val functor: String, private val place: String, val values: List<Int>) {
+    fun percept(value: String) = "$functor($place,$value)"
+
+    /** Since which phase it has shown what it shows in [phase]. */
+    fun since(phase: Int): Int = (phase downTo 1).firstOrNull { values[it] != values[it - 1] } ?: 0
+
+    fun isNewIn(phase: Int) = phase == 0 || values[phase] != values[phase - 1]
+}
+
+/**
+ * A command that the agent of a scenario sends once.
+ *
+ * @property text the command
+ * @property plans the plans that lead to it
+ * @property phase in which phase the frame comes on which it is sent; null: it is not sent
+ * @property root the phase in whose first frame the percept came that began the intention; null: a goal of the program began it
+ * @property causes the phases in whose first frames all percepts came that it depends on
+ */
+internal class KnownCommand(val text: String, val plans: String, val phase: Int?, val root: Int?, val causes: Set<Int>)
+
+/**
+ * An agent and a drive of it, both by [seed], for whose commands the frames are known that are the cause. Each frame has the number of its
+ * phase, and a number of its own.
+ */
+internal class WhyScenario(seed: Int) {
+    private val random = Random(seed)
+    private val phases = random.nextInt(3, 7)
+    private val sensors = List(random.nextInt(MOST_COMMANDS + 1, MOST_COMMANDS + 4)) { sensor(it) }
+    private val pausesMs = List(phases) { random.nextInt(700, 1300) }
+    private val isFiltered = random.nextInt(3) == 0
+    private val decoy = sensors.last()
+
+    /** The commands that the agent may send. */
+    val commands: List<KnownCommand> = List(random.nextInt(1, MOST_COMMANDS + 1)) { known(it) }
+
+    /** The agent. */
+    val program: String = buildString {
+        appendLine("!start.")
+        val filter = if (isFiltered) "argo.change_filter(quiet); " else ""
+        appendLine("+!start <- argo.port(ttyACM0); ${filter}argo.percepts(open); !!watch.")
+        appendLine("+!watch <- .wait(150); !watch.")
+        if (!isFiltered) appendLine("+number(N) : N mod 3 == 0 <- -+seen(N).")
+        appendLine("+${decoy.percept("V")} : V > 1000 <- argo.act(never).")
+        appendLine("+phase(N) <- +phase_seen(N).")
+        commands.forEach { appendLine(it.plans) }
+    }
+
+    private fun sensor(number: Int): ScenarioSensor {
+        var value = random.nextInt(0, 200)
+        val values = List(phases) { value.also { if (random.nextInt(3) > 0) value = random.nextInt(0, 200) } }
+        val functor = listOf("dist", "light", "temp").random(random)
+        return ScenarioSensor("$functor$number", listOf("front", "left", "back").random(random), values)
+    }
+
+    private fun known(number: Int): KnownCommand {
+        val act = "act$number"
+        val first = sensors[number] // of two plans for the same event only one is chosen
+        val second = (sensors - decoy).random(random)
+        val limit = random.nextInt(20, 180)
+        val other = random.nextInt(20, 180)
+        fun isLow(phase: Int) = first.values[phase] < limit
+        fun isHigh(phase: Int) = second.values[phase] > other
+        val both = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) && isHigh(it) }
+        val alone = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) }
+        val event = first.percept("V")
+        val once = "not done$number"
+        fun of(plans: String, phase: Int?, vararg causes: Int?) =
+            KnownCommand(act, plans, phase, phase?.let { first.since(it) }, causes.filterNotNull().toSet())
+        val isOtherHigh = "${second.percept("W")} & W > $other"
+        return when (random.nextInt(8)) {
+            0 -> of("+$event : V < $limit & $once <- +done$number; argo.act($act).", alone, alone)
+            1 -> of(
+                "+$event : V < $limit & $isOtherHigh & $once <- +done$number; .wait(${random.nextInt(1, 90)}); argo.act($act).",
+                both, both, both?.let(second::since),
+            )
+            2 -> of(
+                "+$event : V < $limit & $once <- +done$number; !react$number(V).\n" +
+                    "+!react$number(V) : V > ${limit + 1} <- argo.act(wrong).\n+!react$number(V) <- .wait(20); argo.act($act).",
+                alone, alone,
+            )
+            3 -> of("+$event : V < $limit & $once <- +done$number; +alarm$number.\n+alarm$number <- argo.act($act).", alone, alone)
+            4 -> of(
+                "+$event : V < $limit & $once <- +done$number; !!react$number; .wait(300).\n+!react$number <- argo.act($act).",
+                alone, alone,
+            )
+            5 -> of(
+                "+$event : near$number(V) & $isOtherHigh & $once <- +done$number; argo.act($act).\n" +
+                    "near$number(V) :- V < $limit.",
+                both, both, both?.let(second::since),
+            )
+            6 -> of(
+                "+$event : V < $limit & $once <- +done$number; ?${second.percept("W")}; " +
+                    "if (W > $other) { argo.act($act); } else { argo.act(other$number); }.",
+                alone?.takeIf(::isHigh), alone, alone?.let(second::since),
+            )
+            else -> polled(number, first, limit)
+        }
+    }
+
+    private fun polled(number: Int, sensor: ScenarioSensor, limit: Int): KnownCommand {
+        val phase = (0 until phases).firstOrNull { sensor.values[it] < limit }
+        return KnownCommand(
+            "act$number",
+            "!poll$number.\n+!poll$number : ${sensor.percept("V")} & V < $limit <- argo.act(act$number).\n" +
+                "+!poll$number <- .wait(100); !poll$number.",
+            phase, null, setOfNotNull(phase?.let(sensor::since)),
+        )
+    }
+
+    /** Records the drive, and returns the file. */
+    fun record(): Path = recorded(program) { drive { _, percept -> percept } }
+
+    /** The commands that arrive up to [seconds] if in the phases [from] to [until] the percepts of the kind of [percept] are that. */
+    fun sentWith(percept: String, from: Int, until: Int, seconds: Double): List<String> {
+        val kind = percept.substringBeforeLast(',')
+        val agent = agentOf(program)
+        return agent.use { driven ->
+            driven.drive(seconds.seconds + LINE) { phase, it ->
+                if (phase in from..until && it.substringBeforeLast(',') == kind) percept else it
+            }
+            driven.sent
+        }
+    }
+
+    private fun TestAgent.drive(until: Duration = Duration.INFINITE, changed: (Int, String) -> String) {
+        var phase = 0
+        var frames = 0
+        board.shows { _ ->
+            sensors.map { changed(phase, it.percept("${it.values[phase]}")) } + "phase($phase)" + "number(${frames++})"
+        }
+        for (next in 0 until phases) {
+            phase = next
+            after(minOf(pausesMs[next].milliseconds, maxOf(until - now, Duration.ZERO)))
+        }
+    }
+}
+
+private const val MOST_COMMANDS = 3
+
+/** What a command takes on the line, at most. */
+private val LINE = 40.milliseconds
+
+/** The phase of this frame. */
+internal val Frame.phase: Int get() = texts.first { it.startsWith("phase(") }.removeSurrounding("phase(", ")").toInt()

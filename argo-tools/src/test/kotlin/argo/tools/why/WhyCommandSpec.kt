@@ -1,0 +1,89 @@
+package argo.tools.why
+
+import argo.testkit.agentOf
+import argo.tools.argo
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.boolean
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import kotlin.io.path.readBytes
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
+import kotlin.time.Duration.Companion.seconds
+
+/** `why` of a recording of agents. */
+class WhyCommandSpec : FunSpec({
+    val directory = tempdir().toPath()
+    val drive = directory.resolve("drive.mcap")
+    agentOf(
+        """
+        !start.
+        +!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(forward).
+        +dist(front,Cm) : Cm < 40 & not stopped <- +stopped; argo.act(stop).
+        """.trimIndent(),
+    ) { options("argo_record" to "$drive") }.use {
+        it.perceives("dist(front,80)").after(1.seconds)
+        it.perceives("dist(front,30)").shouldSend("stop").after(1.seconds)
+    }
+
+    test("sentences from the command to the frame") {
+        val said = argo("why", "$drive", "stop")
+        said.err shouldBe ""
+        said.status shouldBe 0
+        said.out shouldContain "agent agent sent stop to ttyACM0\n  because of the step argo.act(stop), agent.asl:3, carried out at"
+        said.out shouldContain "    its context: Cm < 40, which was 30 < 40\n"
+        said.out shouldContain ": dist(front,30);\n"
+        said.out shouldContain "had the board sent dist(front,40) in place of dist(front,30) from"
+        said.out shouldContain "it would not have sent stop, but nothing"
+    }
+
+    test("--had") {
+        argo("why", "$drive", "stop", "--had", "dist(front,39)").out shouldContain "it would have sent stop all the same"
+        argo("why", "$drive", "stop", "--had", "dist(front").run {
+            status shouldBe 1
+            err shouldBe "dist(front is no percept such as dist(front,41)\n"
+        }
+    }
+
+    test("--not") {
+        val said = argo("why", "$drive", "stop@1s", "--not")
+        said.status shouldBe 0
+        said.out shouldContain "it was not applicable\n"
+        said.out shouldContain "its context: Cm < 40, which was 80 < 40; not true\n"
+    }
+
+    test("--json is data") {
+        val json = Json.parseToJsonElement(argo("why", "$drive", "stop", "--json").out).jsonObject
+        json.getValue("frame").jsonObject.getValue("texts").jsonArray.single().jsonPrimitive.content shouldBe "dist(front,30)"
+        json.getValue("had").jsonArray.single().jsonObject.getValue("isSent").jsonPrimitive.boolean shouldBe false
+        val not = Json.parseToJsonElement(argo("why", "$drive", "stop@1", "--not", "--json").out).jsonObject
+        not.getValue("plans").jsonArray.single().jsonObject.getValue("verdict").jsonPrimitive.content shouldBe "NOT_APPLICABLE"
+    }
+
+    test("what cannot be answered is refused in words") {
+        argo("why", "$drive", "stop@0.1s").run {
+            status shouldBe 1
+            err shouldStartWith "there is no command stop@0.1s; those around that time: forward@"
+        }
+        argo("why", "$drive", "turn", "--of", "bob").err shouldContain "has no agent bob; those that it has: agent"
+        argo("why", "$drive", " ").status shouldBe 2
+        argo("why", "$drive", "stop", "--not", "--had", "dist(front,3)").status shouldBe 2
+        argo("why", "$drive", "stop#1", "--not").status shouldBe 2
+        val text = directory.resolve("text.mcap").apply { writeText("hello") }
+        argo("why", "$text", "stop").err shouldContain "is no recording of an agent"
+    }
+
+    test("a recording that was cut off is asked as far as it goes") {
+        val cut = directory.resolve("cut.mcap").apply { writeBytes(drive.readBytes().run { copyOf(size - 10) }) }
+        val said = argo("why", "$cut", "stop")
+        said.status shouldBe 1
+        said.out shouldContain "sent stop to ttyACM0"
+        said.err shouldContain "the file was cut off"
+    }
+})
