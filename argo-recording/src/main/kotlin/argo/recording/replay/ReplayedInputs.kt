@@ -9,7 +9,6 @@ import argo.recording.CallFailure
 import argo.recording.Cycle
 import argo.recording.End
 import argo.recording.Mail
-import argo.recording.PerceptChange
 import argo.recording.agent.Begun
 import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
@@ -58,6 +57,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     private var percepts: List<Literal> = emptyList()
     private var calls: MutableList<Call> = ArrayList()
     private val taken = ArrayList<Call>()
+    private val known = HashMap<String, Literal>()
     private var sent: MutableList<Mail> = ArrayList()
     private var sleep = ArrayDeque<Char>()
     private var underWay: Call? = null
@@ -103,9 +103,15 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
 
     override fun perceive(live: () -> Perception): Perception {
         val change = cycle.input.percepts ?: return Perception(null)
-        percepts = percepts.changedBy(change)
+        percepts = percepts.take(change.keep) + change.now.map(::perceptOf) + percepts.takeLast(change.keepLast)
         val waiting = if (cycle.input.isOfSeveralBoards) ts.c.events.size else null
         return Perception(perceived(percepts).toMutableList(), waiting, hasNamespaces = true)
+    }
+
+    /** The literal of a percept, read once for each text, as when it was perceived: Jason copies what it believes. */
+    private fun perceptOf(text: String): Literal {
+        if (known.size >= MAX_KNOWN) known.clear()
+        return known.getOrPut(text) { literalOf(text) }
     }
 
     /** What the agent perceives where it was recorded to perceive [percepts]. */
@@ -298,9 +304,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     private companion object {
         /** How long work of a thread of the project's is waited for that was left in the recorded cycle. */
         const val THREAD_PATIENCE_S = 5L
+        const val MAX_KNOWN = 4096
         const val NOT_TRUE = "false"
     }
 }
-
-private fun List<Literal>.changedBy(change: PerceptChange): List<Literal> =
-    take(change.keep) + change.now.map(::literalOf) + takeLast(change.keepLast)
