@@ -64,8 +64,11 @@ private fun AgentSetUp.take(parameters: AgentParameters) {
     parameters.agClass?.className?.let { agentClass = classOf(it, Agent::class.java) }
     val classes = parameters.agArchClasses
     arch = if (classes.isEmpty()) null else archOf(classes, null)
-    parameters.options.orEmpty().forEach { (name, value) -> options(name to value.trim('"')) }
+    parameters.options.orEmpty().forEach { (name, value) -> options(name to textIn(value)) }
 }
+
+/** The text that [value] of an option stands for, without the quotes around it and the backslashes before those within. */
+private fun textIn(value: String) = if (value.startsWith('"')) value.removeSurrounding("\"").replace("\\\"", "\"") else value
 
 private fun environmentOf(project: MAS2JProject): Environment? = project.envClass?.let { wanted ->
     classOf(wanted.className, Environment::class.java).getDeclaredConstructor().newInstance()

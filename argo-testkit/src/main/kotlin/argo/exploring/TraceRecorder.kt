@@ -1,5 +1,6 @@
 package argo.exploring
 
+import argo.boundary.Transparent
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
 import argo.observing.IssuedCommand
@@ -49,7 +50,7 @@ internal class TraceRecorder(private val mas: TestMas) {
     }
 
     /** What an agent has in mind after each of its cycles. */
-    private inner class MindWatch(val agent: TestAgent) : AgArch() {
+    private inner class MindWatch(val agent: TestAgent) : AgArch(), Transparent {
         private var last: Mind? = null
         private var waiting = emptyMap<String, Pair<String, Duration>>()
         private var said = 0

@@ -105,6 +105,13 @@ class ExploreSpec : FunSpec({
         sent(MessagesLate(500.milliseconds, "body", 3.seconds, 1.seconds)) shouldBe listOf("lamp") // though it is light
     }
 
+    test("beliefs of a system may hold strings") {
+        val system = folder.resolve("quoted.mas2j")
+        system.writeText("MAS quoted { agents: robot [beliefs=\"board(\\\"sim:robot\\\")\"] agentArchClass argo.Arch; }")
+        folder.resolve("robot.asl").writeText("!start. +!start : board(P) <- argo.port(P); argo.act(go).")
+        runOf("$system", emptyList()) { board("sim:robot") }.of("robot").filterIsInstance<Issued>().map { it.command } shouldBe listOf("go")
+    }
+
     mapOf<String, Exploration.() -> Unit>(
         "no board is described" to {},
         "there is no rule to be kept" to {

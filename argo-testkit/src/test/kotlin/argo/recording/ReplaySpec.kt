@@ -51,6 +51,19 @@ class ReplaySpec : FunSpec({
         )
     }
 
+    test("loops, whose steps hold a Java object") {
+        shouldReplay(
+            recorded(
+                """
+                place(north). place(east).
+                !start.
+                +!start <- for (place(P)) { !go(P) }; .print(done).
+                +!go(P) <- .wait(20); .print(P).
+                """.trimIndent(),
+            ) { after(1.seconds) },
+        )
+    }
+
     test("clocks and chance of Jason") {
         shouldReplay(
             recorded(

@@ -29,10 +29,13 @@ private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver
 
 /**
  * [text] without what is not the agent's doing: the numbers that Jason gives variables, plans and messages, which all agents of a program
- * share, and where the code of a failure stands. That is a path on the machine of the recording, and a message's content has lost it.
+ * share; where the code of a failure stands, which is a path on the machine of the recording, and a message's content has lost it; and the
+ * hashes of Java objects, such as that of the iterator in the steps of a loop.
  */
 internal fun normal(text: String): String =
-    if ('_' in text || "mid" in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1") else text
+    if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")
+    else text
 
 private val NUMBERED = Regex("""\b(_|p__|mid|samid)\d+(?:_\d+)*""")
 private val CODE_PLACE = Regex("""\b(code_line|code_src)\((?:\d+|"(?:[^"\\]|\\.)*")\)""")
+private val OBJECT = Regex("""\b((?:\w+\.)+[\w$]+)@[0-9a-f]{1,8}\b""")

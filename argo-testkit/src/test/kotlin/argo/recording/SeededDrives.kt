@@ -1,0 +1,80 @@
+package argo.recording
+
+import argo.exploring.EventSource
+import argo.exploring.Exploration
+import argo.exploring.runOf
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * A system of agents whose drives are drawn by seed: sensors that change, messages, and faults of boards, cables and lines.
+ *
+ * @property source its file
+ * @property agents the names of its agents
+ * @property boards its boards, and what their sensors show
+ */
+internal class SeededDrives(val source: String, val agents: List<String>, private val boards: Exploration.() -> Unit) {
+    /** Records the drive that is drawn from [seed] to [file]. */
+    fun record(seed: Long, file: Path) {
+        val drawn = Exploration().apply(::describe)
+        runOf(source, EventSource(drawn, agents).events(seed)) {
+            describe(this)
+            agents { options("argo_record" to "$file") }
+        }
+    }
+
+    private fun describe(exploration: Exploration) {
+        exploration.boards()
+        exploration.eventful = 6.seconds
+        exploration.settling = 3.seconds
+    }
+
+    override fun toString() = source.substringAfterLast('/')
+
+    companion object {
+        private const val SAMPLES = "../samples"
+
+        private val robot: Exploration.() -> Unit = {
+            board("sim:robot") {
+                sensor("dist(f,%d)", 5..300)
+                sensor("dist(b,%d)", 5..300)
+                sensor("light(f,%d)", 0..200)
+                sensor("temp(f,%d)", 10..40)
+            }
+        }
+
+        /** The samples, and the agent of the experiment. */
+        val ALL: List<SeededDrives> = listOf(
+            SeededDrives("$SAMPLES/experiment/experiment.mas2j", listOf("robot"), robot),
+            SeededDrives("$SAMPLES/collision/collision.mas2j", listOf("robot")) {
+                robot()
+                message("robot", "boss", "achieve", "halt")
+            },
+            SeededDrives("$SAMPLES/delegation/delegation.mas2j", listOf("body", "pilot", "lamplighter"), robot),
+            SeededDrives("$SAMPLES/typed-filters/typed-filters.mas2j", listOf("watcher"), robot),
+            SeededDrives("$SAMPLES/blink/blink.mas2j", listOf("blink")) { board("sim:blink") },
+            SeededDrives("$SAMPLES/turtle/turtle.mas2j", listOf("turtle")) {
+                board("ros://127.0.0.1:9090#turtle") { sensor("dist(f,%d)", 5..300) }
+            },
+            SeededDrives("$SAMPLES/two-boards/two-boards.mas2j", listOf("operator")) {
+                board("sim:left") { sensor("led(left,off)", "led(left,on)") }
+                board("sim:right") { sensor("led(right,off)", "led(right,on)") }
+            },
+            SeededDrives("$SAMPLES/three-boards/three-boards.mas2j", listOf("carrier")) {
+                board("sim:wheels") {
+                    knows("forward", "backward", "halt")
+                    sensor("way(%d)", 0..90)
+                    sensor("moving(no)", "moving(forward)", "moving(backward)")
+                }
+                board("sim:sensors") { sensor("dist(front,%d)", 5..200) }
+                board("sim:arm") {
+                    knows("grip", "release")
+                    sensor("hand(open)", "hand(full)", "hand(closed)")
+                }
+            },
+            SeededDrives("$SAMPLES/fleet/fleet.mas2j", listOf("coordinator", "scout1", "scout2")) {
+                board("sim:rover") { sensor("at(north)", "at(east)", "at(south)", "at(west)") }
+            },
+        )
+    }
+}

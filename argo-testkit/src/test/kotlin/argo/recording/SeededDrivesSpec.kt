@@ -1,0 +1,38 @@
+package argo.recording
+
+import argo.recording.replay.RecordingException
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import java.nio.file.Path
+import kotlin.io.path.deleteIfExists
+
+/**
+ * Drives of the samples and of the experiment's agent, with faults, are replayed as they were: the same events, plans, steps, commands and
+ * messages. The property `argo.drives` has how many are drawn.
+ */
+class SeededDrivesSpec : FunSpec({
+    val folder = tempdir().toPath()
+    val drives = Integer.getInteger("argo.drives", 36)
+    val systems = SeededDrives.ALL
+
+    /** How the replay of [file] differs; null: it does not. */
+    fun differenceOf(file: Path): String? = try {
+        val outcome = replayOf(file)
+        outcome.cycles shouldBeGreaterThan 0L
+        outcome.differences.firstOrNull()?.toString()
+            ?: "${outcome.recorded - outcome.cycles} cycles were not run".takeIf { outcome.cycles != outcome.recorded.toLong() }
+    } catch (refused: RecordingException) {
+        "$refused"
+    }
+
+    for ((index, system) in systems.withIndex()) test("drives of $system") {
+        val seeds = (index until drives step systems.size).map(Int::toLong)
+        seeds.mapNotNull { seed ->
+            val file = folder.resolve("$seed.mcap")
+            system.record(seed, file)
+            differenceOf(file)?.let { "seed $seed: $it" }.also { file.deleteIfExists() }
+        }.shouldBeEmpty()
+    }
+})
