@@ -5,15 +5,23 @@ package planted
 import jason.asSemantics.Agent
 import jason.asSemantics.DefaultArithFunction
 import jason.asSemantics.DefaultInternalAction
+import jason.asSemantics.Event
 import jason.asSemantics.Intention
+import jason.asSemantics.Option
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
 import jason.asSyntax.Term
+import jason.bb.DefaultBeliefBase
 import java.util.Queue
 import java.util.UUID
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
+import kotlin.io.path.appendText
+import kotlin.io.path.createTempFile
+import kotlin.io.path.deleteExisting
+import kotlin.io.path.readText
 
 /** An internal action of a project that binds its argument to [value], which is another one each time. */
 abstract class SourceOfChance(private val value: () -> Any) : DefaultInternalAction() {
@@ -44,6 +52,26 @@ class calls : SourceOfChance(CALLS::incrementAndGet) {
         val CALLS = AtomicLong()
     }
 }
+
+/** Reads a file that changes, as another program may change it. */
+class file : SourceOfChance({ FILE.readText().also { FILE.appendText("x") } }) {
+    private companion object {
+        val FILE = createTempFile("planted").apply { toFile().deleteOnExit() }
+    }
+}
+
+/** Reads a setting of the program, which stays for each of its runs. */
+class setting : SourceOfChance({ System.getProperty(PROPERTY) }) {
+    companion object {
+        const val PROPERTY = "planted.setting"
+    }
+}
+
+/** Gives the name of a new file. */
+class scratch : SourceOfChance({ createTempFile("planted").also { it.deleteExisting() } })
+
+/** Gives the number of a new thread. */
+class worker : SourceOfChance({ Thread {}.id })
 
 /** Gives several ways, in an order of chance. */
 class ways : DefaultInternalAction() {
@@ -79,6 +107,41 @@ class Moody : Agent() {
 
     override fun selectIntention(intentions: Queue<Intention>): Intention? =
         (if (isLastFirst) intentions.lastOrNull() else intentions.firstOrNull())?.also(intentions::remove)
+
+    private companion object {
+        val BORN = AtomicLong()
+    }
+}
+
+/** An agent that takes the newest event first, if there was an odd number of such agents before it. */
+class Fickle : Agent() {
+    private val isLastFirst = BORN.getAndIncrement() % 2 == 0L
+
+    override fun selectEvent(events: Queue<Event>): Event? =
+        (if (isLastFirst) events.lastOrNull() else events.firstOrNull())?.also(events::remove)
+
+    private companion object {
+        val BORN = AtomicLong()
+    }
+}
+
+/** An agent that takes the last plan that fits, if there was an odd number of such agents before it. */
+class Choosy : Agent() {
+    private val isLastFirst = BORN.getAndIncrement() % 2 == 0L
+
+    override fun selectOption(options: List<Option>): Option? = if (isLastFirst) options.lastOrNull() else options.firstOrNull()
+
+    private companion object {
+        val BORN = AtomicLong()
+    }
+}
+
+/** Beliefs in an order that depends on how many such belief bases there were before. */
+class Shuffled : DefaultBeliefBase() {
+    private val isBackward = BORN.getAndIncrement() % 2 == 0L
+
+    override fun getCandidateBeliefs(literal: Literal, un: Unifier?): Iterator<Literal>? =
+        super.getCandidateBeliefs(literal, un)?.asSequence()?.toList()?.let { if (isBackward) it.reversed() else it }?.iterator()
 
     private companion object {
         val BORN = AtomicLong()

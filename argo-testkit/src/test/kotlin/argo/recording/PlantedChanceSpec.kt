@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.mas2j.ClassParameters
 import kotlin.time.Duration.Companion.milliseconds
 
 /** What in a program gives another result each time is found by its replay, and named. */
@@ -12,11 +13,22 @@ class PlantedChanceSpec : FunSpec({
     fun differences(program: String, setUp: AgentSetUp.() -> Unit = {}) =
         replayOf(recorded(program, setUp) { after(300.milliseconds) }).differences
 
-    for (action in listOf("clock", "dice", "name", "order", "counted", "calls", "ways")) {
+    for (action in listOf("clock", "dice", "name", "order", "counted", "calls", "ways", "file", "scratch", "worker")) {
         test("the internal action planted.$action, and what was recorded of it is used") {
             val found = differences("!start. +!start <- planted.$action(X); +seen(X); .print(X).")
             found.map { it.what }.distinct() shouldBe listOf("result of planted.$action")
             found.first().cause shouldContain "planted.$action"
+        }
+    }
+
+    test("an internal action that reads a setting of the program, which is another one in the replay") {
+        val before = System.setProperty(planted.setting.PROPERTY, "indoors")
+        val file = recorded("!start. +!start <- planted.setting(X); .print(X).") { after(300.milliseconds) }
+        System.setProperty(planted.setting.PROPERTY, "outdoors")
+        try {
+            replayOf(file).differences.map { it.what } shouldBe listOf("result of planted.setting")
+        } finally {
+            if (before == null) System.clearProperty(planted.setting.PROPERTY) else System.setProperty(planted.setting.PROPERTY, before)
         }
     }
 
@@ -50,6 +62,26 @@ class PlantedChanceSpec : FunSpec({
             agentClass = planted.Moody::class.java
         }
         found.first().cause shouldContain "planted.Moody"
+    }
+
+    test("an agent's class that takes its events in another order") {
+        val found = differences("!a. !b. +!a <- .print(a). +!b <- .print(b).") { agentClass = planted.Fickle::class.java }
+        found.first().what shouldBe "event"
+        found.first().cause shouldContain "planted.Fickle"
+    }
+
+    test("an agent's class that takes another of the plans that fit") {
+        val found = differences("!a.\n+!a <- .print(first).\n+!a <- .print(second).") { agentClass = planted.Choosy::class.java }
+        found.first().what shouldBe "plan"
+        found.first().cause shouldContain "planted.Choosy"
+    }
+
+    test("a belief base whose order changes") {
+        val found = differences("side(left). side(right). !a. +!a : side(S) <- .print(S).") {
+            beliefBase = ClassParameters(planted.Shuffled::class.java.name)
+        }
+        found.first().what shouldBe "printed lines"
+        found.first().cause shouldContain "planted.Shuffled"
     }
 
     test("but nothing in a program without chance") {

@@ -9,9 +9,12 @@ import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import javino.sim.SimulatedBoards
 import javino.sim.Sketch
+import kotlinx.coroutines.delay
 import kotlinx.coroutines.runBlocking
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
+import kotlin.io.path.readText
+import kotlin.random.Random
 
 /** Agents that Jason's Local infrastructure runs in real time, with its threads and clocks, are replayed as they were. */
 class RealTimeReplaySpec : FunSpec({
@@ -68,6 +71,44 @@ class RealTimeReplaySpec : FunSpec({
         Recording(file).use { it.cycles("driver").toList() }.flatMap { it.input.calls }.flatMap { it.commands }.map { it.text }
             .distinct() shouldContain "stop"
         shouldReplay(file)
+    }
+
+    /** A robot whose sensors, silence and cable are of chance, which stays unplugged now and then. */
+    class FaultyRobot(seed: Long) : Sketch {
+        private val chance = Random(seed)
+
+        override fun percepts(): List<String> {
+            if (chance.nextInt(20) == 0) Thread.sleep(chance.nextLong(150)) // the board is busy
+            return listOf("dist(f,${chance.nextInt(5, 200)})", "light(f,${chance.nextInt(80, 120)})", "temp(f,${chance.nextInt(20, 30)})")
+        }
+
+        override fun act(command: String) = chance.nextInt(10) != 0
+    }
+
+    suspend fun drive(seed: Long): Path {
+        val file = recordingFile()
+        val chance = Random(seed)
+        SimulatedBoards.plugIn("live-robot", FaultyRobot(seed))
+        try {
+            LiveMas(file).use { mas ->
+                val beliefs = "board(\"sim:live-robot\", [timeout(100)]). value(20). interval(20). view(none)."
+                mas.agent("robot", "$beliefs\n${Path.of("../samples/collision/robot.asl").readText()}")
+                repeat(3) {
+                    delay(chance.nextLong(100, 400))
+                    SimulatedBoards.unplug("live-robot")
+                    delay(chance.nextLong(20, 200))
+                    SimulatedBoards.plugIn("live-robot", FaultyRobot(seed + it))
+                }
+                delay(300)
+            }
+        } finally {
+            SimulatedBoards.unplug("live-robot")
+        }
+        return file
+    }
+
+    test("drives of the sample collision with faults; the property argo.live.drives has how many") {
+        for (seed in 0L until Integer.getInteger("argo.live.drives", 3)) withClue("seed $seed") { shouldReplay(drive(seed)) }
     }
 
     test("two agents that talk, each on a thread of its own") {
