@@ -11,7 +11,7 @@ sourceSets.named("test") { resources.srcDir("src/planted/resources") }
 dependencies {
     compileOnly(libs.jason) // the user's project brings Jason
     api(project(":argo-arch"))
-    testImplementation(project(":argo-recording"))
+    implementation(project(":argo-recording"))
     testImplementation(libs.jason)
     testImplementation(libs.mockk)
 }

@@ -1,16 +1,20 @@
 package argo.recording
 
+import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
+import argo.recording.replay.WhatIf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.longs.shouldBeGreaterThan
 import java.nio.file.Path
+import java.time.Duration
 import kotlin.io.path.deleteIfExists
 
 /**
  * Drives of the samples and of the experiment's agent, with faults, are replayed as they were: the same events, plans, steps, commands and
- * messages. The property `argo.drives` has how many are drawn.
+ * messages; and the same program, run freely on what was recorded, sends the same commands. The property `argo.drives` has how many are
+ * drawn.
  */
 class SeededDrivesSpec : FunSpec({
     val folder = tempdir().toPath()
@@ -27,12 +31,19 @@ class SeededDrivesSpec : FunSpec({
         "$refused"
     }
 
+    /** How the commands of an agent of [file] differ that runs freely on what was recorded; null: they do not. */
+    fun differenceOfCommands(file: Path): String? = Recording(file).use { recording ->
+        recording.agents.keys.firstNotNullOfOrNull { agent ->
+            WhatIf(recording, agent).use { it.run().difference(Duration.ZERO) }?.let { "agent $agent sends others: $it" }
+        }
+    }
+
     for ((index, system) in systems.withIndex()) test("drives of $system") {
         val seeds = (index until drives step systems.size).map(Int::toLong)
         seeds.mapNotNull { seed ->
             val file = folder.resolve("$seed.mcap")
             system.record(seed, file)
-            differenceOf(file)?.let { "seed $seed: $it" }.also { file.deleteIfExists() }
+            (differenceOf(file) ?: differenceOfCommands(file))?.let { "seed $seed: $it" }.also { file.deleteIfExists() }
         }.shouldBeEmpty()
     }
 })

@@ -21,9 +21,12 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     private val places = IdentityHashMap<Plan, Place>()
     private val texts = IdentityHashMap<PlanBody, String>()
     private var selected: Intention? = null
-    private var step: Step? = null
     private var mail = ArrayList<Mail>()
     private val prints = PrintWatch(ts)
+
+    /** The step that is carried out in the cycle that runs; null: none yet. */
+    var step: Step? = null
+        private set
 
     /** A cycle begins. */
     fun begin() {
@@ -77,7 +80,8 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return texts.getOrPut(body) { "${body.bodyType}${body.bodyTerm}" }
     }
 
-    private fun placeOf(plan: Plan): Place {
+    /** Where [plan] stands. */
+    fun placeOf(plan: Plan): Place {
         if (places.size >= MAX_CACHED) places.clear()
         return places.getOrPut(plan) {
             val source: SourceInfo? = plan.trigger.literal.srcInfo ?: plan.srcInfo

@@ -195,10 +195,6 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         return true
     }
 
-    private fun bind(call: InternalCall, un: Unifier, answer: Map<Int, String>) = answer.forEach { (place, text) ->
-        call.args.getOrNull(place)?.let { un.unifies(it, termOf(text)) }
-    }
-
     /** Carries the project's own action out again, and compares what it gives. */
     private fun compare(recorded: Call, call: InternalCall, live: (Unifier) -> Any) {
         val un = call.un.clone()
@@ -307,4 +303,9 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         const val MAX_KNOWN = 4096
         const val NOT_TRUE = "false"
     }
+}
+
+/** Binds the variables in the arguments of [call] to what was recorded as its [answer]. */
+internal fun bind(call: InternalCall, un: Unifier, answer: Map<Int, String>) = answer.forEach { (place, text) ->
+    call.args.getOrNull(place)?.let { un.unifies(it, termOf(text)) }
 }

@@ -5,12 +5,12 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.making
-import argo.tools.command.nanosOf
 import argo.tools.command.printable
 import argo.tools.command.requireFile
 import argo.tools.command.requireNew
 import argo.tools.replay.AgentReplay
 import argo.tools.replay.AgentReplayOptions
+import argo.tools.replay.AgentWhatIf
 import argo.tools.replay.hasJason
 import argo.tools.replay.runWithJason
 import javino.LineSettings
@@ -26,6 +26,7 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Parameters
 import java.nio.file.Files
 import java.nio.file.Path
+import java.time.Duration
 import java.util.concurrent.TimeUnit
 
 /** `replay`: serves a recording of a board as a board, and runs the agents of a recording of agents again. */
@@ -56,21 +57,37 @@ internal class ReplayCommand : ToolCommand() {
             return replayAgents(ofAgents ?: AgentReplayOptions())
         }
         if (ofAgents != null) {
-            misuse("--check, --until, --of, --class-path and --json are for a recording of agents (FILE.mcap), and $file is none")
+            misuse(
+                "--check, --from, --until, --of, --agent, --within, --class-path and --json are for a recording of agents, " +
+                    "and $file is none",
+            )
         }
         return serveBoard()
     }
 
     private fun replayAgents(options: AgentReplayOptions): Int {
-        val untilNs = options.until?.let { nanosOf(it) ?: misuse("$it is no second of a recording") }
+        if (options.within != null && options.programs.isEmpty()) misuse("--within is for --agent")
+        options.within?.let { if (it < 0) misuse("--within is 0 ms at least, not $it") }
         if (options.classPath != null || !hasJason()) {
             return runWithJason(spec.root().name(), options.classPath, listOf("replay", "$file") + options.arguments())
         }
-        val report = AgentReplay(file, untilNs, options.of).run()
+        if (options.programs.isNotEmpty()) return runOthers(options)
+        val report = AgentReplay(file, options.from, options.until, options.of).run()
         if (options.json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }
         val isGood = report.problems.isEmpty() && (if (options.isCheck) report.isDeterministic else report.isIdentical)
         return if (isGood) ExitStatus.DONE else ExitStatus.FAILED
+    }
+
+    private fun runOthers(options: AgentReplayOptions): Int {
+        if (options.isCheck || options.from != null || options.until != null || options.of.isNotEmpty()) {
+            misuse("--check, --from, --until and --of are for the recorded program, and --agent for another one")
+        }
+        val within = Duration.ofMillis(options.within ?: WITHIN_MS)
+        val report = AgentWhatIf(file, options.programs, within).run()
+        if (options.json) out.println(report.json()) else report.lines().forEach { out.println(printable(it)) }
+        report.problems.forEach { err.println("$file: ${printable(it)}") }
+        return if (report.problems.isEmpty() && report.isIdentical) ExitStatus.DONE else ExitStatus.FAILED
     }
 
     private fun serveBoard(): Int {
@@ -132,5 +149,8 @@ internal class ReplayCommand : ToolCommand() {
 
     private companion object {
         const val POLL_MS = 100L
+
+        /** How much earlier or later a command may be unless an option says so. */
+        const val WITHIN_MS = 100L
     }
 }

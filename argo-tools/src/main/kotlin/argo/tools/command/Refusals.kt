@@ -7,6 +7,7 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.TypeConversionException
 import picocli.CommandLine.UnmatchedArgumentException
+import java.math.BigDecimal
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
@@ -19,6 +20,7 @@ fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
     .registerConverter(Int::class.javaObjectType) { wholeNumber(it, String::toIntOrNull) }
     .registerConverter(Long::class.javaObjectType) { wholeNumber(it, String::toLongOrNull) }
+    .registerConverter(BigDecimal::class.java) { it.toBigDecimalOrNull() ?: throw TypeConversionException("$it is not a number") }
     .registerConverter(Path::class.java, ::file)
     .setParameterExceptionHandler { wrong, _ ->
         val refused = wrong.commandLine

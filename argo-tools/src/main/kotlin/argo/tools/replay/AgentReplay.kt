@@ -6,11 +6,22 @@ import argo.recording.replay.Replay
 import argo.tools.command.ToolException
 import java.nio.file.Path
 
-/** Replays the agents of the recording [file] before [untilNs], counted from the first cycle; null: to the end. */
-internal class AgentReplay(private val file: Path, private val untilNs: Long?, private val believers: Set<String>) {
+/**
+ * Replays the agents of the recording [file].
+ *
+ * @param from from where on their cycles are shown; null: none is
+ * @param until where the replay ends; null: at the end
+ * @param shownAgents the agents that are shown; none: all
+ */
+internal class AgentReplay(
+    private val file: Path,
+    private val from: Moment?,
+    private val until: Moment?,
+    private val shownAgents: Set<String>,
+) {
     /** @throws RecordingException if none of it can be replayed */
     fun run(): ReplayReport = Recording(file).use { recording ->
-        val unknown = believers - recording.agents.keys
+        val unknown = shownAgents - recording.agents.keys
         if (unknown.isNotEmpty()) {
             throw ToolException("$file has no agent ${unknown.first()}; those that it has: ${recording.agents.keys.joinToString()}")
         }
@@ -20,13 +31,32 @@ internal class AgentReplay(private val file: Path, private val untilNs: Long?, p
     private fun replay(recording: Recording, replay: Replay): ReplayReport {
         val firstNs = replay.nextNs ?: throw ToolException("$file holds no cycle of an agent")
         val begin = System.nanoTime()
-        val trouble = stopping { replay.run(untilNs?.let { firstNs + minOf(it, Long.MAX_VALUE - firstNs) } ?: Long.MAX_VALUE) }
+        val endNs = until?.let { nsOf(it, recording, firstNs) } ?: Long.MAX_VALUE
+        val trouble = stopping { replay.run(endNs) }
         val elapsedNs = System.nanoTime() - begin
-        val shown = believers.ifEmpty { if (untilNs == null) emptySet() else recording.agents.keys }
+        val believers = if (until == null && from != null) emptySet() else shownAgents
+        val shown = believers.ifEmpty { if (until == null) emptySet() else recording.agents.keys }
         return ReplayReport(
             recording.agents.keys.toList(), replay.cyclesRun, firstNs, (replay.lastNs ?: firstNs) - firstNs, elapsedNs, replay.differences,
-            shown.associateWith(replay::beliefs), recording.problems + listOfNotNull(trouble),
+            shown.associateWith(replay::beliefs), cycles(recording, firstNs, endNs), recording.problems + listOfNotNull(trouble),
         )
+    }
+
+    private fun cycles(recording: Recording, firstNs: Long, endNs: Long): List<ShownCycle> {
+        val beginNs = nsOf(from ?: return emptyList(), recording, firstNs)
+        return recording.agents.keys.filter { shownAgents.isEmpty() || it in shownAgents }.flatMap { agent ->
+            recording.cycles(agent).filter { it.ns in beginNs until endNs }.map { ShownCycle(agent, it) }
+        }.sortedBy { it.cycle.ns }
+    }
+
+    /** When [moment] is, in ns of the agents' clock. */
+    private fun nsOf(moment: Moment, recording: Recording, firstNs: Long): Long = when (moment) {
+        is Moment.Time -> firstNs + minOf(moment.ns, Long.MAX_VALUE - firstNs)
+        is Moment.OfCycle -> {
+            val agents = recording.agents.keys.filter { shownAgents.isEmpty() || it in shownAgents }
+            agents.mapNotNull { agent -> recording.cycles(agent).find { it.number >= moment.number }?.ns }.minOrNull()
+                ?: throw ToolException("no agent has a cycle ${moment.number} or a later one")
+        }
     }
 
     /** Why [work] could not be done to its end; null: it was. */

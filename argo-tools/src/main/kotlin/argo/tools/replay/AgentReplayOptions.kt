@@ -1,7 +1,6 @@
 package argo.tools.replay
 
 import picocli.CommandLine.Option
-import java.math.BigDecimal
 
 /** The options of `replay` for a recording of agents. */
 internal class AgentReplayOptions {
@@ -10,14 +9,47 @@ internal class AgentReplayOptions {
     var isCheck = false
         private set
 
-    /** Where the replay ends, in seconds since the first cycle; null: at the end. */
-    @Option(names = ["--until"], paramLabel = "S", description = ["replays the cycles before this second, and prints the beliefs there"])
-    var until: BigDecimal? = null
+    /** From where on cycles are printed; null: none is. */
+    @Option(
+        names = ["--from"],
+        paramLabel = "S|cN",
+        converter = [Moment.Converter::class],
+        description = ["prints the cycles from this second, or cycle, on"],
+    )
+    var from: Moment? = null
+        private set
+
+    /** Where the replay ends; null: at the end. */
+    @Option(
+        names = ["--until"],
+        paramLabel = "S|cN",
+        converter = [Moment.Converter::class],
+        description = ["replays the cycles before this second, or this cycle, and prints the beliefs there"],
+    )
+    var until: Moment? = null
         private set
 
     /** The agents whose beliefs are printed. */
     @Option(names = ["--of"], paramLabel = "AGENT", description = ["prints the beliefs of this agent alone; may be given several times"])
     var of: Set<String> = emptySet()
+        private set
+
+    /** Programs in place of the recorded ones: `AGENT=FILE`, or a file. */
+    @Option(
+        names = ["--agent"],
+        paramLabel = "[AGENT=]FILE",
+        description = ["runs the agent with this program, and shows the first command that differs; may be given for several agents"],
+    )
+    var programs: List<String> = emptyList()
+        private set
+
+    /** How much earlier or later the same command may be, in ms. */
+    @Option(
+        names = ["--within"],
+        paramLabel = "MS",
+        description = ["with --agent: how much earlier or later the same command may be; 100 unless given"],
+    )
+    var within: Long? = null
         private set
 
     /** Where Jason and the project's classes are besides here; null: nowhere. */
@@ -34,7 +66,10 @@ internal class AgentReplayOptions {
     fun arguments(): List<String> = buildList {
         if (isCheck) add("--check")
         if (json) add("--json")
-        until?.let { add("--until=${it.toPlainString()}") }
+        from?.let { add("--from=$it") }
+        until?.let { add("--until=$it") }
         of.forEach { add("--of=$it") }
+        programs.forEach { add("--agent=$it") }
+        within?.let { add("--within=$it") }
     }
 }

@@ -10,6 +10,7 @@ import kotlinx.serialization.json.JsonObject
  * @property recordedNs from the first cycle to the last one that was replayed
  * @property elapsedNs what the replay took
  * @property beliefs of the agents that were asked about
+ * @property shown the cycles that are shown
  * @property problems what could not be replayed, a sentence for each
  */
 internal class ReplayReport(
@@ -20,6 +21,7 @@ internal class ReplayReport(
     private val elapsedNs: Long,
     differences: List<Difference>,
     private val beliefs: Map<String, List<String>>,
+    private val shown: List<ShownCycle>,
     val problems: List<String>,
 ) {
     private val course = differences.filterNot { it.isOfResult }
@@ -46,6 +48,7 @@ internal class ReplayReport(
             val times = results.sumOf { it.second }
             add("$times results of the project's own actions were others, and the recorded ones were used; --check names them")
         }
+        shown.forEach { add("%9.3f s  ".format((it.cycle.ns - firstNs) / NANOS) + it.words()) }
         for ((agent, believed) in beliefs) {
             add("$agent believes:")
             believed.forEach { add("  $it") }
@@ -56,6 +59,7 @@ internal class ReplayReport(
         "agents" to agents, "cycles" to cycles, "seconds" to recordedNs / NANOS, "took" to elapsedNs / NANOS,
         "identical" to isIdentical, "deterministic" to isDeterministic, "problems" to problems,
         "differences" to (course.map { it to 1 } + results).map { (difference, times) -> jsonOf(difference, times) },
+        "shown" to shown.map { it.json((it.cycle.ns - firstNs) / NANOS) },
         "beliefs" to jsonOf(*beliefs.toList().toTypedArray()),
     )
 

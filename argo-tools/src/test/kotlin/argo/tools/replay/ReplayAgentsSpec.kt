@@ -25,6 +25,7 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
@@ -106,7 +107,23 @@ class ReplayAgentsSpec : FunSpec({
         argo("replay", "$drive", "--of", "eve").err shouldBe "$drive has no agent eve; those that it has: agent\n"
         argo("replay", "$drive", "--until", "-1").run {
             status shouldBe 2
-            err shouldStartWith "-1 is no second of a recording\n"
+            err shouldContain "-1 is no moment of a recording; 12.3 is a second, and c412 a cycle\n"
+        }
+        argo("replay", "$drive", "--until", "noon").err shouldContain "noon is no moment of a recording"
+        argo("recording", "$drive", "--from", "noon").err shouldContain "noon is not a number\n"
+    }
+
+    test("--from prints the cycles from there on, and --until takes a cycle too") {
+        val stop = argo("replay", "$drive", "--from", "0.9", "--of", "agent").out.lines()
+        val acting = stop.single { "sends stop" in it }
+        acting shouldMatch Regex(""" +1\.\d{3} s  agent, cycle \d+: .*step argo\.act\(stop\) \(agent\.asl:4\), sends stop to ttyACM0""")
+        stop.filter { "sends forward" in it } shouldBe emptyList()
+        val cycle = acting.substringAfter("cycle ").substringBefore(':').toInt()
+        argo("replay", "$drive", "--until", "c$cycle").out shouldNotContain "stopped(30)"
+        argo("replay", "$drive", "--until", "c${cycle + 10}").out shouldContain "stopped(30)"
+        argo("replay", "$drive", "--until", "c99999").run {
+            status shouldBe 1
+            err shouldContain "no agent has a cycle 99999"
         }
     }
 
@@ -168,11 +185,56 @@ class ReplayAgentsSpec : FunSpec({
     test("an action that is not on the class path is named") {
         val file = made(
             "absent", "!start. +!start <- robot.measure(X).",
-            input = """{"calls":[{"name":"robot.measure","args":["X"],"answers":[["3"]],"isOfProject":true}]}""",
+            input = """{"calls":[{"name":"robot.measure","args":["X"],"answers":[{"0":"3"}],"isOfProject":true}]}""",
         )
         val said = argo("replay", "$file")
         said.status shouldBe 1
         said.out shouldContain "likely:   the project's class robot.measure is not on the class path; add it"
+    }
+
+    val program =
+        """
+        far(50).
+        !start.
+        +!start <- argo.port(ttyACM0); argo.percepts(open); .wait(20); argo.act(forward).
+        +dist(front,Cm) : far(Far) & Cm < Far <- argo.act(stop); +stopped(Cm).
+        """.trimIndent()
+
+    fun program(name: String, text: String) = directory.resolve(name).apply { writeText(text) }
+
+    test("another program that sends the same commands") {
+        val other = program("other.asl", "$program\n+stopped(_) <- .print(stopped).")
+        argo("replay", "$drive", "--agent", "$other") shouldBe
+            Output(0, "agent agent with $other: 2 commands recorded, 2 now\nidentical: the same commands at the same times\n", "")
+    }
+
+    test("another program that sends another command, with the first one that differs") {
+        val other = program("brakes.asl", program.replace("argo.act(stop)", "argo.act(brake(1))"))
+        val said = argo("replay", "$drive", "--agent", "agent=$other")
+        said.status shouldBe 1
+        val lines = said.out.lines()
+        lines[1] shouldMatch Regex("""differs, behind 1 commands that are the same: 1\.\d{3} s, other""")
+        lines[2] shouldMatch Regex("""  recorded: stop to ttyACM0 at 1\.\d{3} s, cycle \d+, agent\.asl:4""")
+        lines[3] shouldMatch Regex("""  now:      brake\(1\) at 1\.\d{3} s, cycle \d+, brakes\.asl:4""")
+        val json = Json.parseToJsonElement(argo("replay", "$drive", "--agent", "$other", "--json").out).jsonObject
+        json.getValue("identical").jsonPrimitive.boolean shouldBe false
+        val difference = json.getValue("agents").jsonArray.single().jsonObject.getValue("difference").jsonObject
+        difference.getValue("kind").jsonPrimitive.content shouldBe "other"
+        difference.getValue("now").jsonObject.getValue("text").jsonPrimitive.content shouldBe "brake(1)"
+    }
+
+    test("another program that cannot be run is refused in words") {
+        argo("replay", "$drive", "--agent", "absent.asl").run {
+            status shouldBe 1
+            err shouldContain "absent.asl"
+        }
+        argo("replay", "$drive", "--agent", "${program("unread.asl", "!start. +!start <- ((.")}").err shouldStartWith
+            "Jason cannot read the program of agent agent"
+        argo("replay", "$drive", "--within", "5").run {
+            status shouldBe 2
+            err shouldStartWith "--within is for --agent"
+        }
+        argo("replay", "$drive", "--check", "--agent", "$drive").status shouldBe 2
     }
 
     test("options of boards and of agents exclude each other") {
@@ -183,7 +245,7 @@ class ReplayAgentsSpec : FunSpec({
         val board = directory.resolve("board.rec").apply { writeBytes("javino-recording 1\n".encodeToByteArray()) }
         argo("replay", "$board", "--check").run {
             status shouldBe 2
-            err shouldStartWith "--check, --until, --of, --class-path and --json are for a recording of agents"
+            err shouldStartWith "--check, --from, --until, --of, --agent, --within, --class-path and --json are for "
         }
     }
 

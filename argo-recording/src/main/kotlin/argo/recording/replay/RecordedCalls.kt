@@ -1,0 +1,92 @@
+package argo.recording.replay
+
+import argo.recording.Call
+import argo.recording.Cycle
+import argo.recording.End
+
+/** The calls of [cycles] and the ends of what they began, as answers to an agent that may call at other times, or something else. */
+internal class RecordedCalls(cycles: Sequence<Cycle>) {
+    /** A call, and the index and the time of its cycle. */
+    class Made(val call: Call, val index: Long, val ns: Long) {
+        var isTaken = false
+    }
+
+    /** An end, and the index and the time of its cycle. */
+    class Ended(val end: End, val index: Long, val ns: Long) {
+        var isTaken = false
+    }
+
+    private val made = HashMap<String, ArrayList<Made>>()
+    private val ended = HashMap<Int, Ended>()
+    private val timers = ArrayList<Ended>()
+
+    init {
+        for (cycle in cycles) {
+            cycle.input.calls.forEach { made.getOrPut(key(it.name, it.args)) { ArrayList() } += Made(it, cycle.index, cycle.ns) }
+            for (end in cycle.input.ends) if (end.number != 0) {
+                val one = Ended(end, cycle.index, cycle.ns)
+                ended[end.number] = one
+                if (end.kind == TIMER) timers += one
+            }
+        }
+    }
+
+    /** How long a command takes that has an outcome: what half of them took at most. */
+    val usualNs: Long = made.values.flatten().filter { it.call.commands.isNotEmpty() }
+        .mapNotNull { call -> call.call.number?.let(ended::get)?.let { it.ns - call.ns } }
+        .sorted().let { it.getOrNull(it.size / 2) ?: USUAL_NS }
+
+    /** The end of what was begun with [number]; null: it did not end. */
+    fun endOf(number: Int): Ended? = ended[number]
+
+    /** The call of [name] with [args] that is the next in their order; it is taken once. */
+    fun nextOf(name: String, args: List<String>): Made? =
+        made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
+
+    /** The call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns]; it is taken once. */
+    fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
+        around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
+
+    /** As [near], and it may be taken again. */
+    fun nearest(name: String, args: List<String>, index: Long?, ns: Long): Made? =
+        around(name, args, ns).minByOrNull { distance(it, index, ns) }
+
+    /** The first call of [name] with [args]; any time, and it may be taken again. */
+    fun firstOf(name: String, args: List<String>): Made? = made[key(name, args)]?.first()
+
+    /** The end of a timer at about [ns], or a little later, as an agent takes its time to see it; it is taken once. */
+    fun timer(ns: Long): Ended? {
+        val first = timers.binarySearch { it.ns.compareTo(ns - EARLY_NS) }.let { if (it < 0) -it - 1 else it }
+        return timers.asSequence().drop(first).takeWhile { it.ns <= ns + LATE_NS }.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
+    }
+
+    /** The end of the timer with [number], which the same step had begun, if it was for [ns]; it is taken once. */
+    fun takeTimer(number: Int, ns: Long): Ended? =
+        ended[number]?.takeIf { !it.isTaken && it.end.kind == TIMER && it.ns - ns in -EARLY_NS..LATEST_NS }?.also { it.isTaken = true }
+
+    private fun around(name: String, args: List<String>, ns: Long): Sequence<Made> {
+        val calls = made[key(name, args)] ?: return emptySequence()
+        val first = calls.binarySearch { if (it.ns < ns - NEAR_NS) -1 else 1 }.let { -it - 1 }
+        return calls.asSequence().drop(first).takeWhile { it.ns <= ns + NEAR_NS }
+    }
+
+    private fun distance(call: Made, index: Long?, ns: Long) =
+        if (call.index == index) -1 else if (call.ns > ns) call.ns - ns else ns - call.ns
+
+    private fun key(name: String, args: List<String>) = "$name(${args.joinToString(",", transform = ::normal)})"
+
+    companion object {
+        /** How far off an answer is used, in ns. */
+        const val NEAR_NS = 1_000_000_000L
+
+        private const val TIMER = "timer"
+
+        /** How much a timer may seem to end too early or too late, in ns. */
+        private const val EARLY_NS = 2_000_000L
+        private const val LATE_NS = 100_000_000L
+        private const val LATEST_NS = 2_000_000_000L
+
+        /** How long a command takes if none was recorded, in ns. */
+        private const val USUAL_NS = 10_000_000L
+    }
+}

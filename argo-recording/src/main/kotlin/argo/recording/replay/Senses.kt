@@ -1,0 +1,29 @@
+package argo.recording.replay
+
+import argo.recording.Cycle
+import argo.recording.agent.literalOf
+import jason.asSyntax.Literal
+
+/** What an agent perceives that is run on a recording. */
+internal interface Senses {
+    /** What it perceives in [cycle], or in one of its own (null), at [ns]; null: nothing has changed. */
+    fun perceive(cycle: Cycle?, ns: Long): List<Literal>?
+
+    /** The percepts of the last perception that meet critical rules and are new. */
+    fun takeNewlyCritical(): List<Literal>
+}
+
+/** What was recorded. */
+internal class RecordedSenses : Senses {
+    private var percepts: List<Literal> = emptyList()
+    private var critical: List<String> = emptyList()
+
+    override fun perceive(cycle: Cycle?, ns: Long): List<Literal>? {
+        critical = cycle?.input?.critical.orEmpty()
+        val change = cycle?.input?.percepts ?: return null
+        percepts = percepts.take(change.keep) + change.now.map(::literalOf) + percepts.takeLast(change.keepLast)
+        return percepts
+    }
+
+    override fun takeNewlyCritical(): List<Literal> = critical.map(::literalOf)
+}

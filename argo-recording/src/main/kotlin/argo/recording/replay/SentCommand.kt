@@ -1,0 +1,81 @@
+package argo.recording.replay
+
+import argo.recording.Cycle
+import java.time.Duration
+
+/**
+ * A command that a plan has sent.
+ *
+ * @property cycle Jason's number of the cycle
+ * @property ns when the cycle began, in ns of the agent's clock
+ * @property port the port of its board; null: not known
+ * @property text what was sent
+ * @property place the file and the line of the step that sent it; null: not known
+ */
+data class SentCommand(val cycle: Int, val ns: Long, val port: String?, val text: String, val place: String?) {
+    /** Whether [other] is the same command to the same board. */
+    fun isSame(other: SentCommand): Boolean = text == other.text && (port == null || other.port == null || port == other.port)
+}
+
+/** The commands that plans sent in this cycle. */
+internal fun Cycle.sent(): List<SentCommand> = input.calls.flatMap { it.commands }.map { sent ->
+    val place = course.step?.run { placeOf(plan.file, line) }
+    SentCommand(number, ns, sent.port, sent.text, place)
+}
+
+internal fun placeOf(file: String?, line: Int?): String? = if (file == null || line == null) null else "$file:$line"
+
+/**
+ * The first command that differs between a recording and what an agent does now.
+ *
+ * @property recorded what the recording has; null: nothing, the command that the agent sends now is additional
+ * @property now what it sends now; null: nothing, the recorded command is missing
+ * @property same how many commands before them are the same
+ */
+data class CommandDifference(val recorded: SentCommand?, val now: SentCommand?, val same: Int) {
+    init {
+        require(recorded != null || now != null) { "one of both differs" }
+    }
+
+    /** `other`, `missing`, `additional`, `earlier` or `later`. */
+    val kind: String
+        get() = when {
+            recorded == null -> "additional"
+            now == null -> "missing"
+            !recorded.isSame(now) -> "other"
+            else -> if (now.ns < recorded.ns) "earlier" else "later"
+        }
+
+    /** When they differ, in ns of the agent's clock. */
+    val ns: Long get() = listOfNotNull(recorded?.ns, now?.ns).min()
+
+    companion object {
+        /**
+         * The first difference between the commands [recorded] and [now], both in the order of their times; null: there is none.
+         *
+         * @param within how much earlier or later the same command may be
+         * @param endNs when the recording ends: what the agent sends behind that differs from nothing
+         */
+        fun first(recorded: List<SentCommand>, now: List<SentCommand>, within: Duration, endNs: Long): CommandDifference? {
+            val most = within.toNanos()
+            fun isSame(one: SentCommand?, other: SentCommand?) =
+                one != null && other != null && one.isSame(other) && other.ns - one.ns in -most..most
+            for (same in 0 until maxOf(recorded.size, now.size)) {
+                val one = recorded.getOrNull(same)
+                val other = now.getOrNull(same)
+                if (one == null && other != null && other.ns > endNs) return null
+                if (one == null || other == null) return CommandDifference(one, other, same)
+                if (isSame(one, other)) continue
+                val lateNs = other.ns - one.ns
+                return when {
+                    isSame(recorded.getOrNull(same + 1), other) -> CommandDifference(one, null, same)
+                    isSame(one, now.getOrNull(same + 1)) -> CommandDifference(null, other, same)
+                    one.isSame(other) || lateNs in -most..most -> CommandDifference(one, other, same)
+                    lateNs > 0 -> CommandDifference(one, null, same)
+                    else -> CommandDifference(null, other, same)
+                }
+            }
+            return null
+        }
+    }
+}

@@ -1,0 +1,121 @@
+package argo.recording.replay
+
+import argo.recording.Cycle
+import jason.asSemantics.TransitionSystem
+import java.nio.file.Path
+import java.time.Duration
+
+/**
+ * Runs one agent of [recording] with another program on what was recorded, without boards, threads and clocks, and notes the commands that
+ * it sends. What its boards and other agents said comes at the recorded times. What it asks for is answered thus:
+ *
+ * - a command ends as the one of the same text did that was recorded nearest, within a second; another one succeeds in the usual time;
+ * - settings, as of `argo.port`, give what they gave; others of `argo.` succeed. `argo.age` and other questions give what they gave to the
+ *   same question nearest in time, within a second; otherwise they are false;
+ * - chance and clocks give what they gave, in the order of asking, and beyond that something else;
+ * - a timer ends when a recorded one ended at about its time, else at its time;
+ * - the project's own internal actions are carried out.
+ *
+ * As long as the agent does what was recorded, step by step, all of it is exactly as recorded. It has cycles of its own where the recorded
+ * one slept.
+ *
+ * Close it at the end. For one thread; at a time there can be one replay in a program.
+ *
+ * @param agent the agent's name
+ * @param program its program; null: the recorded one
+ * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
+ */
+class WhatIf(
+    private val recording: Recording,
+    agent: String,
+    program: Path? = null,
+) : AutoCloseable {
+    private val recorded = recording.agents[agent]
+        ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
+    private val inputs = WhatIfInputs(RecordedCalls(recording.cycles(agent)), RecordedSenses())
+    private val files = ProgramFiles(recording)
+    private val ts: TransitionSystem = create(program)
+    private val before = ArrayList<SentCommand>()
+    private var number = 0
+
+    /** The commands that were recorded, as far as it has been run. */
+    val commands: List<SentCommand> get() = before
+
+    /** The commands that the agent has sent now. */
+    val commandsNow: List<SentCommand> get() = inputs.sent
+
+    /** When the first recorded cycle began, in ns of the agent's clock; null: none has been run. */
+    var firstNs: Long? = null
+        private set
+
+    /** When the last recorded cycle began that has been run, in ns of the agent's clock. */
+    var endNs: Long = 0
+        private set
+
+    private fun create(program: Path?) = try {
+        jasonAgent(recorded, program?.toAbsolutePath() ?: files.of(recorded.name), files.directory, inputs).also(inputs::begin)
+    } catch (refused: RecordingException) {
+        files.close()
+        throw refused
+    }
+
+    /**
+     * Runs all recorded cycles, and returns itself. Once.
+     * @throws RecordingException if some are missing; the commands before are there then
+     */
+    fun run(): WhatIf = apply {
+        var last: Cycle? = null
+        for (cycle in recording.cycles(recorded.name)) {
+            if (cycle.index != (last?.index ?: 0) + 1) throw RecordingException(gap(recorded.name, cycle, last?.index ?: 0))
+            if (last == null) firstNs = cycle.ns else if (!inputs.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
+            before += cycle.sent()
+            run(cycle, cycle.ns)
+            last = cycle
+            endNs = cycle.ns
+        }
+        if (!inputs.isAsRecorded) runBetween(endNs + AFTER_NS)
+    }
+
+    /** Where the recorded agent slept, until [ns]: the cycles for what the agent has to do, and for what ends meanwhile. */
+    private fun runBetween(ns: Long) {
+        while (true) {
+            val at = if (!ts.canSleep()) inputs.ns + CYCLE_NS else inputs.nextDueNs ?: return
+            if (at >= ns) return
+            run(null, maxOf(at, inputs.ns))
+        }
+    }
+
+    private fun run(cycle: Cycle?, ns: Long) {
+        inputs.next(cycle, ns)
+        number = maxOf(number + 1, cycle?.number ?: 0)
+        ts.cycle(number, recorded.isConditional)
+        inputs.end()
+    }
+
+    /**
+     * The first command that differs from the recording; null: none does.
+     *
+     * @param within how much earlier or later the same command may be
+     */
+    fun difference(within: Duration): CommandDifference? = CommandDifference.first(commands, commandsNow, within, endNs)
+
+    /** What the agent believes now, without its rules, as Jason writes it. */
+    val beliefs: List<String> get() = ts.ag.bb.filterNot { it.isRule }.map { "$it" }
+
+    override fun close() {
+        inputs.close()
+        ts.end()
+        files.close()
+    }
+
+    private companion object {
+        /** How long a cycle takes that was not recorded, in ns. */
+        const val CYCLE_NS = 1_000_000L
+
+        /** How long an agent runs on behind the recording, since it may be slower than the recorded one, in ns. */
+        const val AFTER_NS = 1_000_000_000L
+    }
+}
+
+/** Whether something entered the agent that may have woken it. */
+private val Cycle.isWoken: Boolean get() = input.run { percepts != null || mail.isNotEmpty() || ends.isNotEmpty() || events.isNotEmpty() }

@@ -1,0 +1,108 @@
+package argo.testkit
+
+import argo.recording.replay.CommandDifference
+import argo.recording.replay.Recording
+import argo.recording.replay.RecordingException
+import argo.recording.replay.SentCommand
+import argo.recording.replay.WhatIf
+import java.nio.file.Path
+import kotlin.io.path.isRegularFile
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.nanoseconds
+import kotlin.time.toJavaDuration
+
+/**
+ * Runs an agent as it is now on a recorded drive, which the option `argo_record` has made:
+ *
+ *     test("the robot does in the corridor what it did") {
+ *         replayed("corridor.mcap").shouldSendTheSame()
+ *     }
+ *
+ * What is exact of that and what is not: see [WhatIf].
+ *
+ * @param file the recording; looked for in the directory that the test runs in, and in `src/test/resources` under it
+ * @param agent the name of the agent; null: the recording has one alone
+ * @param program its program as it is now, looked for as [argo.testkit.agent] does; null: the file that is called as the recorded one
+ * @throws IllegalArgumentException if there is no such file, agent or program, or the recording cannot be replayed
+ */
+fun replayed(
+    file: String,
+    agent: String? = null,
+    program: String? = null,
+): ReplayedDrive = refusedInWords {
+    Recording(recordingIn(file)).use { recording ->
+        val name = agent ?: recording.agents.keys.singleOrNull()
+            ?: throw RecordingException("$file has the agents ${recording.agents.keys.joinToString()}; agent = \"…\" names one of them")
+        val source = program ?: recording.agents[name]?.source.orEmpty().substringAfterLast('/')
+        WhatIf(recording, name, found(source)).use { ReplayedDrive(file, name, it.run()) }
+    }
+}
+
+private fun recordingIn(file: String): Path {
+    val places = listOf("", "src/test/resources").map { Path.of(it, file).toAbsolutePath().normalize() }
+    return places.firstOrNull { it.isRegularFile() }
+        ?: throw IllegalArgumentException("there is no recording $file; looked for ${places.joinToString()}")
+}
+
+private fun <T> refusedInWords(work: () -> T): T = try {
+    work()
+} catch (refused: RecordingException) {
+    throw IllegalArgumentException(refused.message, refused)
+}
+
+/** An agent as it is now on a recorded drive: see [replayed]. */
+class ReplayedDrive internal constructor(private val file: String, private val agent: String, whatIf: WhatIf) {
+    private val before = whatIf.commands.toList()
+    private val now = whatIf.commandsNow.toList()
+    private val firstNs = whatIf.firstNs ?: 0
+    private val differenceWithin: (Duration) -> CommandDifference? =
+        whatIf.endNs.let { end -> { within -> CommandDifference.first(before, now, within.toJavaDuration(), end) } }
+
+    /** The commands of the recording, in their order. */
+    val recorded: List<String> get() = before.map { it.text }
+
+    /** The commands that the agent sends now, in their order. */
+    val sent: List<String> get() = now.map { it.text }
+
+    /**
+     * Expects that the agent sends the commands that were recorded, in their order, each at the same time.
+     *
+     * @param within how much earlier or later a command may be
+     * @throws AssertionError with the first command that differs
+     */
+    fun shouldSendTheSame(within: Duration = WITHIN): ReplayedDrive = apply {
+        differenceWithin(within)?.let { throw AssertionError(reportOf(it)) }
+    }
+
+    private fun reportOf(difference: CommandDifference): String = with(difference) {
+        val what = when (kind) {
+            "missing" -> "it does not send ${described(recorded)}"
+            "additional" -> "it sends ${described(now)}, which was not recorded"
+            "other" -> "it sends ${described(now)} in place of ${described(recorded)}"
+            else -> "it sends ${described(now)} $kind than recorded, ${described(recorded)}"
+        }
+        "expected that agent $agent sends what is recorded in $file, but $what\n" +
+            "$same commands before are the same\n" +
+            "recorded: ${listed(this@ReplayedDrive.before, same)}\nsent now: ${listed(this@ReplayedDrive.now, same)}"
+    }
+
+    private fun described(command: SentCommand?) = command?.let { sent ->
+        "${sent.text} at ${at(sent)}${sent.place?.let { " ($it)" }.orEmpty()}"
+    }
+
+    private fun at(command: SentCommand) = "${(command.ns - firstNs).nanoseconds.inWholeMilliseconds} ms"
+
+    /** The commands from a few before the one with the index [first] on. */
+    private fun listed(commands: List<SentCommand>, first: Int): String {
+        val shown = commands.drop(maxOf(0, first - SHOWN_BEFORE)).take(SHOWN).ifEmpty { return "nothing" }
+        return shown.joinToString("") { "\n    ${at(it)}: ${it.text}${it.place?.let { place -> " ($place)" }.orEmpty()}" }
+    }
+
+    private companion object {
+        /** How much earlier or later a command may be if a test says nothing of it. */
+        val WITHIN = 100.milliseconds
+        const val SHOWN_BEFORE = 3
+        const val SHOWN = 7
+    }
+}

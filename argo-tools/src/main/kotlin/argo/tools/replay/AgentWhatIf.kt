@@ -1,0 +1,133 @@
+package argo.tools.replay
+
+import argo.recording.replay.CommandDifference
+import argo.recording.replay.Recording
+import argo.recording.replay.RecordingException
+import argo.recording.replay.SentCommand
+import argo.recording.replay.WhatIf
+import argo.tools.command.ToolException
+import argo.tools.command.jsonOf
+import argo.tools.command.requireFile
+import kotlinx.serialization.json.JsonObject
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+import java.time.Duration
+
+/**
+ * Runs agents of the recording [file] with other programs, one after the other.
+ *
+ * @param programs each `AGENT=FILE`, or a file alone, of the one agent there is
+ * @param within how much earlier or later the same command may be
+ */
+internal class AgentWhatIf(
+    private val file: Path,
+    private val programs: List<String>,
+    private val within: Duration,
+) {
+    /** @throws RecordingException if an agent cannot be run */
+    fun run(): WhatIfReport = Recording(file).use { recording ->
+        try {
+            val wanted = programs.map { programOf(recording, it) }
+            val results = wanted.map { (agent, program) -> run(recording, agent, program) }
+            WhatIfReport(results, recording.problems)
+        } catch (unreadable: IllegalArgumentException) {
+            throw ToolException("a message in $file cannot be read: ${unreadable.message}")
+        }
+    }
+
+    private fun run(recording: Recording, agent: String, program: Path): WhatIfResult =
+        WhatIf(recording, agent, program).use { whatIf ->
+            val problem = try {
+                whatIf.run()
+                null
+            } catch (refused: RecordingException) {
+                if (whatIf.firstNs == null) throw refused
+                refused.message
+            }
+            WhatIfResult(
+                agent, "$program",
+                whatIf.firstNs ?: throw ToolException("$file holds no cycle of agent $agent"),
+                whatIf.commands.size, whatIf.commandsNow.size, whatIf.difference(within), problem,
+            )
+        }
+
+    private fun programOf(recording: Recording, option: String): Pair<String, Path> {
+        val named = recording.agents.keys.find { option.startsWith("$it=") }
+        val agent = named ?: recording.agents.keys.singleOrNull() ?: throw ToolException(
+            "$file has several agents, of which --agent AGENT=FILE names one: ${recording.agents.keys.joinToString()}; not \"$option\"",
+        )
+        val program = try {
+            Path.of(if (named == null) option else option.removePrefix("$named="))
+        } catch (wrong: InvalidPathException) {
+            throw ToolException("\"$option\" names no file: ${wrong.message}")
+        }
+        requireFile(program)
+        return agent to program
+    }
+}
+
+/**
+ * What [agent] did with [what], another program.
+ *
+ * @property recorded how many commands were recorded
+ * @property now how many it sent
+ * @property problem why it could not be run to the end, for a person; null: it was
+ */
+internal class WhatIfResult(
+    val agent: String,
+    val what: String,
+    private val firstNs: Long,
+    val recorded: Int,
+    val now: Int,
+    val difference: CommandDifference?,
+    val problem: String?,
+) {
+    fun lines(): List<String> = buildList {
+        add("agent $agent with $what: $recorded commands recorded, $now now")
+        if (difference == null) add("identical: the same commands at the same times")
+        else {
+            add("differs, behind ${difference.same} commands that are the same: %.3f s, ${difference.kind}".format(seconds(difference.ns)))
+            add("  recorded: ${described(difference.recorded)}")
+            add("  now:      ${described(difference.now)}")
+        }
+    }
+
+    private fun described(command: SentCommand?) = command?.run {
+        val to = port?.let { " to $it" }.orEmpty()
+        val by = place?.let { ", $it" }.orEmpty()
+        "$text$to at ${"%.3f".format(seconds(ns))} s, cycle $cycle$by"
+    } ?: "nothing"
+
+    fun json(): JsonObject = jsonOf(
+        "agent" to agent, "with" to what, "identical" to (difference == null), "recorded" to recorded, "now" to now,
+        "difference" to difference?.let {
+            jsonOf(
+                "kind" to it.kind, "seconds" to seconds(it.ns), "same" to it.same, "recorded" to it.recorded?.let(::jsonOf),
+                "now" to it.now?.let(::jsonOf),
+            )
+        },
+    )
+
+    private fun jsonOf(it: SentCommand) =
+        jsonOf("text" to it.text, "port" to it.port, "seconds" to seconds(it.ns), "cycle" to it.cycle, "place" to it.place)
+
+    private fun seconds(ns: Long) = (ns - firstNs) / NANOS
+
+    private companion object {
+        const val NANOS = 1e9
+    }
+}
+
+/** What came of other programs; [damage] has what of the file cannot be read. */
+internal class WhatIfReport(private val results: List<WhatIfResult>, private val damage: List<String>) {
+    /** What could not be run, a sentence for each. */
+    val problems: List<String> get() = damage + results.mapNotNull { it.problem }
+
+    /** Whether all send the commands that were recorded. */
+    val isIdentical: Boolean get() = results.all { it.difference == null }
+
+    /** For a person. */
+    fun lines(): List<String> = results.flatMap { it.lines() }
+
+    fun json(): JsonObject = jsonOf("identical" to isIdentical, "problems" to problems, "agents" to results.map { it.json() })
+}

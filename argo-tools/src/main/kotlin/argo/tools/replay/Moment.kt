@@ -1,0 +1,33 @@
+package argo.tools.replay
+
+import argo.tools.command.nanosOf
+import picocli.CommandLine.ITypeConverter
+import picocli.CommandLine.TypeConversionException
+import java.math.BigDecimal
+
+/** A moment of a recording: so many seconds after its first cycle, or a cycle of an agent. */
+internal sealed interface Moment {
+    /** [ns] after the first cycle. */
+    data class Time(val ns: Long) : Moment {
+        override fun toString() = "${BigDecimal.valueOf(ns, NANO_DIGITS)}"
+    }
+
+    /** The cycle with Jason's [number]. */
+    data class OfCycle(val number: Int) : Moment {
+        override fun toString() = "c$number"
+    }
+
+    /** Reads `12.3`, `12.3s` and `c412`. */
+    class Converter : ITypeConverter<Moment> {
+        override fun convert(text: String): Moment {
+            val cycle = if (text.startsWith('c')) text.drop(1).toIntOrNull() else null
+            val seconds = text.removeSuffix("s").toBigDecimalOrNull()?.let(::nanosOf)
+            return cycle?.takeIf { it >= 0 }?.let(::OfCycle) ?: seconds?.let(::Time)
+                ?: throw TypeConversionException("$text is no moment of a recording; 12.3 is a second, and c412 a cycle")
+        }
+    }
+
+    private companion object {
+        const val NANO_DIGITS = 9
+    }
+}
