@@ -1,5 +1,6 @@
 package argo.testkit
 
+import argo.filters.PerceptionFilter
 import argo.recording.replay.CommandDifference
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
@@ -24,18 +25,20 @@ import kotlin.time.toJavaDuration
  * @param file the recording; looked for in the directory that the test runs in, and in `src/test/resources` under it
  * @param agent the name of the agent; null: the recording has one alone
  * @param program its program as it is now, looked for as [argo.testkit.agent] does; null: the file that is called as the recorded one
+ * @param filter what it perceives its boards through; null: the recorded filters
  * @throws IllegalArgumentException if there is no such file, agent or program, or the recording cannot be replayed
  */
 fun replayed(
     file: String,
     agent: String? = null,
     program: String? = null,
+    filter: PerceptionFilter? = null,
 ): ReplayedDrive = refusedInWords {
     Recording(recordingIn(file)).use { recording ->
         val name = agent ?: recording.agents.keys.singleOrNull()
             ?: throw RecordingException("$file has the agents ${recording.agents.keys.joinToString()}; agent = \"…\" names one of them")
         val source = program ?: recording.agents[name]?.source.orEmpty().substringAfterLast('/')
-        WhatIf(recording, name, found(source)).use { ReplayedDrive(file, name, it.run()) }
+        WhatIf(recording, name, found(source), filter).use { ReplayedDrive(file, name, it.run()) }
     }
 }
 

@@ -1,5 +1,6 @@
 package argo.testkit
 
+import argo.filters.dropFilter
 import argo.recording.recorded
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -39,6 +40,14 @@ class ReplayedDriveSpec : FunSpec({
         message shouldContain "(agent.asl:3)"
         message shouldContain "1 commands before are the same\nrecorded: \n    0 ms: forward (agent.asl:2)\n    1"
         message.lines().last() shouldMatch Regex(""" {4}\d ms: forward \(now\.asl:2\)""")
+    }
+
+    test("the agent perceives its boards through another filter") {
+        val path = "${now(program)}"
+        val careless = dropFilter("careless") { drop("dist") { argument(0) lt 50 } }
+        replayed("$drive", program = path, filter = careless).sent shouldBe listOf("forward")
+        val dull = dropFilter("dull") { drop("dist") { argument(0) deadband 5 } }
+        replayed("$drive", program = path, filter = dull).shouldSendTheSame()
     }
 
     test("what cannot be replayed is refused in words") {

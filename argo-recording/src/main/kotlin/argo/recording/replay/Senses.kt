@@ -1,6 +1,7 @@
 package argo.recording.replay
 
 import argo.recording.Cycle
+import argo.recording.PerceptChange
 import argo.recording.agent.literalOf
 import jason.asSyntax.Literal
 
@@ -21,9 +22,13 @@ internal class RecordedSenses : Senses {
     override fun perceive(cycle: Cycle?, ns: Long): List<Literal>? {
         critical = cycle?.input?.critical.orEmpty()
         val change = cycle?.input?.percepts ?: return null
-        percepts = percepts.take(change.keep) + change.now.map(::literalOf) + percepts.takeLast(change.keepLast)
+        percepts = change.appliedTo(percepts)
         return percepts
     }
 
     override fun takeNewlyCritical(): List<Literal> = critical.map(::literalOf)
 }
+
+/** What is perceived after the change where [percepts] were before. */
+internal fun PerceptChange.appliedTo(percepts: List<Literal>): List<Literal> =
+    percepts.take(keep) + now.map(::literalOf) + percepts.takeLast(keepLast)

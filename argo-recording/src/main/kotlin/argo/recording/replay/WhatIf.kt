@@ -1,5 +1,6 @@
 package argo.recording.replay
 
+import argo.filters.PerceptionFilter
 import argo.recording.Cycle
 import jason.asSemantics.TransitionSystem
 import java.nio.file.Path
@@ -23,16 +24,18 @@ import java.time.Duration
  *
  * @param agent the agent's name
  * @param program its program; null: the recorded one
+ * @param filter what it perceives its boards through all the time; null: the recorded filters
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
  */
 class WhatIf(
     private val recording: Recording,
     agent: String,
     program: Path? = null,
+    filter: PerceptionFilter? = null,
 ) : AutoCloseable {
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-    private val inputs = WhatIfInputs(RecordedCalls(recording.cycles(agent)), RecordedSenses())
+    private val inputs = WhatIfInputs(RecordedCalls(recording.cycles(agent)), filter?.let(::FilteredSenses) ?: RecordedSenses())
     private val files = ProgramFiles(recording)
     private val ts: TransitionSystem = create(program)
     private val before = ArrayList<SentCommand>()

@@ -8,6 +8,7 @@ import argo.tools.command.making
 import argo.tools.command.printable
 import argo.tools.command.requireFile
 import argo.tools.command.requireNew
+import argo.tools.filter.filterIn
 import argo.tools.replay.AgentReplay
 import argo.tools.replay.AgentReplayOptions
 import argo.tools.replay.AgentWhatIf
@@ -58,7 +59,7 @@ internal class ReplayCommand : ToolCommand() {
         }
         if (ofAgents != null) {
             misuse(
-                "--check, --from, --until, --of, --agent, --within, --class-path and --json are for a recording of agents, " +
+                "--check, --from, --until, --of, --agent, --filter, --within, --class-path and --json are for a recording of agents, " +
                     "and $file is none",
             )
         }
@@ -66,12 +67,12 @@ internal class ReplayCommand : ToolCommand() {
     }
 
     private fun replayAgents(options: AgentReplayOptions): Int {
-        if (options.within != null && options.programs.isEmpty()) misuse("--within is for --agent")
+        if (options.within != null && !options.isWhatIf) misuse("--within is for --agent and --filter")
         options.within?.let { if (it < 0) misuse("--within is 0 ms at least, not $it") }
         if (options.classPath != null || !hasJason()) {
             return runWithJason(spec.root().name(), options.classPath, listOf("replay", "$file") + options.arguments())
         }
-        if (options.programs.isNotEmpty()) return runOthers(options)
+        if (options.isWhatIf) return runOthers(options)
         val report = AgentReplay(file, options.from, options.until, options.of).run()
         if (options.json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }
@@ -81,10 +82,10 @@ internal class ReplayCommand : ToolCommand() {
 
     private fun runOthers(options: AgentReplayOptions): Int {
         if (options.isCheck || options.from != null || options.until != null || options.of.isNotEmpty()) {
-            misuse("--check, --from, --until and --of are for the recorded program, and --agent for another one")
+            misuse("--check, --from, --until and --of are for the recorded program, and --agent and --filter for others")
         }
         val within = Duration.ofMillis(options.within ?: WITHIN_MS)
-        val report = AgentWhatIf(file, options.programs, within).run()
+        val report = AgentWhatIf(file, options.programs, options.filter?.let(::filterIn), within).run()
         if (options.json) out.println(report.json()) else report.lines().forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }
         return if (report.problems.isEmpty() && report.isIdentical) ExitStatus.DONE else ExitStatus.FAILED

@@ -1,6 +1,7 @@
 package argo.tools.replay
 
 import picocli.CommandLine.Option
+import java.nio.file.Path
 
 /** The options of `replay` for a recording of agents. */
 internal class AgentReplayOptions {
@@ -43,11 +44,23 @@ internal class AgentReplayOptions {
     var programs: List<String> = emptyList()
         private set
 
+    /** A filter in place of the recorded ones; null: these. */
+    @Option(
+        names = ["--filter"],
+        paramLabel = "FILE",
+        description = ["runs the agent with this filter (.xml, .json), and shows the first command that differs"],
+    )
+    var filter: Path? = null
+        private set
+
+    /** Whether agents are run with something else than was recorded. */
+    val isWhatIf: Boolean get() = programs.isNotEmpty() || filter != null
+
     /** How much earlier or later the same command may be, in ms. */
     @Option(
         names = ["--within"],
         paramLabel = "MS",
-        description = ["with --agent: how much earlier or later the same command may be; 100 unless given"],
+        description = ["with --agent or --filter: how much earlier or later the same command may be; 100 unless given"],
     )
     var within: Long? = null
         private set
@@ -70,6 +83,7 @@ internal class AgentReplayOptions {
         until?.let { add("--until=$it") }
         of.forEach { add("--of=$it") }
         programs.forEach { add("--agent=$it") }
+        filter?.let { add("--filter=$it") }
         within?.let { add("--within=$it") }
     }
 }

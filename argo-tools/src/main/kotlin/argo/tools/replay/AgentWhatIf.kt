@@ -1,5 +1,6 @@
 package argo.tools.replay
 
+import argo.filters.PerceptionFilter
 import argo.recording.replay.CommandDifference
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
@@ -14,20 +15,22 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * Runs agents of the recording [file] with other programs, one after the other.
+ * Runs agents of the recording [file] with other programs or another filter, one after the other.
  *
  * @param programs each `AGENT=FILE`, or a file alone, of the one agent there is
+ * @param filter in place of the recorded ones, of all agents if there are no programs; null: these
  * @param within how much earlier or later the same command may be
  */
 internal class AgentWhatIf(
     private val file: Path,
     private val programs: List<String>,
+    private val filter: PerceptionFilter?,
     private val within: Duration,
 ) {
     /** @throws RecordingException if an agent cannot be run */
     fun run(): WhatIfReport = Recording(file).use { recording ->
         try {
-            val wanted = programs.map { programOf(recording, it) }
+            val wanted = programs.map { programOf(recording, it) }.ifEmpty { recording.agents.keys.map { it to null } }
             val results = wanted.map { (agent, program) -> run(recording, agent, program) }
             WhatIfReport(results, recording.problems)
         } catch (unreadable: IllegalArgumentException) {
@@ -35,8 +38,8 @@ internal class AgentWhatIf(
         }
     }
 
-    private fun run(recording: Recording, agent: String, program: Path): WhatIfResult =
-        WhatIf(recording, agent, program).use { whatIf ->
+    private fun run(recording: Recording, agent: String, program: Path?): WhatIfResult =
+        WhatIf(recording, agent, program, filter).use { whatIf ->
             val problem = try {
                 whatIf.run()
                 null
@@ -45,7 +48,7 @@ internal class AgentWhatIf(
                 refused.message
             }
             WhatIfResult(
-                agent, "$program",
+                agent, listOfNotNull(program, filter?.let { "filter ${it.name}" }).joinToString(" and "),
                 whatIf.firstNs ?: throw ToolException("$file holds no cycle of agent $agent"),
                 whatIf.commands.size, whatIf.commandsNow.size, whatIf.difference(within), problem,
             )
@@ -67,7 +70,7 @@ internal class AgentWhatIf(
 }
 
 /**
- * What [agent] did with [what], another program.
+ * What [agent] did with [what]: another program, another filter.
  *
  * @property recorded how many commands were recorded
  * @property now how many it sent
@@ -118,7 +121,7 @@ internal class WhatIfResult(
     }
 }
 
-/** What came of other programs; [damage] has what of the file cannot be read. */
+/** What came of that; [damage] has what of the file cannot be read. */
 internal class WhatIfReport(private val results: List<WhatIfResult>, private val damage: List<String>) {
     /** What could not be run, a sentence for each. */
     val problems: List<String> get() = damage + results.mapNotNull { it.problem }

@@ -223,6 +223,22 @@ class ReplayAgentsSpec : FunSpec({
         difference.getValue("now").jsonObject.getValue("text").jsonPrimitive.content shouldBe "brake(1)"
     }
 
+    test("another filter, which drops what the agent stopped for") {
+        fun filter(name: String, limit: Int) = program(
+            name,
+            """<PerceptionFilter><filter><predicate>dist</predicate><parameter operator="LT" id="1">$limit</parameter></filter></PerceptionFilter>""",
+        )
+        argo("replay", "$drive", "--filter", "${filter("few.xml", 10)}").run {
+            status shouldBe 0
+            out shouldContain "identical: the same commands at the same times"
+        }
+        argo("replay", "$drive", "--filter", "${filter("all.xml", 60)}").run {
+            status shouldBe 1
+            out shouldContain Regex(""", missing\n  recorded: stop to ttyACM0 at \d\.\d{3} s, cycle \d+, .*\n  now:      nothing""")
+        }
+        argo("replay", "$drive", "--filter", "absent.xml").status shouldBe 1
+    }
+
     test("another program that cannot be run is refused in words") {
         argo("replay", "$drive", "--agent", "absent.asl").run {
             status shouldBe 1
@@ -232,7 +248,7 @@ class ReplayAgentsSpec : FunSpec({
             "Jason cannot read the program of agent agent"
         argo("replay", "$drive", "--within", "5").run {
             status shouldBe 2
-            err shouldStartWith "--within is for --agent"
+            err shouldStartWith "--within is for --agent and --filter"
         }
         argo("replay", "$drive", "--check", "--agent", "$drive").status shouldBe 2
     }
@@ -245,7 +261,7 @@ class ReplayAgentsSpec : FunSpec({
         val board = directory.resolve("board.rec").apply { writeBytes("javino-recording 1\n".encodeToByteArray()) }
         argo("replay", "$board", "--check").run {
             status shouldBe 2
-            err shouldStartWith "--check, --from, --until, --of, --agent, --within, --class-path and --json are for "
+            err shouldStartWith "--check, --from, --until, --of, --agent, --filter, --within, --class-path and --json are for "
         }
     }
 

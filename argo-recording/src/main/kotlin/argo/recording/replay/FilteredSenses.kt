@@ -1,0 +1,72 @@
+package argo.recording.replay
+
+import argo.filters.PerceptionFilter
+import argo.filters.jason.MessagePerception
+import argo.filters.jason.MessageSession
+import argo.filters.jason.PerceptReader
+import argo.perception.whyLeftOut
+import argo.recording.Cycle
+import argo.recording.PerceivedSnapshot
+import argo.recording.agent.textOf
+import jason.asSyntax.Atom
+import jason.asSyntax.Literal
+import java.util.concurrent.TimeUnit
+
+/**
+ * What was recorded, with what boards said seen through [filter] in place of the recorded filters. Percepts of an environment and beliefs
+ * about ports stay.
+ */
+internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
+    private val boards = LinkedHashMap<String, Board>()
+    private var recorded: List<Literal> = emptyList()
+    private var critical: Set<Literal> = emptySet()
+    private var newlyCritical: List<Literal> = emptyList()
+
+    override fun perceive(cycle: Cycle?, ns: Long): List<Literal>? {
+        newlyCritical = emptyList()
+        val input = cycle?.input
+        val ms = TimeUnit.NANOSECONDS.toMillis(ns)
+        input?.snapshots?.forEach { boards.getOrPut(it.port) { Board(it.namespace) }.receive(it, ms) }
+        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // all of them
+        input?.percepts?.let { recorded = it.appliedTo(recorded) }
+        if (input?.percepts == null && !isDue) return null
+        noteCritical()
+        val before = boards.values.flatMapTo(HashSet()) { it.before }
+        return boards.values.flatMap { it.now?.percepts.orEmpty() } + recorded.filterNot { textOf(it) in before }
+    }
+
+    private fun noteCritical() {
+        val now = boards.values.flatMap { it.now?.critical.orEmpty() }.map { it.percept }
+        newlyCritical = now.filterNot { it in critical }.distinct()
+        critical = now.toSet()
+    }
+
+    override fun takeNewlyCritical(): List<Literal> = newlyCritical
+
+    /** A board whose percepts are believed in [namespace]; null: in the default one. */
+    private inner class Board(private val namespace: String?) {
+        private val session = MessageSession(::read).also { it.switchTo(filter) }
+
+        /** What the agent perceived of its newest message, as it is written. */
+        var before: Set<String> = emptySet()
+            private set
+
+        /** What it perceives of that now. */
+        var now: MessagePerception? = null
+            private set
+
+        fun receive(message: PerceivedSnapshot, ms: Long) {
+            before = (message.kept ?: message.texts).flatMap(::read).mapTo(HashSet(), ::textOf)
+            now = session.perceive(message.texts, ms)
+        }
+
+        /** Whether the filter lets something through that it has held back. */
+        fun takeDue(ms: Long): Boolean = session.due(ms)?.also { now = it } != null
+
+        private fun read(text: String): List<Literal> {
+            if (whyLeftOut(text.trim()) != null) return emptyList()
+            val literal = PerceptReader.read(text.trim())
+            return listOf(if (namespace == null) literal else literal.cloneNS(Atom(namespace)) as Literal)
+        }
+    }
+}
