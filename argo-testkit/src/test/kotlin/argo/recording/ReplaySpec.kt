@@ -101,6 +101,19 @@ class ReplaySpec : FunSpec({
         )
     }
 
+    test("messages that wait in the mailbox, of which an agent reads one in a cycle") {
+        shouldReplay(
+            recorded("!start. +!start <- argo.port(ttyACM0). +go(N) <- .count(told(_), C); .print(N, C).") {
+                repeat(8) { hears("boss", "tell", "told($it)") }
+                repeat(3) { hears("boss", "tell", "go($it)") }
+                after(300.milliseconds)
+                hears("boss", "untell", "told(3)")
+                hears("boss", "tell", "go(4)")
+                after(300.milliseconds)
+            },
+        )
+    }
+
     test("messages, questions with a time limit, and atomic plans") {
         shouldReplay(
             recorded(
