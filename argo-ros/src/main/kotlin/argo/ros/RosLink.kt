@@ -191,7 +191,8 @@ internal class RosLink private constructor(
 
     private fun send(message: Outgoing) {
         val bridge = bridge
-        if (bridge != null) bridge.send(message) else message.left.completeExceptionally(NeverSent())
+        val isOver = bridge == null || !isOpen // the socket may still take it and lose it
+        if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
     private fun warn(message: String) {

@@ -10,6 +10,9 @@ import argo.filters.TermTest
 import argo.links.BoardLink
 import argo.links.BoardMessage
 import argo.links.Wish
+import argo.ros.bridge.Bridge
+import argo.ros.bridge.BridgeListener
+import argo.ros.bridge.Outgoing
 import argo.ros.bridge.part
 import argo.ros.bridge.text
 import argo.ros.mapping.mappingOf
@@ -259,6 +262,25 @@ class RosLinkSpec : FunSpec({
             val failure = shouldThrow<ExecutionException> { sent.outcome.get(LIMIT_MS.toLong(), TimeUnit.MILLISECONDS) }
             failure.cause.shouldBeInstanceOf<PortException>()
             shouldThrow<PortException> { link.sendAndAwait("move(1,1)", SendOptions.defaults()) }
+        }
+        test("no command goes out on a connection that has gone, also while its socket still takes messages") {
+            lateinit var connection: BridgeListener
+            val taking = object : Bridge {
+                override fun send(message: Outgoing) {
+                    message.left.complete(Unit)
+                }
+                override fun queue(message: Outgoing) = send(message)
+                override fun flush() = Unit
+                override fun ping() = Unit
+                override fun close() = Unit
+            }
+            val link = RosLink.over("ros://robot", mappingOf(ROBOT, "robot.ros.yaml"), true, LineClock.system()) { listener ->
+                connection = listener
+                taking
+            }
+            outcomeOf(link, "move(1,1)") shouldBe "done"
+            connection.gone("the bridge has closed the connection")
+            outcomeOf(link, "move(1,1)") shouldBe PortGoneException::class.simpleName
         }
         test("garbage changes nothing") {
             perceived {
