@@ -37,6 +37,13 @@ internal interface CallWatch {
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 }
 
+/** Keeps what the agent of [ts] begins outside of its thread, and is asked about its calls, from now on. */
+internal fun <T> T.watch(ts: TransitionSystem) where T : Keeper, T : CallWatch {
+    KeptTimers.install()
+    KeptTasks.insertInto(ts, this)
+    WatchedCode(ts, this).begin()
+}
+
 /**
  * Has [watch] asked about the internal actions and functions of an agent that give what is not in its program: those of the project, and
  * those of Jason that read a clock, draw a number or ask the infrastructure. Jason looks an action up when it reads a program, so the

@@ -22,9 +22,6 @@ import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
-import argo.recording.agent.KeptTasks
-import argo.recording.agent.KeptTimers
-import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
@@ -32,6 +29,7 @@ import argo.recording.agent.complete
 import argo.recording.agent.failureOf
 import argo.recording.agent.mailOf
 import argo.recording.agent.textOf
+import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
@@ -94,9 +92,7 @@ internal class Recorder(
             isRefused = true
             return null
         }
-        KeptTimers.install()
-        KeptTasks.insertInto(ts, this)
-        WatchedCode(ts, this).begin()
+        watch(ts)
         return Running(ts).also { running = it }
     }
 

@@ -14,9 +14,6 @@ import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
-import argo.recording.agent.KeptTasks
-import argo.recording.agent.KeptTimers
-import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
@@ -26,6 +23,7 @@ import argo.recording.agent.mailOf
 import argo.recording.agent.parsed
 import argo.recording.agent.termOf
 import argo.recording.agent.textOf
+import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
@@ -83,9 +81,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     fun begin(ts: TransitionSystem) {
         this.ts = ts
         course = CourseWatch(ts)
-        KeptTimers.install()
-        KeptTasks.insertInto(ts, this)
-        WatchedCode(ts, this).begin()
+        watch(ts)
     }
 
     /** The next cycle is [cycle]. */
@@ -103,7 +99,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
 
     override fun perceive(live: () -> Perception): Perception {
         val change = cycle.input.percepts ?: return Perception(null)
-        percepts = percepts.take(change.keep) + change.now.map(::perceptOf) + percepts.takeLast(change.keepLast)
+        percepts = change.appliedTo(percepts, ::perceptOf)
         val waiting = if (cycle.input.isOfSeveralBoards) ts.c.events.size else null
         return Perception(perceived(percepts).toMutableList(), waiting, hasNamespaces = true)
     }

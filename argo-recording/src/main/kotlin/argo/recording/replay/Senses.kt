@@ -29,6 +29,6 @@ internal class RecordedSenses : Senses {
     override fun takeNewlyCritical(): List<Literal> = critical.map(::literalOf)
 }
 
-/** What is perceived after the change where [percepts] were before. */
-internal fun PerceptChange.appliedTo(percepts: List<Literal>): List<Literal> =
-    percepts.take(keep) + now.map(::literalOf) + percepts.takeLast(keepLast)
+/** What is perceived after the change where [percepts] were before; [read] makes a literal of a percept. */
+internal fun PerceptChange.appliedTo(percepts: List<Literal>, read: (String) -> Literal = ::literalOf): List<Literal> =
+    percepts.take(keep) + now.map(read) + percepts.takeLast(keepLast)

@@ -14,9 +14,6 @@ import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
-import argo.recording.agent.KeptTasks
-import argo.recording.agent.KeptTimers
-import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.complete
 import argo.recording.agent.literalOf
@@ -24,6 +21,7 @@ import argo.recording.agent.mailOf
 import argo.recording.agent.parsed
 import argo.recording.agent.termOf
 import argo.recording.agent.textOf
+import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
@@ -82,9 +80,7 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
     fun begin(ts: TransitionSystem) {
         this.ts = ts
         course = CourseWatch(ts)
-        KeptTimers.install()
-        KeptTasks.insertInto(ts, this)
-        WatchedCode(ts, this).begin()
+        watch(ts)
     }
 
     /** The next cycle is at [ns], with what entered the agent in the recorded [cycle]; null: one of its own, which nothing enters. */

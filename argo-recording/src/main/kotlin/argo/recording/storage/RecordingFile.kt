@@ -10,7 +10,6 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE_NEW
 import java.nio.file.StandardOpenOption.WRITE
 import java.util.concurrent.ConcurrentHashMap
-import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 import kotlin.io.path.extension
@@ -53,10 +52,7 @@ class RecordingFile internal constructor(
         waiting.add(Waiting.Metadata(name, values))
     }
 
-    override fun flush() {
-        val done = CountDownLatch(1)
-        if (waiting.add(Waiting.Flush(done))) done.await()
-    }
+    override fun flush() = waiting.flush()
 
     override fun close() {
         waiting.close()

@@ -8,7 +8,6 @@ import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
 import java.nio.file.StandardOpenOption.WRITE
 import java.time.Duration
 import java.util.concurrent.ConcurrentHashMap
-import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.thread
@@ -85,10 +84,7 @@ class RecordingRing(private val last: Duration, private val maxBytes: Long = MAX
         }
     }
 
-    override fun flush() {
-        val done = CountDownLatch(1)
-        if (waiting.add(Waiting.Flush(done))) done.await()
-    }
+    override fun flush() = waiting.flush()
 
     /** Forgets everything, and keeps no more. */
     override fun close() {

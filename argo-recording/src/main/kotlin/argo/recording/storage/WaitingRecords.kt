@@ -64,6 +64,12 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return true
     }
 
+    /** Returns when all that was added before has been taken and dealt with; at once if this is closed. */
+    fun flush() {
+        val done = CountDownLatch(1)
+        if (add(Waiting.Flush(done))) done.await()
+    }
+
     /**
      * What waits after [patienceNs], or as soon as half of the room is taken, somebody waits for a flush, or this is closed. Null: it is
      * closed, and nothing will come.
