@@ -29,9 +29,10 @@ internal class Broadcast {
 
     /**
      * Serves a page on the calling thread: calls [begin], then [send] with each state that is published from now on, until the last
-     * one. [send] is called with null when [HEARTBEAT_NANOS] ns pass without a state, so that a closed connection is noticed.
+     * one, and [end] behind that. [send] is called with null when [HEARTBEAT_NANOS] ns pass without a state, so that a closed
+     * connection is noticed. The page counts as open until [end] has returned: who waits for it may close the port then.
      */
-    fun serve(begin: () -> Unit, send: (String?) -> Unit) {
+    fun serve(begin: () -> Unit, send: (String?) -> Unit, end: () -> Unit) {
         var number = lock.withLock {
             pages++
             hasNewPage = true
@@ -44,6 +45,7 @@ internal class Broadcast {
                 number = next?.number ?: number
                 send(next?.json)
             } while (next?.isLast != true)
+            end()
         } finally {
             lock.withLock {
                 pages--

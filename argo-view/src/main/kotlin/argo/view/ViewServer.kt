@@ -83,6 +83,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
                 write("retry: $RETRY_MS\n\n")
             },
             send = { json -> write(if (json == null) ":\n\n" else "data: $json\n\n") }, // JSON has no line breaks
+            end = { threads.waiting(exchange.responseBody::close) }, // a response without its last chunk counts as cut off
         )
     }
 
