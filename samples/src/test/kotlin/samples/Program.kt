@@ -47,7 +47,7 @@ internal class Program private constructor(private val process: Process) : AutoC
     }
 
     companion object {
-        private const val DEADLINE_S = 90L
+        private const val DEADLINE_S = 300L
 
         /** Starts [mainClass] in [directory]. */
         fun start(mainClass: String, vararg arguments: String, directory: Path = Path.of("")): Program {

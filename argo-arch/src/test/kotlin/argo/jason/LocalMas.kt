@@ -20,7 +20,7 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
 /** How long a real-time test waits for what takes milliseconds on an idle machine. */
-internal val LIMIT = 20.seconds
+internal val LIMIT = 60.seconds
 
 /** Jason's Local infrastructure in this process, in real time, for agents given as text. One at a time. */
 internal class LocalMas : AutoCloseable {

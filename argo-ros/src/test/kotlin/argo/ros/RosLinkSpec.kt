@@ -44,7 +44,7 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
 
-internal val LIMIT = 20.seconds
+internal val LIMIT = 60.seconds
 private const val LIMIT_MS = 20_000
 
 /** What the link subscribes to for its actions. */

@@ -49,7 +49,7 @@ internal class Watcher(address: URI) : AutoCloseable {
     override fun close() = stream.close()
 
     private companion object {
-        const val DEADLINE_S = 20L
+        const val DEADLINE_S = 60L
     }
 }
 

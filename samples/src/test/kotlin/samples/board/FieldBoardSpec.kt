@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
-private const val DEADLINE_S = 30L
+private const val DEADLINE_S = 120L
 
 /** A board on a line at 9600 baud, whose commands are kept. */
 private class Bench(private val percepts: String, loopMs: Int = 0) : AutoCloseable {

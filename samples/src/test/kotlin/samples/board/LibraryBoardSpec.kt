@@ -18,7 +18,7 @@ import javino.wire.WireFrame
 import java.util.concurrent.CopyOnWriteArrayList
 import kotlin.concurrent.thread
 
-private const val DEADLINE_S = 30L
+private const val DEADLINE_S = 120L
 
 /** A board on a fast line; what it does and says is kept. */
 private class FastBench(@Volatile var percepts: String, rules: Int = 0, actions: List<String> = emptyList()) : AutoCloseable {

@@ -15,7 +15,7 @@ import java.net.Socket
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
-private const val LIMIT_S = 90L
+private const val LIMIT_S = 300L
 private const val CONNECT_LIMIT_MS = 2_000
 
 class FleetSpec : FunSpec({
