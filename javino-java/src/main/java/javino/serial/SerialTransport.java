@@ -21,8 +21,13 @@ final class SerialTransport extends DriverTransport {
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     /** How long closing waits for a read that should have ended. */
     private static final int READ_END_MILLIS = 2_000;
-    /** How often the driver is asked when less than a slice is left. */
+    /** How often the driver is asked, when less than a slice is left, while bytes are on their way or an answer may be near. */
     private static final long POLL_NANOS = 250_000L;
+    /** How often it is asked on a line that has been still for long: an unasked message comes seldom, and each question costs. */
+    private static final long MAX_POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
+    /** The driver is asked again when the line has been still for this share of time longer. */
+    private static final int STILL_SHARE = 8;
+
     /** How long what was written may be on its way out of the driver, which drops it when it closes the port. */
     private static final long LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
@@ -35,6 +40,8 @@ final class SerialTransport extends DriverTransport {
 
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
+    /** When bytes were last read or written. */
+    private volatile long stillSince = System.nanoTime();
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
         super(name, line);
@@ -75,10 +82,17 @@ final class SerialTransport extends DriverTransport {
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
         boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // so that a wait of one slice is one
         int count = readNow(b, off, len, slice);
-        if (count == 0 && !slice && nanos > 0) {
-            LockSupport.parkNanos(Math.min(nanos, POLL_NANOS));
+        if (count > 0) {
+            stillSince = System.nanoTime();
+        } else if (!slice && nanos > 0) {
+            LockSupport.parkNanos(Math.min(nanos, pollNanos(System.nanoTime() - stillSince)));
         }
         return count;
+    }
+
+    /** How long the driver is left alone when the line has been still for so long: asking it costs more than all else at 50 Hz. */
+    static long pollNanos(long stillNanos) {
+        return Math.min(Math.max(POLL_NANOS, stillNanos / STILL_SHARE), MAX_POLL_NANOS);
     }
 
     private int readNow(byte[] b, int off, int len, boolean wait) throws PortException {
@@ -112,7 +126,8 @@ final class SerialTransport extends DriverTransport {
     @Override
     protected int writeToDriver(byte[] bytes) {
         int count = port.writeBytes(bytes, bytes.length);
-        lingerUntil = System.nanoTime() + LINGER_NANOS;
+        stillSince = System.nanoTime();
+        lingerUntil = stillSince + LINGER_NANOS;
         return count;
     }
 
