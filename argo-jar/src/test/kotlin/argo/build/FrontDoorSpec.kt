@@ -7,8 +7,13 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
+import java.nio.file.attribute.FileTime
 import java.security.MessageDigest
+import java.time.Instant
+import kotlin.io.path.createDirectories
+import kotlin.io.path.deleteExisting
 import kotlin.io.path.readText
+import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeText
 
 /** What `./argo` prints itself. */
@@ -31,6 +36,27 @@ class FrontDoorSpec : FunSpec({
             for round in {1..60}; do ${building("earlier")} >'$log'; maven '$log'; done
         """
         bash("-c", rounds).second shouldNotContain "earlier"
+    }
+
+    test("what one command has built, with other modules, the next one does not build again until it changes") {
+        val tree = tempdir().toPath()
+        tree.resolve("pom.xml").writeText("<module>one</module>\n<module>two</module>\n")
+        listOf("one", "two", "samples").forEach { name ->
+            tree.resolve(name).resolve("src").createDirectories()
+            tree.resolve(name).resolve("target").createDirectories().resolve("$name.jar").writeText("")
+            tree.resolve(name).resolve("pom.xml").writeText("")
+        }
+        val maven = "mkdir -p \"\$logs\"; maven() { echo \"maven \$5\"; }"
+        val set = ". ../argo; here='$tree'; logs='$tree/.argo'; $maven"
+        fun built(modules: String) = bash("-c", "$set; build $modules 2>/dev/null").second.trim()
+        built("one two") shouldBe "maven one,two"
+        built("two") shouldBe ""
+        built("one") shouldBe ""
+        tree.resolve("two/target/two.jar").deleteExisting()
+        built("one two") shouldBe "maven two"
+        tree.resolve("two/target/two.jar").writeText("")
+        tree.resolve("one/src/One.kt").apply { writeText("") }.setLastModifiedTime(FileTime.from(Instant.now().plusSeconds(60)))
+        built("one two") shouldBe "maven one,two"
     }
 
     mapOf("" to "formatting", "--check" to "checking the format").forEach { (option, work) ->
