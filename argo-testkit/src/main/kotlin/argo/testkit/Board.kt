@@ -53,7 +53,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
     private var isVersion2 = false
     private var program = fake.program()
-    private val replayed = ArrayList<String>()
+    private val replayed = ArrayList<Arrival>()
     private val taken = HashSet<Int>()
     private val requestRules = listOf(
         fake.whenAsked(PerceptsRequest.ALL).answer(::percepts) { answer(emptySet()) },
@@ -87,7 +87,7 @@ class Board internal constructor(private val time: VirtualTime) {
      * Percepts that an agent would leave out fail the test.
      */
     fun shows(sensors: (Duration) -> List<String>): Board = answers { functors ->
-        val percepts = sensors(time.nanos().nanoseconds).also { shown = it }
+        val percepts = sensors(now).also { shown = it }
         messageOf(percepts.filter { functors.isEmpty() || functorOf(it) in functors })
     }
 
@@ -100,7 +100,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /** It answers requests for percepts from now on with the message that [message] returns, which is called as that of [shows] is. */
     fun showsRaw(message: (Duration) -> String): Board = answers {
-        sendable(message(time.nanos().nanoseconds)).also { shown = perceptsOf(it) }
+        sendable(message(now)).also { shown = perceptsOf(it) }
     }
 
     /**
@@ -130,7 +130,7 @@ class Board internal constructor(private val time: VirtualTime) {
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: Recording): Board = apply {
-        program = ReplayBoard.of(recording, time).tellingCommandsTo { replayed += it }
+        program = ReplayBoard.of(recording, time).tellingCommandsTo { replayed += Arrival(it, now) }
     }
 
     /** [replays] the recording in [file], as `monitor --record` of ARGO's tools writes it. */
@@ -256,23 +256,31 @@ class Board internal constructor(private val time: VirtualTime) {
     val isOpen: Boolean get() = line?.let { !it.isGone } ?: played?.link?.isOpen ?: false
 
     /** The messages that have arrived, requests for percepts and commands, in their order. */
-    val received: List<String> get() = fake.received() + replayed
+    val received: List<String> get() = timed.map { it.command }
 
     /** The commands that have arrived, in their order. */
     val commands: List<String> get() = received.filterNot(PerceptsRequest::isIn)
 
+    /** Its [commands], each with the time at which it arrived. */
+    val arrivals: List<Arrival> get() = timed.filterNot { PerceptsRequest.isIn(it.command) }
+
     /** The requests for percepts that have arrived, in their order: `getPercepts`, or with functors from an agent that speaks version 2. */
     val requests: List<String> get() = received.filter(PerceptsRequest::isIn)
 
-    /** Its [commands], and whether an expectation has taken each. */
-    internal val accounted: List<Pair<String, Boolean>> get() = commands.mapIndexed { i, command -> command to (i in taken) }
+    private val timed: List<Arrival> get() = fake.receivedMessages().map { Arrival(it.text(), it.nanos().nanoseconds) } + replayed
+
+    private val now: Duration get() = time.nanos().nanoseconds
+
+    /** Its [arrivals], and whether an expectation has taken each. */
+    internal val accounted: List<Pair<Arrival, Boolean>> get() = arrivals.mapIndexed { i, arrival -> arrival to (i in taken) }
 
     /** The commands that no expectation has taken. */
     internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
 
-    /** Takes [command] if it has arrived and no expectation has taken it. */
-    internal fun take(command: String): Boolean {
-        val index = commands.withIndex().firstOrNull { (i, text) -> i !in taken && text == command }?.index ?: return false
+    /** Takes [command] if it has arrived, at a time that [isTimely], and no expectation has taken it. */
+    internal fun take(command: String, isTimely: (Duration) -> Boolean = { true }): Boolean {
+        val index = arrivals.withIndex().firstOrNull { (i, it) -> i !in taken && it.command == command && isTimely(it.at) }?.index
+            ?: return false
         return taken.add(index)
     }
 
@@ -289,7 +297,7 @@ class Board internal constructor(private val time: VirtualTime) {
         val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time) { name, message -> taking += "$name $message" }
             ?: throw NoSuchPortException(port, "port $port has no mapping to play; for ros:// the library argo-ros is needed")
         played = opened
-        return NotedLink(opened.link) { replayed += it }
+        return NotedLink(opened.link) { replayed += Arrival(it, now) }
     }
 
     private fun awaitOpening(port: String) {

@@ -67,8 +67,10 @@ private const val MOST_PERCEPTS = 24
 private fun TestAgent.observed(): ObservedAgent? =
     generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<Arch>().firstOrNull()?.observed
 
-private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.accounted }
-    .map { (command, isTaken) -> if (isTaken) "$command, taken by an earlier expectation" else command }
+private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.accounted }.sortedBy { (arrival, _) -> arrival.at }
+    .map { (arrival, isTaken) ->
+        "at ${arrival.at.inWholeMilliseconds} ms: ${arrival.command}${if (isTaken) ", taken by an earlier expectation" else ""}"
+    }
 
 /** Errors stay, however old: a program that cannot be read is reported at the start. */
 private fun newest(entries: List<AgentLog.Entry>): List<String> =

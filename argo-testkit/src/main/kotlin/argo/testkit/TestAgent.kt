@@ -64,6 +64,9 @@ class TestAgent internal constructor(
     /** The commands that have arrived at its boards, of each board in their order. */
     val sent: List<String> get() = platform.all().flatMap { it.commands }
 
+    /** The commands that have arrived at its boards, each with the time at which it did, in the order of these times. */
+    val arrivals: List<Arrival> get() = platform.all().flatMap { it.arrivals }.sortedBy { it.at }
+
     /** Its beliefs, without annotations and rules, in alphabetical order. */
     val beliefs: List<String> get() = inspector.beliefs
 
@@ -122,6 +125,20 @@ class TestAgent internal constructor(
     /** Expects [command] at one of its boards. Each command that arrives fulfils one expectation. */
     fun shouldSend(command: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "sends $command") { platform.all().any { it.take(command) } }
+
+    /**
+     * Expects [command] at one of its boards in the time from [since] on, a past value of [now], until [within] later: how promptly it
+     * reacts to what the test did at [since]. Each command that arrives fulfils one expectation.
+     * @throws IllegalArgumentException if [since] is yet to come
+     */
+    fun shouldSend(command: String, within: Duration, since: Duration): TestAgent = apply {
+        require(since <= now) { "a command is expected since a time that has been, as robot.now was, not since $since: it is $now" }
+        val end = since + within
+        val left = (end - now).coerceAtLeast(Duration.ZERO)
+        if (!mas.pass(left) { platform.all().any { board -> board.take(command) { it in since..end } } }) {
+            throw AssertionError("expected that agent $name sends $command from $since until $end\n${report()}")
+        }
+    }
 
     /** Expects that [command] neither has arrived at any of its boards, except for those that [shouldSend] has taken, nor does. */
     fun shouldNotSend(command: String, during: Duration = PATIENCE): TestAgent =

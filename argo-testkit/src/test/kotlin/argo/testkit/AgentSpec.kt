@@ -6,6 +6,8 @@ import argo.filters.Rule
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.comparables.shouldBeGreaterThan
+import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldEndWith
@@ -16,6 +18,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.hours
 import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.Duration.Companion.seconds
 
 class DayFilters : FilterProvider {
@@ -58,6 +61,57 @@ class AgentSpec : FunSpec({
         agentOf("!start.\n+!start <- argo.port(ttyACM0, [baud(300), boot(0), protocol(1)]); argo.act(ledOn).").use { robot ->
             robot.after(300.milliseconds).sent.shouldBeEmpty() // 11 bytes of 10 bits at 300 baud: 367 ms
             robot.after(100.milliseconds).sent shouldBe listOf("ledOn")
+        }
+    }
+
+    test("each command has the time at which it arrived, in the order of these times over all boards") {
+        val program = """
+            !start.
+            +!start <- argo.ports([port(ttyACM0,[protocol(1),as(slow),baud(300)]), port(ttyACM1,[protocol(1),as(quick)])]); !act.
+            +!act <- .wait(5000); argo.act(slow::first); .wait(1000); argo.act(quick::second); .wait(1000); argo.act(slow::third).
+        """
+        agentOf(program).use { robot ->
+            robot.shouldSend("third", within = 20.seconds).sent shouldBe listOf("first", "third", "second")
+            robot.arrivals.map { it.command } shouldBe listOf("first", "second", "third")
+            val (first, second, third) = robot.arrivals.map { it.at }
+            (second - first) shouldBeGreaterThan 1.seconds
+            third shouldBeLessThanOrEqualTo robot.now
+            robot.board("ttyACM1").arrivals shouldBe listOf(Arrival("second", second))
+        }
+    }
+
+    test("a command is expected within a time of what the test did, though it has arrived since") {
+        agent("robot.asl").use { robot ->
+            robot.perceives("dist(front,90)").after(2.seconds)
+            val before = robot.now
+            robot.perceives("dist(front,30)").after(2.seconds)
+            val took = robot.arrivals.last().at - before
+            took shouldBeGreaterThan Duration.ZERO
+            val late = shouldThrow<AssertionError> { robot.shouldSend("stop", within = took - 1.nanoseconds, since = before) }
+            late.message shouldContain "expected that agent robot sends stop from $before until ${before + took - 1.nanoseconds}\nafter"
+            shouldThrow<AssertionError> { robot.shouldSend("front", within = took, since = before) }
+            robot.shouldSend("stop", within = took, since = before)
+            shouldThrow<AssertionError> { robot.shouldSend("stop", within = took, since = before) }
+            shouldThrow<IllegalArgumentException> { robot.shouldSend("stop", within = took, since = robot.now + 1.seconds) }
+                .message shouldContain "since a time that has been"
+        }
+    }
+
+    test("a command is awaited until its time since what the test did is over") {
+        agentOf("!start.\n+!start <- argo.port(ttyACM0, [protocol(1)]); .wait(3000); argo.act(late).").use { robot ->
+            val before = robot.after(2.seconds).now
+            shouldThrow<AssertionError> { robot.shouldSend("late", within = 1.seconds, since = before) }
+            robot.now shouldBe before + 1.seconds
+            robot.shouldSend("late", within = 3.seconds, since = before)
+            robot.now shouldBe robot.arrivals.single().at
+        }
+    }
+
+    test("commands that leave for a played recording have their times") {
+        val drive = Recording(listOf(Recording.Entry(0, Recording.Direction.IN, "dist(f,1);")))
+        agentOf("!start.\n+!start <- argo.port(ttyACM0); .wait(2000); argo.act(go).") { board.replays(drive) }.use { robot ->
+            robot.shouldSend("go", within = 5.seconds)
+            robot.arrivals.single().at shouldBeGreaterThan 2.seconds
         }
     }
 
@@ -216,7 +270,7 @@ class AgentSpec : FunSpec({
             )
             for (expectation in unmet) {
                 val message = shouldThrow<AssertionError> { expectation() }.message.orEmpty()
-                listOf("expected that agent robot", "sent: \n    front", "dist(front,90)", "port ttyACM0 is on")
+                listOf("expected that agent robot", "sent: \n    at ", " ms: front", "dist(front,90)", "port ttyACM0 is on")
                     .forEach { message shouldContain it }
             }
         }

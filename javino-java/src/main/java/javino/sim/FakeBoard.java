@@ -43,7 +43,7 @@ public final class FakeBoard implements AutoCloseable {
     private FakeBoard(String name, LineClock clock) {
         this.name = name;
         FakeBoardMonitor monitor = new FakeBoardMonitor(clock);
-        record = new FakeBoardRecord(port(), monitor);
+        record = new FakeBoardRecord(port(), monitor, clock);
         sketch = new FakeBoardSketch(port(), script, record, monitor, clock);
         whenAsked(PerceptsRequest.ALL).answer("");
     }
@@ -215,6 +215,11 @@ public final class FakeBoard implements AutoCloseable {
     /** All messages the board has handled so far, in their order. */
     public List<String> received() {
         return record.received();
+    }
+
+    /** As {@link #received()}, each with its time: how long after a percept a command came is the difference of two times. */
+    public List<ReceivedMessage> receivedMessages() {
+        return record.receivedMessages();
     }
 
     /** The messages that came but were overwritten by later ones before the board got to them. */

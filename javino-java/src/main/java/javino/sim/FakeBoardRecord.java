@@ -2,21 +2,27 @@ package javino.sim;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import javino.LineClock;
 
 /** What a {@link FakeBoard} received and what becomes of it. Safe on any thread. */
 final class FakeBoardRecord {
     private final String port;
     private final FakeBoardMonitor monitor; // guards the lists
-    private final List<String> received = new ArrayList<>();
+    private final LineClock clock;
+    private final long madeNanos;
+    private final List<ReceivedMessage> received = new ArrayList<>();
     private final List<String> overwritten = new ArrayList<>();
     private final List<String> unaccounted = new ArrayList<>(); // covered by no rule, not expected, not taken yet
     private final List<String> expected = new ArrayList<>();
 
-    FakeBoardRecord(String port, FakeBoardMonitor monitor) {
+    FakeBoardRecord(String port, FakeBoardMonitor monitor, LineClock clock) {
         this.port = port;
         this.monitor = monitor;
+        this.clock = clock;
+        madeNanos = clock.nanos();
     }
 
     void expect(String message) {
@@ -26,7 +32,7 @@ final class FakeBoardRecord {
     /** @param covered whether a rule says what to do with it */
     void received(String message, boolean covered) {
         monitor.locked(() -> {
-            received.add(message);
+            received.add(new ReceivedMessage(message, clock.nanos()));
             boolean wasExpected = expected.remove(message);
             return covered || wasExpected || unaccounted.add(message);
         });
@@ -37,6 +43,10 @@ final class FakeBoardRecord {
     }
 
     List<String> received() {
+        return monitor.locked(() -> received.stream().map(ReceivedMessage::text).toList());
+    }
+
+    List<ReceivedMessage> receivedMessages() {
         return monitor.locked(() -> List.copyOf(received));
     }
 
@@ -81,7 +91,14 @@ final class FakeBoardRecord {
     }
 
     private String all() {
-        return received.isEmpty() ? "nothing came" : "what came in all: " + quoted(received);
+        return received.isEmpty()
+                ? "nothing came"
+                : received.stream().map(this::timed).collect(Collectors.joining(", ", "what came in all: ", ""));
+    }
+
+    /** The message with the time since the board was made. */
+    private String timed(ReceivedMessage message) {
+        return '"' + message.text() + "\" at " + TimeUnit.NANOSECONDS.toMillis(message.nanos() - madeNanos) + " ms";
     }
 
     private static String quoted(List<String> messages) {

@@ -82,7 +82,7 @@ class FakeBoardSpec : FunSpec({
             }
         }
         failure.message shouldContain "received what nobody expected: \"ledOn\";"
-        failure.message shouldContain "\"getPercepts\", \"ledOn\", \"stop\""
+        failure.message shouldContain Regex("\"getPercepts\" at \\d+ ms, \"ledOn\" at \\d+ ms, \"stop\" at \\d+ ms")
     }
 
     test("a message that was expected may come, and has to") {
@@ -116,7 +116,22 @@ class FakeBoardSpec : FunSpec({
             link.request("getPercepts", LONG_MILLIS).text()
             val failure = shouldThrow<AssertionError> { board.awaitMessage("stop", 10) }
             failure.message shouldContain "\"stop\""
-            failure.message shouldContain "what came in all: \"getPercepts\""
+            failure.message shouldContain Regex("what came in all: \"getPercepts\" at \\d+ ms$")
+        }
+    }
+
+    test("each message has the time at which the board took it up, by the clock of its line") {
+        withBoard { board, link ->
+            val begin = System.nanoTime()
+            link.request("getPercepts", LONG_MILLIS).text()
+            val between = System.nanoTime()
+            link.sendAndAwait("ledOn", LONG_MILLIS)
+            board.awaitMessage("ledOn", LONG_MILLIS)
+            val (asked, commanded) = board.receivedMessages()
+            asked.text() shouldBe "getPercepts"
+            commanded.text() shouldBe "ledOn"
+            (asked.nanos() - begin in 0..between - begin) shouldBe true
+            (commanded.nanos() - between in 0..System.nanoTime() - between) shouldBe true
         }
     }
 
