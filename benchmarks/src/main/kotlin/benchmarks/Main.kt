@@ -3,8 +3,10 @@ package benchmarks
 import benchmarks.boards.BoardHost
 import benchmarks.boards.BoardsCourse
 import benchmarks.boards.ManyBoards
+import benchmarks.boards.REACTIONS
 import benchmarks.boards.boards
 import benchmarks.boards.hostBoards
+import benchmarks.boards.stopThree
 import benchmarks.ros.ros
 import benchmarks.stops.stops
 import java.io.File
@@ -28,6 +30,7 @@ fun main(args: Array<String>) {
         REPLAY -> replayRecordings(args.drop(1))
         Crowd.NAME -> Crowd().run()
         BoardsCourse.NAME -> BoardsCourse(args[1].toInt(), args[2].toInt()).run()
+        REACTIONS -> stopThree(File(args.getOrElse(1) { "boards.txt" }))
         ManyBoards.NAME -> ManyBoards().run()
         BoardHost.NAME -> hostBoards(args.drop(1))
         LATENCY_COURSE -> latencyCourse(args[1])

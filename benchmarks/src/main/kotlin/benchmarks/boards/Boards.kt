@@ -58,7 +58,11 @@ private fun senseMany() = with(ManyBoards().measure()) {
     )
 }
 
-private fun stopThree(timelines: File) {
+/** What measures the reactions alone, as the program calls it. */
+internal const val REACTIONS = "boards-reactions"
+
+/** Measures how soon an agent on three boards reacts, and prints the figures; what happened in the worst reactions is in [timelines]. */
+internal fun stopThree(timelines: File) {
     println("simulated Unos, twelve percepts that all change, interval 20 ms, virtual time: from the limit to the stop, $STOPS each; ms")
     println("%-36s %s".format("", BAUDS.joinToString("   ") { "%26s".format("$it baud") }))
     timelines.writeText("")

@@ -49,19 +49,23 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         agent.after(SETTLING)
     }
 
-    /** Has the agent stop each robot so many times; returns how long after the limit they stopped, by baud rate, and what the worst was. */
+    /**
+     * Has the agent stop each robot so many times; returns how long after the limit they stopped, by baud rate, and what the worst was. The
+     * robots cross the limit at times that are spread evenly over the sensing interval: with random ones the median would vary by more than
+     * the boards differ.
+     */
     fun stop(times: Int, seed: Long): Map<Int, Reactions> {
         val random = Random(seed)
         val made = healthy.associateWith { ArrayList<Reactions.One>() }
-        repeat(times) { round(random).forEach { (baud, one) -> made.getValue(baud) += one } }
+        val phases = bauds.associateWith { List(times) { ((it + random.nextDouble()) * INTERVAL_NANOS / times).toLong() }.shuffled(random) }
+        repeat(times) { i -> round(random) { phases.getValue(it)[i] }.forEach { (baud, one) -> made.getValue(baud) += one } }
         return made.mapValues { (_, ones) -> Reactions(ones) }
     }
 
-    private fun round(random: Random): Map<Int, Reactions.One> {
+    private fun round(random: Random, phase: (Int) -> Long): Map<Int, Reactions.One> {
         for (baud in bauds) { // also those of the others, so that the phases are the same in all runs
-            val millimetres = WatchedRobot.LIMIT_MM + random.nextInt(WAY_MM, 2 * WAY_MM)
-            val late = random.nextLong(WatchedRobot.MILLIMETRE_NANOS)
-            if (baud in healthy) robot(baud).place(millimetres, late)
+            val millimetres = WatchedRobot.LIMIT_MM + MM_AN_INTERVAL * random.nextInt(WAY_INTERVALS, 2 * WAY_INTERVALS)
+            if (baud in healthy) robot(baud).place(millimetres) { it + Math.floorMod(phase(baud) - it, INTERVAL_NANOS) }
         }
         for (baud in healthy) agent.shouldBelieve("${name(baud)}::dist(f,X) & X > ${WatchedRobot.LIMIT_MM}", within = PATIENCE)
         agent.after(SHORTLY * random.nextDouble())
@@ -91,7 +95,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         val ports = bauds.joinToString { "port(${port(it)},[as(${name(it)}),baud($it),protocol(2)])" }
         return """
             !start.
-            +!start <- argo.ports([$ports]); argo.limit(20); argo.percepts(open).
+            +!start <- argo.ports([$ports]); argo.limit($INTERVAL_MS); argo.percepts(open).
             +!go(B) <- +drives(B); !front(B).
         """.trimIndent() + bauds.map(::name).joinToString("") {
             "\n+!front($it) <- argo.act($it::front)." +
@@ -105,7 +109,10 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     private companion object {
-        const val WAY_MM = 20
+        const val INTERVAL_MS = 20
+        const val INTERVAL_NANOS = INTERVAL_MS * 1_000_000L
+        const val MM_AN_INTERVAL = (INTERVAL_NANOS / WatchedRobot.MILLIMETRE_NANOS).toInt()
+        const val WAY_INTERVALS = 10
         val LOOK = 5.milliseconds
         val SHORTLY = 200.milliseconds
         val SETTLING = 3.seconds

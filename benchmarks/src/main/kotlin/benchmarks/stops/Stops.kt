@@ -44,7 +44,9 @@ private class Stop(val response: Long, val rest: Long, val timeline: String)
 
 /** Puts the robot back and has the agent drive it to the limit again. */
 private fun CourseRun.stop(way: Int, random: Random): Stop {
-    robot.place(WatchedRobot.LIMIT_MM + random.nextInt(way, 2 * way), random.nextLong(WatchedRobot.MILLIMETRE_NANOS))
+    val millimetres = WatchedRobot.LIMIT_MM + random.nextInt(way, 2 * way)
+    val late = random.nextLong(WatchedRobot.MILLIMETRE_NANOS)
+    robot.place(millimetres) { it + late }
     agent.shouldBelieve("dist(f,X) & X > ${WatchedRobot.LIMIT_MM}", within = PATIENCE)
     agent.after(timeFor(way) * random.nextDouble())
     timeline.clear()

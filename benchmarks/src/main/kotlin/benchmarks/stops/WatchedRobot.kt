@@ -9,7 +9,7 @@ import javino.LineClock
 internal class WatchedRobot(private val uno: SteppedUno, private val clock: LineClock, private val timeline: Timeline) {
     private var millimetres = 0
     private var drives = false
-    private var lateNanos = 0L
+    private var departure: (Long) -> Long = { it }
     private val edges = HashMap<Int, Int>()
 
     /** When the sensor first gave the limit or less, in ns; null: it has not yet since it was [placed][place]. */
@@ -36,17 +36,17 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     init {
         uno.changed = ::changed
         listOf(DRIVES, ACTED, LOOKED, STARTED).forEach(uno::watch)
-        place(FIRST_MM, 0)
+        place(FIRST_MM) { it }
     }
 
     /**
      * Places it so far from the wall.
      *
-     * @param lateNanos after driving off it needs so much longer for its first millimetre
+     * @param departure when it begins with its first millimetre, in ns, if it has driven off at its argument
      */
-    fun place(millimetres: Int, lateNanos: Long) {
+    fun place(millimetres: Int, departure: (Long) -> Long) {
         this.millimetres = millimetres
-        this.lateNanos = lateNanos
+        this.departure = departure
         crossedAt = null
         stoppedAt = null
         restsSince = null
@@ -81,7 +81,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     private fun depart(atNanos: Long) {
-        clock.schedule(atNanos + lateNanos + MILLIMETRE_NANOS - clock.nanos(), ::drive)
+        clock.schedule(departure(atNanos) + MILLIMETRE_NANOS - clock.nanos(), ::drive)
     }
 
     private fun drive() {
