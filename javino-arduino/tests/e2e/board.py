@@ -210,7 +210,7 @@ def frames_of_percepts(frame):
 
 
 def simulator_of(board, program, *options):
-    """The command that runs a program on an uno, a cortex-m or a riscv."""
+    """The command that runs a program on an uno, or on one of machine.py's microcontrollers."""
     if board == "uno":
         return [ROOT / "build/simulator", *options, ROOT / f"build/avr/uno/{program}.elf"]
     return [sys.executable, ROOT / "tests/e2e/machine.py", board, ROOT / f"build/{board}/{program}.elf"]

@@ -17,6 +17,7 @@ import tty
 
 MACHINES = {
     "cortex-m": ["qemu-system-arm", "-M", "mps2-an385"],
+    "coldfire": ["qemu-system-m68k", "-M", "mcf5208evb"],
     "riscv": ["qemu-system-riscv32", "-M", "sifive_e"],
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The sketches on the simulated ATmega328P, or on a microcontroller under QEMU, end to end over a pseudo-terminal. Prints what it measures.
 
-    simulated.py [--board uno|cortex-m|riscv] [PART OF A CASE'S NAME...]
+    simulated.py [--board uno|MACHINE] [PART OF A CASE'S NAME...]
 """
 import argparse
 import os
@@ -12,6 +12,7 @@ import time
 
 from board import PATIENCE, Board, Session, commands, frame1, frames, kind_of, version1
 from cases import check, damage_one_in_200, equal, texts
+from machine import MACHINES
 
 
 def figure(text):
@@ -646,7 +647,7 @@ MACHINE_CASES = [
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", choices=["uno", "cortex-m", "riscv"], default="uno")
+    parser.add_argument("--board", choices=["uno", *MACHINES], default="uno")
     parser.add_argument("wanted", nargs="*", help="parts of cases' names")
     options = parser.parse_args()
     Board.kind = options.board

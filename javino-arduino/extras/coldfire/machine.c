@@ -1,0 +1,144 @@
+/**
+ * @file
+ * A ColdFire MCF5208 without any library, as `qemu-system-m68k -M mcf5208evb` is: the first byte of a number in memory is its highest one.
+ */
+#include "machine.h"
+
+#include "ring.h"
+
+/* ---- Registers ---- */
+
+#define REG8(address) (*(volatile uint8_t *)(address))
+#define REG16(address) (*(volatile uint16_t *)(address))
+
+#define UART_STATE(port) REG8(0xFC060004u + 0x4000u * (port))
+#define UART_COMMAND(port) REG8(0xFC060008u + 0x4000u * (port))
+#define UART_DATA(port) REG8(0xFC06000Cu + 0x4000u * (port))
+#define UART_INTERRUPTS(port) REG8(0xFC060014u + 0x4000u * (port))
+#define UART_DIVISOR_HIGH(port) REG8(0xFC060018u + 0x4000u * (port))
+#define UART_DIVISOR_LOW(port) REG8(0xFC06001Cu + 0x4000u * (port))
+enum { RX_READY = 1, TX_READY = 4, RX_AND_TX_ON = 5, RX_INTERRUPT = 2 };
+
+#define TIMER_CONTROL REG16(0xFC080000)
+#define TIMER_PERIOD REG16(0xFC080002)
+enum { TIMER_ON = 1, TIMER_AGAIN = 2, TIMER_OVER = 4, TIMER_INTERRUPT = 8, TIMER_BY_16 = 0x400 };
+
+#define INTERRUPT_LEVEL(number) REG8(0xFC048040u + (number))
+#define INTERRUPT_PASS REG8(0xFC04801D)
+enum { TIMER_NUMBER = 4, UART_NUMBER = 26 };
+
+/* The timer's and the ports' clock. */
+#define CLOCK_HZ 83333333u
+
+/* ---- Interrupts ---- */
+
+static ring received[MACHINE_PORTS];
+static volatile uint32_t ms;
+
+static void receive(uint8_t port)
+{
+    while (UART_STATE(port) & RX_READY)
+        ring_put(&received[port], UART_DATA(port));
+}
+
+static __attribute__((interrupt)) void receive_line(void)
+{
+    receive(MACHINE_LINE);
+}
+
+static __attribute__((interrupt)) void receive_panel(void)
+{
+    receive(MACHINE_PANEL);
+}
+
+static __attribute__((interrupt)) void tick(void)
+{
+    TIMER_CONTROL |= TIMER_OVER;
+    ms++;
+}
+
+static void halt(void)
+{
+    for (;;)
+        ;
+}
+
+/* ---- Start ---- */
+
+typedef void (*function)(void);
+extern uint32_t bss_begin[], bss_end[];
+extern const function constructors_begin[], constructors_end[];
+int main(void);
+
+/* Exceptions, then interrupts by their numbers. They begin on a border of a MiB, as their register wants. */
+enum { FIRST = 64, TIMER = FIRST + TIMER_NUMBER, LINE = FIRST + UART_NUMBER, PANEL = LINE + 1, VECTOR_COUNT = 128 };
+
+__attribute__((section(".vectors"), used)) static const function VECTORS[VECTOR_COUNT] = {
+    [2 ... TIMER - 1] = halt,    [TIMER] = tick,          [TIMER + 1 ... LINE - 1] = halt,
+    [LINE] = receive_line,       [PANEL] = receive_panel, [PANEL + 1 ... VECTOR_COUNT - 1] = halt,
+};
+
+__attribute__((used)) static void reset(void)
+{
+    uint32_t *to;
+    const function *constructor;
+    for (to = bss_begin; to < bss_end;)
+        *to++ = 0;
+    for (constructor = constructors_begin; constructor < constructors_end; constructor++)
+        (*constructor)();
+    main();
+    halt();
+}
+
+/* No interrupts yet; a stack; the vectors. */
+__asm__(".text\n"
+        ".globl start\n"
+        "start: move.w #0x2700, %sr\n"
+        "lea stack_top, %sp\n"
+        "move.l #VECTORS, %d0\n"
+        "movec %d0, %vbr\n"
+        "jmp reset\n");
+
+static void pass_interrupt(uint8_t number, uint8_t level)
+{
+    INTERRUPT_LEVEL(number) = level;
+    INTERRUPT_PASS = number;
+}
+
+void machine_start(void)
+{
+    uint8_t port;
+    pass_interrupt(TIMER_NUMBER, 3);
+    TIMER_PERIOD = CLOCK_HZ / 16 / 1000 - 1;
+    TIMER_CONTROL = TIMER_BY_16 | TIMER_INTERRUPT | TIMER_AGAIN | TIMER_ON;
+    for (port = 0; port < MACHINE_PORTS; port++) {
+        pass_interrupt((uint8_t)(UART_NUMBER + port), 2);
+        UART_DIVISOR_HIGH(port) = 0;
+        UART_DIVISOR_LOW(port) = (uint8_t)(CLOCK_HZ / 32 / MACHINE_BAUD);
+        UART_INTERRUPTS(port) = RX_INTERRUPT;
+        UART_COMMAND(port) = RX_AND_TX_ON;
+    }
+    __asm__ volatile("move.w #0x2000, %%sr" ::: "memory");
+}
+
+uint32_t machine_ms(void)
+{
+    return ms;
+}
+
+int machine_take(uint8_t port)
+{
+    return ring_take(&received[port]);
+}
+
+void machine_put(uint8_t port, uint8_t byte)
+{
+    while (!(UART_STATE(port) & TX_READY))
+        ;
+    UART_DATA(port) = byte;
+}
+
+void machine_sleep(void)
+{
+    __asm__ volatile("stop #0x2000" ::: "memory");
+}
