@@ -46,7 +46,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
             Trouble.HANGS -> uno.hangs()
             Trouble.FLOODS -> uno.floods(FLOOD)
         }
-        agent.after(SETTLING)
+        agent.after(SETTLING).shouldBelieve("stale(${port(baud)})")
     }
 
     /**
