@@ -27,8 +27,14 @@ internal fun hasJason(): Boolean = try {
  */
 internal fun runWithJason(command: String, classPath: String?, arguments: List<String>): Int {
     val path = classPathWithJason(classPath) ?: throw ToolException(missingJason())
-    return runJava(listOf("-Dargo.command=$command", "-cp", path, "argo.tools.MainKt") + arguments)
+    return runJava(QUICK_START + listOf("-Dargo.command=$command", "-cp", path, "argo.tools.MainKt") + arguments)
 }
+
+/**
+ * Options of a Java machine for a program of seconds, which ends before a better compilation pays, and which needs no threads for its
+ * memory. A Java machine that has none of these passes over them.
+ */
+private val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
 /** The class path of this program with [classPath] and Jason; null: there is no Jason. */
 internal fun classPathWithJason(classPath: String?): String? {
