@@ -39,8 +39,9 @@ internal class KeptAction(action: ActionExec, private val ended: (ActionExec) ->
 }
 
 /** The texts of those arguments of [call] that had variables, as they are bound now, by their places. */
-internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> = buildMap {
-    call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) }
+internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> {
+    if (call.args.all { it.isGround }) return emptyMap() // as of most calls
+    return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }
 }
 
 /** How a call failed that threw [failed]. */

@@ -23,6 +23,9 @@ internal object Counters {
     /** Where they stand. */
     fun read(): List<Int> = all.map { it.get() }
 
+    /** Whether they stand where [read] returned [values]. */
+    fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
+
     /** Sets them to what [read] returned in another program. */
     fun write(values: List<Int>) = all.zip(values).forEach { (counter, value) -> counter.set(value) }
 

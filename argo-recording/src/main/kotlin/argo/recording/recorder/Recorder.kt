@@ -80,7 +80,7 @@ internal class Recorder(
         val agent = running ?: begin(ts) ?: return
         inCycle = Thread.currentThread()
         agent.now.clear(this.agent.nanos())
-        agent.now.counters = Counters.read().takeIf { it != agent.counters }
+        agent.now.counters = if (Counters.isAt(agent.counters)) null else Counters.read()
         if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { "${it.trigger}" }
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent()
         agent.course.begin()
@@ -115,6 +115,7 @@ internal class Recorder(
         live()
         if (agent.ts.c.mailBox.size > before) agent.ts.c.mailBox.drop(before).mapTo(agent.now.mail) { mailOf(it) }
         Keeper.current = this
+        if (inbox.isEmpty()) return
         for (arrived in inbox.takeAll()) {
             agent.now.ends += arrived.end
             arrived.work?.run() ?: begun.carryOut(arrived.end)
@@ -214,7 +215,7 @@ internal class Recorder(
         agent.events = agent.ts.c.events.size
         if (now.isNothing() && !now.isAtWork && course.event == null && course.step == null) return
         track.cycle(Cycle(++agent.cycles, agent.ts.agArch.cycleNumber, now.ns, now.counters, now.input(), course), now.percepts)
-        agent.counters = Counters.read()
+        if (!Counters.isAt(agent.counters)) agent.counters = Counters.read()
     }
 
     /** The agent, if the calling thread carries out a cycle of it. */
