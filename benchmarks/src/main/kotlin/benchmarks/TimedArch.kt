@@ -23,7 +23,7 @@ class TimedArch(platform: Platform) : Arch(platform) {
     companion object {
         private val threads = ManagementFactory.getThreadMXBean()
 
-        /** Takes the processor time of the agent's thread in each cycle, in ns; null: it is not measured. Set while no agent runs. */
+        /** Takes the processor time of the agent's thread in each cycle, in ns; null: it is not measured. To be read when no agent runs. */
         @Volatile
         var times: MutableList<Long>? = null
     }
