@@ -57,7 +57,7 @@ class RealTimeReplaySpec : FunSpec({
         +!start <- argo.port("$port"); argo.limit(2); argo.percepts(open); argo.act(forward); !watch(0).
         +!watch(N) : not stopped & N < 100 <- .random(R); .wait(10 + R * 5); +watched(N); !watch(N + 1).
         +!watch(N).
-        +dist(front,Cm) : Cm < 40 & not stopped <- +stopped; argo.act(stop); .print("stopped at ", Cm).
+        +dist(front,Cm) : Cm < 40 & not stopped <- +stopped; argo.act(stop); .print("stopped at ", Cm); +standing.
         """.trimIndent()
 
     test("an agent that drives a board") {
@@ -65,7 +65,7 @@ class RealTimeReplaySpec : FunSpec({
         withRobot("live-robot") { port ->
             LiveMas(file).use { mas ->
                 mas.agent("driver", driver(port))
-                runBlocking { mas.awaitBelief("driver", "stopped") }
+                runBlocking { mas.awaitBelief("driver", "standing") } // the last, so that the command is on the line
             }
         }
         Recording(file).use { it.cycles("driver").toList() }.flatMap { it.input.calls }.flatMap { it.commands }.map { it.text }
