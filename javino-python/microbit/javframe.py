@@ -1,0 +1,31 @@
+# The bytes of the frame at this place; 6 while the header is not whole, 0 if there is none.
+def length(data):
+    head = data[:4]
+    if head != b"fffe"[:len(head)]:
+        return 0
+    if len(data) < 6:
+        return 6
+    size = 0
+    for b in data[4:6]:
+        at = "0123456789ABCDEFabcdef".find(chr(b))
+        if at < 0:
+            return 0
+        size = 16 * size + (at if at < 16 else at - 6)
+    return 6 + size
+
+
+# What remains, the bytes of the frame at its beginning, or 0, and whether another one or silence is behind that.
+def find(data, silence):
+    while data:
+        size = length(data)
+        if size and len(data) < size:
+            if silence < 100:
+                break
+        elif size:
+            rest = data[size:size + 4]
+            sure = rest == b"fffe"[:len(rest)]
+            if sure and len(rest) < 4 and silence < 6:
+                break
+            return data, size, sure
+        data = data[1:]
+    return data, 0, False
