@@ -201,21 +201,22 @@ final class Inbox {
     int readFor(long nanos) throws PortException {
         long start = clock.nanos();
         long idle = Math.min(version1.nanosUntilIdle(start), version2.nanosUntilIdle(start));
-        long millis = TimeUnit.NANOSECONDS.toMillis(Math.min(nanos, idle) + TimeUnit.MILLISECONDS.toNanos(1) - 1);
+        long wait = TimeUnit.NANOSECONDS.toMillis(Math.min(nanos, idle) + TimeUnit.MILLISECONDS.toNanos(1) - 1);
+        int millis = (int) Math.min(wait, Integer.MAX_VALUE);
         int count = 0;
         isBeingRead = true;
         try {
-            count = monitor.unlocked(
-                    () -> transport.read(buffer, 0, BUFFER, (int) Math.min(millis, Integer.MAX_VALUE)));
+            count = monitor.unlocked(() -> transport.read(buffer, 0, BUFFER, millis));
         } finally {
             isBeingRead = false;
         }
         long now = clock.nanos();
         if (count > 0) {
             accept(count, now);
-        } else { // a read that finds nothing shows a silence, a late one does not
-            version1.idle(now);
-            version2.idle(now);
+        } else { // a read that finds nothing shows a silence for the time that it was given: bytes may have come since
+            long silent = Math.min(now, start + TimeUnit.MILLISECONDS.toNanos(millis));
+            version1.idle(silent);
+            version2.idle(silent);
         }
         return count;
     }

@@ -85,6 +85,25 @@ class InboxSpec : FunSpec({
         probe.next().shouldBeNull()
     }
 
+    test("a message whose reader is held up behind a look that found nothing is no broken one") {
+        val clock = JumpingClock()
+        val line = MemoryLine.unlimited("probe", LineSettings.defaults(), clock)
+        fun arrives(bytes: String) = line.board().write(bytes.toByteArray(), 0, bytes.length, 0)
+        val computer = object : Transport by line.computer() {
+            override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
+                val count = line.computer().read(b, off, len, timeoutMillis)
+                if (count == 0) clock.advance(1_000_000_000) // the computer does something else, in which the rest arrives
+                return count
+            }
+        }
+        val inbox = Inbox(computer, clock) { _, _ -> }
+        arrives("fffe05he")
+        inbox.look()
+        inbox.look()
+        arrives("llo")
+        inbox.next(clock.nanos() + PAST)?.text() shouldBe "hello"
+    }
+
     test("the time of the last byte is known, and told") {
         val probe = InboxProbe()
         probe.clock.advance(7_000_000)

@@ -75,7 +75,8 @@ class BoardsPageSpec : FunSpec({
         try {
             val monitor = arrayOf("monitor", "tcp://localhost:$port", "--count", "2", "--boot", "20000")
             val asked = JarProgram.run(program.parent, "-jar", "$argo", *monitor)
-            withClue(asked.printed) { asked.printed shouldContain "dist(front,89)" }
+            // the wall comes nearer with each request, and a busy computer repeats one
+            withClue(asked.printed) { Regex("""s +\S+ +dist\(front,(90|8\d)\)""").findAll(asked.printed).count() shouldBe 2 }
         } finally {
             board.destroy()
         }
