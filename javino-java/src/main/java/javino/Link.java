@@ -165,9 +165,7 @@ public final class Link implements AutoCloseable {
         if (line.protocol() == Protocol.V1 && !channel.mustAsk()) {
             writer.awaitCommandsSoFar(TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
-        return line.isVersion2() && !PerceptsRequest.isIn(message)
-                ? answerToCommand(message, timeoutMillis)
-                : exchange(request, timeoutMillis);
+        return isCommand(message) ? answerToCommand(message, timeoutMillis) : exchange(request, timeoutMillis);
     }
 
     /**
@@ -207,6 +205,11 @@ public final class Link implements AutoCloseable {
         }
     }
 
+    /** Whether the board speaks version 2, as far as is known, and takes {@code message} for a command. */
+    private boolean isCommand(String message) {
+        return line.isVersion2() && !PerceptsRequest.isIn(message);
+    }
+
     /** In version 2 nothing but percepts is asked for: another message is a command, and what the board sends behind it is the answer. */
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
         line.forgetHeard();
@@ -215,9 +218,9 @@ public final class Link implements AutoCloseable {
     }
 
     private Reply exchange(Frame request, int timeoutMillis) throws PortException {
-        return reading(() -> {
+        Reply answered = reading(() -> {
             Reply answer = channel.request(request, timeoutMillis);
-            if (answer == null) {
+            if (answer == null && !isCommand(request.text())) {
                 throw new PortTimeoutException(
                         port(),
                         "port " + port() + " gave no answer to \"" + request.text() + "\" within " + timeoutMillis
@@ -225,6 +228,8 @@ public final class Link implements AutoCloseable {
             }
             return answer;
         });
+        // no answer: the board has turned out to be one that takes it for a command
+        return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
     }
 
     /** What may be the reason of a silence: what came in place of a message, or else {@code usual}. */

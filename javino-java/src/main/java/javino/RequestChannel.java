@@ -70,7 +70,7 @@ final class RequestChannel {
 
     /**
      * Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting, and if the answer
-     * is damaged.
+     * is damaged. Returns null as well if the board turns out to speak version 2, in which nothing but percepts is asked for.
      */
     Reply request(Frame request, int timeoutMillis) throws PortException {
         if (line.protocol() == Protocol.AUTO) {
@@ -91,6 +91,9 @@ final class RequestChannel {
     }
 
     private Reply requestInVersion2(Frame request, int timeoutMillis) throws PortException {
+        if (!PerceptsRequest.isIn(request.text())) {
+            return null;
+        }
         long wait = Math.max(
                 line.isOpen() ? 0 : start.nanosLeft(),
                 TimeUnit.MILLISECONDS.toNanos(timeoutMillis) + REQUEST_BYTES * byteNanos);

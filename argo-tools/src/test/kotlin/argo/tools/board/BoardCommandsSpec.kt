@@ -70,6 +70,12 @@ class BoardCommandsSpec : FunSpec({
         }
     }
 
+    test("a request for something else than percepts is a command to a board that turns out to speak version 2") {
+        board { it.version2().whenAsked("getLight").answer("light(3);") }.with { port ->
+            argo("request", port, "getLight") shouldBe Output(0, "light(3);\n", "")
+        }
+    }
+
     test("a message that fits into no frame is refused with the reason") {
         board { }.with { port ->
             val said = argo("send", port, "x".repeat(256))
@@ -100,7 +106,7 @@ class BoardCommandsSpec : FunSpec({
 
     test("monitor listens to a board that speaks unasked") {
         val file = tempfile(suffix = ".rec").apply { writeText("javino-recording 1\n0\tin\tdist(1);\n5\tin\tdist(2);\n") }
-        argo("monitor", "replay:$file", "--mode", "listen", "--count", "1").out shouldContain "1 messages"
+        argo("monitor", "replay:$file", "--mode", "listen", "--count", "1").out shouldContain "1 message in"
     }
 
     test("monitor prints JSON lines, the summary last") {
