@@ -32,6 +32,9 @@ internal class Bench(val port: String, val board: FakeBoard, val unplug: () -> U
 
 private const val LONG_MILLIS = 20_000
 
+/** More answers than can be on the line in that contract. */
+private const val MAX_LATE = 10
+
 /** What a link does over any transport; a subclass supplies the board. */
 internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : FunSpec({
     fun contract(name: String, body: Bench.() -> Unit) =
@@ -93,7 +96,9 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
         link.request("getPercepts", LONG_MILLIS).text() shouldBe "hello"
     }
 
-    contract("after a missed answer, the next request does not get it") {
+    // that already the next request gets its own answer is shown where time is virtual: on a busy machine the line may fall silent between
+    // two late answers for longer than version 1 waits for them
+    contract("after missed answers, requests get their own answers again, and not for good those before") {
         var count = 0
         link.request("getPercepts", LONG_MILLIS).text()
         board.stall()
@@ -101,7 +106,9 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
         repeat(5) { shouldThrow<PortTimeoutException> { link.request("getPercepts", 30).text() } }
         val last = async { link.request("getPercepts", LONG_MILLIS).text() }
         board.resume()
-        last.get(30, TimeUnit.SECONDS) shouldBe "count($count);"
+        last.get(30, TimeUnit.SECONDS)
+        board.verify() // it has handled all requests, so no answer but those on the line is late
+        (1..MAX_LATE).any { link.request("getPercepts", LONG_MILLIS).text() == "count($count);" } shouldBe true
         repeat(3) { link.request("getPercepts", LONG_MILLIS).text() shouldBe "count($count);" }
     }
 
