@@ -9,8 +9,15 @@ import argo.testkit.agentOf
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
+/** Where the recordings of all specs are, until the tests have ended. */
+private val DIRECTORY: Path by lazy {
+    createTempDirectory("argo-recording-spec").also { made ->
+        Runtime.getRuntime().addShutdownHook(Thread { made.toFile().deleteRecursively() })
+    }
+}
+
 /** A file for a recording, in a directory of its own. */
-internal fun recordingFile(): Path = createTempDirectory("argo-recording-spec").resolve("drive.mcap")
+internal fun recordingFile(): Path = createTempDirectory(DIRECTORY, "drive").resolve("drive.mcap")
 
 /** Records an agent with [program] while [drive] runs, and returns the file. */
 internal fun recorded(program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.() -> Unit): Path {

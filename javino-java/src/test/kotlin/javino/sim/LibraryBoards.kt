@@ -14,7 +14,9 @@ internal object LibraryBoards {
 
     /** Whether there is a C compiler with the sanitizers. */
     val available: Enabled by lazy {
-        val reason = runCatching { cc(Files.createTempDirectory("argo-c").resolve("empty"), "-x", "c", "/dev/null", "-shared", "-fPIC") }
+        val made = Files.createTempDirectory("argo-c")
+        val reason = runCatching { cc(made.resolve("empty"), "-x", "c", "/dev/null", "-shared", "-fPIC") }
+        made.toFile().deleteRecursively()
         if (reason.getOrNull()?.first == 0) Enabled.enabled
         else Enabled.disabled("needs a C compiler, cc, with its sanitizers, but: ${reason.getOrNull()?.second ?: reason.exceptionOrNull()}")
     }

@@ -29,6 +29,7 @@ internal class TestCertificate(name: String, start: String = "-1d", days: Int = 
         val said = made.inputReader().readText()
         check(made.waitFor() == 0) { said }
         KeyStore.getInstance("PKCS12").apply { Files.newInputStream(file).use { load(it, PASSWORD) } }
+            .also { file.parent.toFile().deleteRecursively() }
     }
     val certificate get() = store.getCertificate("own") as X509Certificate
 

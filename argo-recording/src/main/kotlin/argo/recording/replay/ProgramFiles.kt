@@ -11,7 +11,11 @@ import kotlin.io.path.createTempDirectory
  */
 internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
     /** Where the programs stand. */
-    val directory: Path = createTempDirectory("argo-replay").also(::extract)
+    val directory: Path = createTempDirectory("argo-replay")
+
+    init {
+        runCatching { extract(directory) }.onFailure { close() }.getOrThrow()
+    }
 
     /** The program of [agent]. Throws [RecordingException] if the recording does not hold it. */
     fun of(agent: String): Path {
