@@ -23,7 +23,8 @@ private fun shrunk(found: Found): String {
 }
 
 private fun runsOf(outcome: Outcome) =
-    "${outcome.runs} runs, ${outcome.played.inWholeMinutes} min ${outcome.played.inWholeSeconds % SECONDS} s of virtual time"
+    (if (outcome.runs == 1) "1 run" else "${outcome.runs} runs") +
+        ", ${outcome.played.inWholeMinutes} min ${outcome.played.inWholeSeconds % SECONDS} s of virtual time"
 
 /** The events as a list in words. */
 fun wordsOf(events: List<WorldEvent>): String =
@@ -32,7 +33,7 @@ fun wordsOf(events: List<WorldEvent>): String =
 /** What the world and the agents did in [run], a line for each; the last [MOST_LINES] of many. */
 internal fun storyOf(run: Run): String {
     val lines = run.trace.mapNotNull { entry -> lineOf(entry)?.let { "  ${timeOf(entry.at)}  $it" } }
-    val left = if (lines.size > MOST_LINES) listOf("  … ${lines.size - MOST_LINES} lines before these") else emptyList()
+    val left = if (lines.size > MOST_LINES) listOf("  … ${lines.size - MOST_LINES} more before these") else emptyList()
     return (left + lines.takeLast(MOST_LINES)).joinToString("\n")
 }
 

@@ -80,7 +80,7 @@ data class Garbles(override val at: Duration, val board: String, val oneIn: Int,
 /** The board on port [board] sends what its sensors show [messages] times, unasked, 5 ms apart. */
 data class Floods(override val at: Duration, val board: String, val messages: Int) : WorldEvent {
     override val ends get() = at + FLOOD_INTERVAL * messages
-    override val words get() = "the board on $board sends $messages messages that nobody asked for"
+    override val words get() = "the board on $board sends ${if (messages == 1) "a message" else "$messages messages"} that nobody asked for"
 }
 
 /** The agent [agent] receives a message from [sender], who is not in the run. */

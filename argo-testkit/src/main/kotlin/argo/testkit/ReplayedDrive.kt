@@ -86,7 +86,7 @@ class ReplayedDrive internal constructor(private val file: String, private val a
             else -> "it sends ${described(now)} $kind than recorded, ${described(recorded)}"
         }
         "expected that agent $agent sends what is recorded in $file, but $what\n" +
-            "$same commands before are the same\n" +
+            "${if (same == 1) "1 command before is" else "$same commands before are"} the same\n" +
             "recorded: ${listed(this@ReplayedDrive.before, same)}\nsent now: ${listed(this@ReplayedDrive.now, same)}"
     }
 

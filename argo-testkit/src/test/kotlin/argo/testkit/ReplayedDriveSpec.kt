@@ -38,7 +38,7 @@ class ReplayedDriveSpec : FunSpec({
         }.message.orEmpty()
         message shouldStartWith "expected that agent agent sends what is recorded in $drive, but it does not send stop at 1"
         message shouldContain "(agent.asl:3)"
-        message shouldContain "1 commands before are the same\nrecorded: \n    0 ms: forward (agent.asl:2)\n    1"
+        message shouldContain "1 command before is the same\nrecorded: \n    0 ms: forward (agent.asl:2)\n    1"
         message.lines().last() shouldMatch Regex(""" {4}\d ms: forward \(now\.asl:2\)""")
     }
 

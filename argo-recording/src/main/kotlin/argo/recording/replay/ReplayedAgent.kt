@@ -77,6 +77,6 @@ internal fun gap(agent: String, cycle: Cycle, last: Long) =
         "the recording of agent $agent begins with its cycle ${cycle.index}, and what it believed then is not known; " +
             "only a recording from the beginning on, argo_record=\"FILE.mcap\", can be replayed"
     } else {
-        "the recording of agent $agent has a gap of ${cycle.index - last - 1} cycles before cycle ${cycle.number}: " +
+        "the recording of agent $agent has a gap before cycle ${cycle.number}: " +
             "the disk was too slow, or that part of the file is damaged; until there it can be replayed"
     }

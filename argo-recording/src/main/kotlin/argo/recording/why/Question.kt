@@ -52,7 +52,7 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
 
     private fun notFound(all: List<RecordedCommand>, fitting: Int): String {
         if (all.isEmpty()) return "the recording holds no command"
-        val what = if (count != null && fitting > 0) "there are only $fitting commands $text" else "there is no command $this"
+        val what = if (count != null && fitting > 0) "the last command $text is number $fitting" else "there is no command $this"
         val near = seconds?.let { at -> all.sortedBy { abs(it.seconds - at) }.take(SHOWN).sortedBy { it.seconds } } ?: all.takeLast(SHOWN)
         val shown = near.joinToString { "%s@%.3fs".format(it.text, it.seconds) }
         return "$what; those ${if (seconds == null) "at the end" else "around that time"}: $shown"

@@ -117,6 +117,6 @@ class WhySpec : FunSpec({
     test("a command that was not sent is refused with those around it") {
         val refused = shouldThrow<RecordingException> { driven { answer("stop@0.4s") } }
         refused.message shouldContain "there is no command stop@0.4s; those around that time: forward@"
-        shouldThrow<RecordingException> { driven { answer("stop#2") } }.message shouldContain "there are only 1 commands stop"
+        shouldThrow<RecordingException> { driven { answer("stop#2") } }.message shouldContain "the last command stop is number 1"
     }
 })

@@ -1,5 +1,6 @@
 package argo.tools.board
 
+import argo.tools.command.counted
 import java.util.Locale
 
 /**
@@ -41,7 +42,7 @@ internal class Rates {
 
     /** A line for the messages, and one for each kind of percepts. */
     fun summary(): List<String> {
-        val total = "$messages messages in ${seconds(lastMs - firstMs)} s" + rate(messages)
+        val total = "${counted(messages, "message")} in ${seconds(lastMs - firstMs)} s" + rate(messages)
         val rows = kinds.map { (name, kind) -> "  $name: ${kind.count}${rate(kind.count)}, last ${kind.last}" }
         return listOf(total) + rows + if (others == 0L) emptyList() else listOf("  $others of other kinds")
     }

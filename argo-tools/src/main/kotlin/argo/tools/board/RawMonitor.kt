@@ -2,6 +2,7 @@ package argo.tools.board
 
 import argo.tools.command.ExitStatus
 import argo.tools.command.Paint
+import argo.tools.command.counted
 import javino.PortInterruptedException
 import javino.Transport
 import java.io.PrintWriter
@@ -23,7 +24,7 @@ internal class RawMonitor(private val line: Transport, private val out: PrintWri
             Thread.interrupted() // the summary is not interrupted
         }
         print()
-        out.println("$bytes bytes in ${Rates.seconds(ms())} s at ${line.line().baud()} baud")
+        out.println("${counted(bytes, "byte")} in ${Rates.seconds(ms())} s at ${line.line().baud()} baud")
         out.flush()
         return if (bytes == 0L) ExitStatus.FAILED else ExitStatus.DONE
     }

@@ -2,6 +2,7 @@ package argo.tools.migration
 
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
+import argo.tools.command.counted
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
 import argo.tools.command.printable
@@ -35,7 +36,8 @@ internal class CheckAgentCommand : DataCommand() {
             out.println("    ${printable(advice.remedy)}")
         }
         val changes = advices.count { it.must }
-        out.println("$files files read: $changes things must change, ${advices.size - changes} notes")
+        val change = "${counted(changes, "thing")} must change"
+        out.println("${counted(files, "file")} read: $change, ${counted(advices.size - changes, "note")}")
     }
 
     private fun json(advice: Advice) =

@@ -2,6 +2,7 @@ package argo.tools.recording
 
 import argo.mcap.McapChannel
 import argo.mcap.McapReader
+import argo.tools.command.counted
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
 import kotlinx.serialization.json.JsonObject
@@ -34,7 +35,7 @@ internal class RecordingContents(private val recording: McapReader) {
     /** For a person, of a recording in the file [name]. */
     fun lines(name: String): List<String> = buildList {
         val state = if (recording.isComplete) "complete" else "not complete"
-        add("$name: ${recording.messageCount} messages in %.3f s, written by ${recording.library}, $state".format(seconds))
+        add("$name: ${counted(recording.messageCount, "message")} in %.3f s, written by ${recording.library}, $state".format(seconds))
         addAll(
             table(
                 listOf("TOPIC", "SCHEMA", "MESSAGES", "FIRST", "LAST"),

@@ -7,6 +7,7 @@ import argo.recording.replay.RecordingException
 import argo.recording.replay.SentCommand
 import argo.recording.replay.WhatIf
 import argo.tools.command.ToolException
+import argo.tools.command.counted
 import argo.tools.command.jsonOf
 import argo.tools.command.requireFile
 import kotlinx.serialization.json.JsonObject
@@ -86,10 +87,10 @@ internal class WhatIfResult(
     val problem: String?,
 ) {
     fun lines(): List<String> = buildList {
-        add("agent $agent with $what: $recorded commands recorded, $now now")
+        add("agent $agent with $what: ${counted(recorded, "command")} recorded, $now now")
         if (difference == null) add("identical: the same commands at the same times")
         else {
-            add("differs, behind ${difference.same} commands that are the same: %.3f s, ${difference.kind}".format(seconds(difference.ns)))
+            add("differs, behind ${counted(difference.same, "equal command")}: %.3f s, ${difference.kind}".format(seconds(difference.ns)))
             add("  recorded: ${described(difference.recorded)}")
             add("  now:      ${described(difference.now)}")
         }

@@ -1,6 +1,7 @@
 package argo.tools.replay
 
 import argo.recording.replay.Difference
+import argo.tools.command.counted
 import argo.tools.command.jsonOf
 import kotlinx.serialization.json.JsonObject
 
@@ -38,7 +39,7 @@ internal class ReplayReport(
     /** For a person, of the recording [name]; all that is not deterministic if [isCheck]. */
     fun lines(name: String, isCheck: Boolean): List<String> = buildList {
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
-        add("$cycles cycles of %.3f s replayed in %.3f s%s".format(recordedNs / NANOS, elapsedNs / NANOS, pace()))
+        add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(recordedNs / NANOS, elapsedNs / NANOS, pace()))
         course.forEach { addAll(described("differs", it)) }
         if (isIdentical) add("identical: the same events, plans, steps, calls, actions and messages in each of them")
         if (isCheck) {
@@ -46,7 +47,7 @@ internal class ReplayReport(
             if (isDeterministic) add("nothing in it gave another result")
         } else if (results.isNotEmpty()) {
             val times = results.sumOf { it.second }
-            add("$times results of the project's own actions were others, and the recorded ones were used; --check names them")
+            add("${counted(times, "result")} of the project's own actions differed, and what is recorded was used; --check names them")
         }
         shown.forEach { add("%9.3f s  ".format((it.cycle.ns - firstNs) / NANOS) + it.words()) }
         for ((agent, believed) in beliefs) {

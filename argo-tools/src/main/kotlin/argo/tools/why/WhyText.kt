@@ -16,6 +16,7 @@ import argo.recording.why.StepCause
 import argo.recording.why.UnchosenPlan
 import argo.recording.why.UnknownCause
 import argo.recording.why.Verdict
+import argo.tools.command.counted
 
 /** Answers in short sentences. */
 internal class WhyText {
@@ -63,7 +64,7 @@ internal class WhyText {
     }
 
     private fun plan(plan: PlanCause, depth: Int) {
-        val again = if (plan.again > 0) ", which had called itself ${plan.again} times" else ""
+        val again = if (plan.again > 0) ", which had called itself ${counted(plan.again, "time")}" else ""
         line(depth, "of the plan ${place(plan.place)}, chosen for ${plan.trigger} at ${at(plan.seconds)}$again")
         plan.conditions.forEach { condition(it, "its context:", depth + 1) }
         explain(plan.event, depth)

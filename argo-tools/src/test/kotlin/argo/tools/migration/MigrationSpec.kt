@@ -197,7 +197,7 @@ class MigrationSpec : FunSpec({
         val said = argo("check-agent", "$bad")
         said.status shouldBe 1
         said.out shouldContain "a.asl:1: must change: there is no internal action .argo.sleep"
-        said.out shouldContain "1 files read: 1 things must change, 0 notes"
+        said.out shouldContain "1 file read: 1 thing must change, 0 notes"
         val json = Json.parseToJsonElement(argo("check-agent", "$bad/a.asl", "--json").out).jsonArray.single().jsonObject
         json.getValue("must").jsonPrimitive.content shouldBe "true"
         argo("check-agent", "${folder("a.asl" to "+!s <- .port(COM5).")}").status shouldBe 0

@@ -139,7 +139,7 @@ class ReplayAgentsSpec : FunSpec({
     test("an action of the project whose result is another each time is used as recorded, and named by --check") {
         val said = argo("replay", "$chance")
         said.status shouldBe 0
-        said.out shouldContain "2 results of the project's own actions were others, and the recorded ones were used; --check names them"
+        said.out shouldContain "2 results of the project's own actions differed, and what is recorded was used; --check names them"
         val checked = argo("replay", "$chance", "--check")
         checked.status shouldBe 1
         checked.out shouldContain "not deterministic, 2 times: agent agent, cycle "
@@ -213,7 +213,7 @@ class ReplayAgentsSpec : FunSpec({
         val said = argo("replay", "$drive", "--agent", "agent=$other")
         said.status shouldBe 1
         val lines = said.out.lines()
-        lines[1] shouldMatch Regex("""differs, behind 1 commands that are the same: 1\.\d{3} s, other""")
+        lines[1] shouldMatch Regex("""differs, behind 1 equal command: 1\.\d{3} s, other""")
         lines[2] shouldMatch Regex("""  recorded: stop to ttyACM0 at 1\.\d{3} s, cycle \d+, agent\.asl:4""")
         lines[3] shouldMatch Regex("""  now:      brake\(1\) at 1\.\d{3} s, cycle \d+, brakes\.asl:4""")
         val json = Json.parseToJsonElement(argo("replay", "$drive", "--agent", "$other", "--json").out).jsonObject

@@ -67,6 +67,6 @@ private fun common(settings: Settings, failed: List<Finished>, made: Provenance)
     "Program" to "ARGO ${escaped(made.build)}. The report is of ${made.at}.",
     "Records" to "<code>runs.csv</code>, a line for each run, and <code>runs/*.jsonl</code>, one file a run: " +
         "${if (settings.port == null) "each frame, each command and " else ""}each change of the believed front distance with its time." +
-        if (failed.isEmpty()) "" else " ${failed.size} runs have failed and are left out: " +
+        if (failed.isEmpty()) "" else " Failed and left out (${failed.size} in all): " +
             escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
 )
