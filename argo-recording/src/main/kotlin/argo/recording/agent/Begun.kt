@@ -13,7 +13,19 @@ import jason.asSyntax.Structure
 /** What an agent has begun outside of its thread and what has not ended yet. Belongs to the agent's thread. */
 internal class Begun {
     private val open = HashMap<Int, (End) -> Unit>()
-    private var last = 0
+
+    /** How many things it has begun. */
+    var last = 0
+        private set
+
+    /** The numbers of what has not ended yet. */
+    val numbers: Set<Int> get() = open.keys
+
+    /** It had begun [last] things, of which [open] have not ended yet. */
+    fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
+        this.last = last
+        this.open.putAll(open)
+    }
 
     /** The agent begins something; [complete] is for its end. Returns its number. */
     fun begin(complete: (End) -> Unit): Int = (++last).also { open[it] = complete }

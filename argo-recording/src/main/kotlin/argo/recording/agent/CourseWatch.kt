@@ -17,7 +17,11 @@ import java.util.WeakHashMap
 /** What comes of the cycles of the agent of [ts]. Belongs to the agent's thread. */
 internal class CourseWatch(private val ts: TransitionSystem) {
     private val numbers = WeakHashMap<Intention, Int>()
-    private var intentions = 0
+
+    /** How many intentions have been counted. */
+    var intentions = 0
+        private set
+
     private val places = IdentityHashMap<Plan, Place>()
     private val texts = IdentityHashMap<PlanBody, String>()
     private var selected: Intention? = null
@@ -27,6 +31,15 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     /** The step that is carried out in the cycle that runs; null: none yet. */
     var step: Step? = null
         private set
+
+    /** The number of [intention]; null: no step of it has been carried out. */
+    fun numberOf(intention: Intention): Int? = numbers[intention]
+
+    /** [intentions] were counted, and those that are left have these [numbers]. */
+    fun restore(intentions: Int, numbers: Map<Intention, Int>) {
+        this.intentions = intentions
+        this.numbers.putAll(numbers)
+    }
 
     /** A cycle begins. */
     fun begin() {

@@ -1,6 +1,7 @@
 package argo.recording.agent
 
 import argo.boundary.InternalCall
+import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
 import jason.asSemantics.InternalAction
 import jason.asSemantics.TransitionSystem
@@ -37,11 +38,11 @@ internal interface CallWatch {
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 }
 
-/** Keeps what the agent of [ts] begins outside of its thread, and is asked about its calls, from now on. */
-internal fun <T> T.watch(ts: TransitionSystem) where T : Keeper, T : CallWatch {
+/** Keeps what the agent of [ts] begins outside of its thread, and is asked about its calls, from now on. Returns its code. */
+internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T : CallWatch {
     KeptTimers.install()
     KeptTasks.insertInto(ts, this)
-    WatchedCode(ts, this).begin()
+    return WatchedCode(ts, this).apply { begin() }
 }
 
 /**
@@ -54,12 +55,32 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private val actions = HashMap<String, InternalAction>()
     private val functionOf = ArithFunctionTerm::class.java.getDeclaredField("function").apply { isAccessible = true }
 
+    /** The agent whose code it is. */
+    val agent: Agent get() = ts.ag
+
     /** Watches all plans and rules that the agent has now, and actions that it looks up later. */
     fun begin() {
         ts.ag.pl.plans.forEach(::visit)
         ts.ag.bb.filterIsInstance<Rule>().forEach { visit(it.body) }
         INPUTS.filter { it != RANDOM }.forEach { name -> ts.ag.setIA("jason.stdlib$name", watched(name, ts.ag.getIA(name))) }
     }
+
+    /** The action [name] of the program, watched. */
+    fun watchedAction(name: String): InternalAction = actions.getOrPut(name) {
+        val action = ts.ag.getIA(name)
+        action as? WatchedAction ?: WatchedAction(name, action, isOfProject(action), watch)
+    }
+
+    /** The function [name] of the program, watched. */
+    fun watchedFunction(name: String): ArithFunction =
+        function(name).let { it as? WatchedFunction ?: WatchedFunction(it, isOfProject(it), watch) }
+
+    /**
+     * The function [name] of the program.
+     * @throws IllegalArgumentException if it has none
+     */
+    fun function(name: String): ArithFunction = (0..MAX_ARITY).firstNotNullOfOrNull { ts.ag.getFunction(name, it) }
+        ?: throw IllegalArgumentException("there is no function $name")
 
     private fun visit(plan: Plan) {
         if (!seen.add(plan)) return
@@ -96,7 +117,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private fun isOfProject(code: Any) = code.javaClass.packageName.let { it != "argo" && !it.startsWith("jason.") }
 
     private class WatchedAction(
-        private val name: String,
+        val name: String,
         private val action: InternalAction,
         private val isOfProject: Boolean,
         private val watch: CallWatch,
@@ -117,14 +138,18 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
             watch.evaluate(function.name, args, isOfProject) { function.evaluate(ts, args) }
     }
 
-    private companion object {
-        const val RANDOM = ".random"
+    companion object {
+        /** The name that the program has for [code], an action or a function that is watched; null: it is not. */
+        fun nameOf(code: Any): String? = (code as? WatchedAction)?.name ?: (code as? WatchedFunction)?.name
+
+        private const val MAX_ARITY = 9
+        private const val RANDOM = ".random"
 
         /** Jason's actions whose results come from chance, a clock, the infrastructure or the disk. */
-        val INPUTS = setOf(
+        private val INPUTS = setOf(
             RANDOM, ".shuffle", ".time", ".date", ".nano_time", ".all_names", ".create_agent", ".kill_agent", ".stopMAS",
             ".df_search", ".df_register", ".df_deregister", ".df_subscribe", ".list_files",
         )
-        val FUNCTIONS = setOf("math.random", "system.time")
+        private val FUNCTIONS = setOf("math.random", "system.time")
     }
 }

@@ -68,6 +68,7 @@ internal class Recorder(
     /** What belongs to an agent that runs. */
     private inner class Running(val ts: TransitionSystem) {
         val course = CourseWatch(ts)
+        val keyFrames = KeyFrames(ts, course)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
         var events = -1
@@ -92,8 +93,9 @@ internal class Recorder(
             isRefused = true
             return null
         }
+        val agent = Running(ts)
         watch(ts)
-        return Running(ts).also { running = it }
+        return agent.also { running = it }
     }
 
     override fun perceive(live: () -> Perception): Perception = live().also { perception ->
@@ -102,6 +104,7 @@ internal class Recorder(
         agent.now.percepts = changed(agent.percepts, percepts)
         agent.now.isOfSeveralBoards = perception.waiting != null
         agent.percepts = percepts
+        agent.keyFrames.perceived(percepts.size)
     }
 
     override fun newlyCritical(live: () -> List<Literal>) = live().also { current()?.now?.critical = it.map(::textOf) }
@@ -118,6 +121,7 @@ internal class Recorder(
         if (inbox.isEmpty()) return
         for (arrived in inbox.takeAll()) {
             agent.now.ends += arrived.end
+            agent.keyFrames.ended(arrived.end.number)
             arrived.work?.run() ?: begun.carryOut(arrived.end)
         }
     }
@@ -166,6 +170,7 @@ internal class Recorder(
 
     override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
         val number = begun.begin { work.call() }
+        current()?.run { keyFrames.timer(number, now.ns, delayNs) }
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
@@ -214,8 +219,16 @@ internal class Recorder(
         val now = agent.now
         agent.events = agent.ts.c.events.size
         if (now.isNothing() && !now.isAtWork && course.event == null && course.step == null) return
-        track.cycle(Cycle(++agent.cycles, agent.ts.agArch.cycleNumber, now.ns, now.counters, now.input(), course), now.percepts)
+        val cycle = Cycle(++agent.cycles, agent.ts.agArch.cycleNumber, now.ns, now.counters, now.input(), course)
+        track.cycle(cycle, now.percepts)
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read()
+        takeKeyFrame(agent, cycle)
+    }
+
+    private fun takeKeyFrame(agent: Running, cycle: Cycle) {
+        val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
+        track.keyFrame(note)
+        if (note.isThere) agent.counters = emptyList() // the next cycle has them, for who begins here
     }
 
     /** The agent, if the calling thread carries out a cycle of it. */
@@ -232,7 +245,10 @@ internal class Recorder(
     override fun boardFilterChanged(port: String, filter: PerceptionFilter?) = changed(port, filter)
 
     private fun changed(port: String?, filter: PerceptionFilter?) {
-        current()?.now?.filters?.add(FilterChange(port, filter?.name, filter?.let(filters::store)))
+        val agent = current() ?: return
+        val change = FilterChange(port, filter?.name, filter?.let(filters::store))
+        agent.now.filters += change
+        agent.keyFrames.filterChanged(change)
     }
 
     override fun commandIssued(command: IssuedCommand) {

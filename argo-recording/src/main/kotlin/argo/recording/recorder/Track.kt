@@ -2,6 +2,7 @@ package argo.recording.recorder
 
 import argo.recording.CommandEnd
 import argo.recording.Cycle
+import argo.recording.KeyFrame
 import argo.recording.Mark
 import argo.recording.jsonSchema
 import argo.recording.lean
@@ -16,6 +17,7 @@ import java.util.concurrent.atomic.AtomicBoolean
 internal class Track(private val agent: String, private val recording: SharedRecording, private val nanos: () -> Long) {
     private val sink: RecordSink = recording.sink
     private val cycles = channel("cycle", "argo.Cycle", Cycle.serializer())
+    private val keyFrames = channel("keyframe", "argo.KeyFrame", KeyFrame.serializer())
     private val commands = channel("command", "argo.Command", CommandEnd.serializer())
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
@@ -28,6 +30,9 @@ internal class Track(private val agent: String, private val recording: SharedRec
     fun cycle(cycle: Cycle, percepts: PerceptNote?) = store(cycles, cycle.ns, CYCLE_BYTES + (percepts?.size ?: 0) * PERCEPT_BYTES) {
         json(Cycle.serializer(), cycle.copy(input = cycle.input.copy(percepts = percepts?.change())).lean())
     }
+
+    /** Stores a key frame. */
+    fun keyFrame(note: KeyFrameNote) = store(keyFrames, note.ns, note.size) { json(KeyFrame.serializer(), note.frame()) }
 
     fun ended(command: CommandEnd) = store(commands, command.ns, COMMAND_BYTES) { json(CommandEnd.serializer(), command) }
 

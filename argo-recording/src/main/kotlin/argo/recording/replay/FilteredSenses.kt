@@ -22,6 +22,10 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
     private var critical: Set<Literal> = emptySet()
     private var newlyCritical: List<Literal> = emptyList()
 
+    override fun begin(percepts: List<Literal>) {
+        recorded = percepts
+    }
+
     override fun perceive(cycle: Cycle?, ns: Long): List<Literal>? {
         newlyCritical = emptyList()
         val input = cycle?.input

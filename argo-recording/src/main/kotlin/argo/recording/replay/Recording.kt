@@ -4,6 +4,7 @@ import argo.mcap.McapReader
 import argo.recording.CommandEnd
 import argo.recording.Cycle
 import argo.recording.FORMAT
+import argo.recording.KeyFrame
 import argo.recording.RecordedAgent
 import argo.recording.agentMetadata
 import argo.recording.whole
@@ -21,6 +22,7 @@ import java.nio.file.Path
  */
 class Recording(private val file: Path) : AutoCloseable {
     private val reader = McapReader(file)
+    private val starts = HashMap<String, List<KeyFrame>>()
     private val metadata = reader.metadata.associate { it.name to it.values }
 
     init {
@@ -56,6 +58,47 @@ class Recording(private val file: Path) : AutoCloseable {
 
     /** The cycles of [agent], in their order. */
     fun cycles(agent: String): Sequence<Cycle> = messages("/$agent/cycle", Cycle.serializer()).map(Cycle::whole)
+
+    /** The places at which a replay of [agent] may begin, and those at which none could be made, in their order. */
+    fun keyFrames(agent: String): Sequence<KeyFrame> = messages("/$agent/keyframe", KeyFrame.serializer())
+
+    /**
+     * Where a replay of [agent] begins: its first key frame, if its beginning is missing; null: with its first cycle, or it has none to
+     * begin with.
+     */
+    fun start(agent: String): KeyFrame? = starts.getOrPut(agent) {
+        val first = cycles(agent).firstOrNull()?.index ?: return null
+        listOfNotNull(if (first <= 1) null else keyFrames(agent).firstOrNull { it.missing == null && it.index >= first - 1 })
+    }.firstOrNull()
+
+    /** The cycles of [agent] that can be replayed, in their order: those from its [start] on. */
+    fun replayable(agent: String): Sequence<Cycle> {
+        val index = start(agent)?.index ?: return cycles(agent)
+        return cycles(agent).filter { it.index > index }
+    }
+
+    /** When the first recorded cycle of any agent began, in ns of the agents' clock, from which times count; null: there is none. */
+    val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
+
+    /**
+     * Refuses to follow a cycle that does not come behind the one with the index [last], 0 for none.
+     * @throws RecordingException if [cycle] of [agent] does not
+     */
+    internal fun requireNext(agent: String, cycle: Cycle, last: Long) {
+        if (cycle.index == last + 1) return
+        throw RecordingException(if (last == 0L) beginningMissing(agent, cycle) else gap(agent, cycle, last))
+    }
+
+    private fun beginningMissing(agent: String, cycle: Cycle): String {
+        val reasons = keyFrames(agent).mapNotNull { it.missing }.groupingBy { it }.eachCount().maxByOrNull { it.value }?.key
+        return "the recording of agent $agent begins with its cycle ${cycle.index}, what it believed then is not known, and there is no " +
+            "key frame to begin with" + when (reasons) {
+                null -> "; keep more minutes, argo_record=last(10), or record from the beginning on, argo_record=\"FILE.mcap\""
+                else -> ": each time that one was due, something that cannot be described was under way, mostly: $reasons. Keep more " +
+                    "minutes, argo_record=last(10), let the agent come to rest now and then, or record from the beginning on, " +
+                    "argo_record=\"FILE.mcap\""
+            }
+    }
 
     /** What became of the commands of [agent], in the order in which that was known. */
     fun commandEnds(agent: String): Sequence<CommandEnd> = messages("/$agent/command", CommandEnd.serializer())

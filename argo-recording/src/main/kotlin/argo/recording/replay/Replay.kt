@@ -8,6 +8,9 @@ import argo.recording.Cycle
  * was recorded after that is no answer to what it does now; results of the project's own internal actions may differ, and what was recorded
  * of them is used.
  *
+ * An agent whose beginning is missing begins at its first key frame, see [Recording.start]: each for itself, since the messages that came
+ * to it afterwards are recorded with it, whenever they were sent.
+ *
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  *
  * @throws RecordingException if the recording cannot be replayed
@@ -15,7 +18,7 @@ import argo.recording.Cycle
 class Replay(private val recording: Recording) : AutoCloseable {
     private val programs = ProgramFiles(recording)
     private val agents = create()
-    private val cycles = agents.keys.associateWith { recording.cycles(it).iterator() }
+    private val cycles = agents.keys.associateWith { recording.replayable(it).iterator() }
     private val next = HashMap<String, Cycle>()
     private val stopped = HashSet<String>()
     private val differing = ArrayList<Difference>()
@@ -49,7 +52,7 @@ class Replay(private val recording: Recording) : AutoCloseable {
     }
 
     private fun create() = try {
-        recording.agents.values.associate { it.name to ReplayedAgent(it, programs, ::found) }
+        recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found) }
     } catch (refused: RecordingException) {
         programs.close()
         throw refused

@@ -9,12 +9,15 @@ import jason.asSemantics.TransitionSystem
 /**
  * An agent of a recording, that Jason runs again on what was recorded: no ports, no threads, no time of its own.
  *
+ * It begins as its program has it, or at the key frame that is the [Recording.start] of [recording].
+ *
  * @param programs where its program stands
  * @param found takes what differs from the recording
  * @param inputsOf makes what gives it the recorded inputs
  * @param boundaryOf what stands around these inputs: themselves, or who watches
  */
 internal class ReplayedAgent(
+    private val recording: Recording,
     val recorded: RecordedAgent,
     programs: ProgramFiles,
     private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit = { _, _, _, _, _ -> },
@@ -23,15 +26,16 @@ internal class ReplayedAgent(
 ) : AutoCloseable {
     private val inputs: ReplayedInputs = inputsOf { what, before, now, cause -> report(what, before, now, cause) }
     val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), programs.directory, boundaryOf(inputs))
-    private var lastIndex = 0L
+    private val start = recording.start(recorded.name)
+    private var lastIndex = start?.index ?: 0L
 
     init {
-        inputs.begin(ts)
+        inputs.begin(ts, start)
     }
 
     /** Runs [cycle], the next one of the recording. */
     fun run(cycle: Cycle) {
-        if (cycle.index != lastIndex + 1) throw RecordingException(gap(recorded.name, cycle, lastIndex))
+        recording.requireNext(recorded.name, cycle, lastIndex)
         lastIndex = cycle.index
         reason(cycle)
         difference(cycle.course, inputs.course.end())?.let { (what, before, now) -> report(what, before, now, null) }
@@ -71,12 +75,7 @@ internal class ReplayedAgent(
     }
 }
 
-/** Why the [cycle] of [agent] cannot follow the one with the index [last], for a person; 0: none was before. */
+/** Why the [cycle] of [agent] cannot follow the one with the index [last], for a person. */
 internal fun gap(agent: String, cycle: Cycle, last: Long) =
-    if (last == 0L) {
-        "the recording of agent $agent begins with its cycle ${cycle.index}, and what it believed then is not known; " +
-            "only a recording from the beginning on, argo_record=\"FILE.mcap\", can be replayed"
-    } else {
-        "the recording of agent $agent has a gap before cycle ${cycle.number}: " +
-            "the disk was too slow, or that part of the file is damaged; until there it can be replayed"
-    }
+    "the recording of agent $agent has a gap of ${cycle.index - last - 1} cycles before cycle ${cycle.number}: " +
+        "the disk was too slow, or that part of the file is damaged; until there it can be replayed"

@@ -8,12 +8,14 @@ import argo.recording.Call
 import argo.recording.CallFailure
 import argo.recording.Cycle
 import argo.recording.End
+import argo.recording.KeyFrame
 import argo.recording.Mail
 import argo.recording.agent.Begun
 import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
+import argo.recording.agent.ProgramParts
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
@@ -78,11 +80,20 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     /** Calls of the project's own actions and functions so far, for the likely cause of a difference. */
     val projectCalls = LinkedHashSet<String>()
 
-    fun begin(ts: TransitionSystem) {
+    /** The agent of [ts] has been read, and begins as its program has it, or as it was at [start]. */
+    fun begin(ts: TransitionSystem, start: KeyFrame? = null) {
         this.ts = ts
         course = CourseWatch(ts)
-        watch(ts)
+        val program = ProgramParts(ts.ag)
+        val code = watch(ts)
+        if (start == null) return
+        val timers = Restoration(start, ts, program, code, course).restore()
+        percepts = start.perceived.map(::perceptOf)
+        restore(start.begun, timers.mapValues { (_, work) -> { _: End -> work.call() } })
     }
+
+    /** The agent had begun [last] things outside of its thread, of which [open] have not ended. */
+    protected open fun restore(last: Int, open: Map<Int, (End) -> Unit>) = begun.restore(last, open)
 
     /** The next cycle is [cycle]. */
     fun next(cycle: Cycle) {

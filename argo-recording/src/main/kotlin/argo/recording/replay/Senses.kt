@@ -7,6 +7,9 @@ import jason.asSyntax.Literal
 
 /** What an agent perceives that is run on a recording. */
 internal interface Senses {
+    /** It has perceived these [percepts], recorded so, before its first cycle. */
+    fun begin(percepts: List<Literal>)
+
     /** What it perceives in [cycle], or in one of its own (null), at [ns]; null: nothing has changed. */
     fun perceive(cycle: Cycle?, ns: Long): List<Literal>?
 
@@ -18,6 +21,10 @@ internal interface Senses {
 internal class RecordedSenses : Senses {
     private var percepts: List<Literal> = emptyList()
     private var critical: List<String> = emptyList()
+
+    override fun begin(percepts: List<Literal>) {
+        this.percepts = percepts
+    }
 
     override fun perceive(cycle: Cycle?, ns: Long): List<Literal>? {
         critical = cycle?.input?.critical.orEmpty()

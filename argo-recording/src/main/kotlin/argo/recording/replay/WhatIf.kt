@@ -2,6 +2,7 @@ package argo.recording.replay
 
 import argo.filters.PerceptionFilter
 import argo.recording.Cycle
+import argo.recording.KeyFrame
 import jason.asSemantics.TransitionSystem
 import java.nio.file.Path
 import java.time.Duration
@@ -20,6 +21,9 @@ import java.time.Duration
  * As long as the agent does what was recorded, step by step, all of it is exactly as recorded. It has cycles of its own where the recorded
  * one slept.
  *
+ * Where the beginning of the recording is missing it begins at a key frame, see [Recording.start]: with the beliefs of then, also where
+ * [program] has other ones at the start, and with the intentions of then, which go on by the plans that they began with.
+ *
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  *
  * @param agent the agent's name
@@ -35,7 +39,7 @@ class WhatIf(
 ) : AutoCloseable {
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-    private val inputs = WhatIfInputs(RecordedCalls(recording.cycles(agent)), filter?.let(::FilteredSenses) ?: RecordedSenses())
+    private val inputs = WhatIfInputs(RecordedCalls(recording.replayable(agent)), filter?.let(::FilteredSenses) ?: RecordedSenses())
     private val files = ProgramFiles(recording)
     private val ts: TransitionSystem = create(program)
     private val before = ArrayList<SentCommand>()
@@ -47,7 +51,7 @@ class WhatIf(
     /** The commands that the agent has sent now. */
     val commandsNow: List<SentCommand> get() = inputs.sent
 
-    /** When the first recorded cycle began, in ns of the agent's clock; null: none has been run. */
+    /** When the first recorded cycle of any agent began, in ns of the agents' clock, from which times count; null: none has been run. */
     var firstNs: Long? = null
         private set
 
@@ -56,10 +60,21 @@ class WhatIf(
         private set
 
     private fun create(program: Path?) = try {
-        jasonAgent(recorded, program?.toAbsolutePath() ?: files.of(recorded.name), files.directory, inputs).also(inputs::begin)
+        val start = recording.start(recorded.name)
+        val source = program?.toAbsolutePath() ?: files.of(recorded.name)
+        jasonAgent(recorded, source, files.directory, inputs).also { ts ->
+            if (start == null || program == null) inputs.begin(ts, start) else beginChanged(ts, start)
+        }
     } catch (refused: RecordingException) {
         files.close()
         throw refused
+    }
+
+    /** With the beliefs that were recorded, and what was under way, of the plans of then. */
+    private fun beginChanged(ts: TransitionSystem, start: KeyFrame) {
+        val before = jasonAgent(recorded, files.of(recorded.name), files.directory, inputs)
+        inputs.begin(ts, start, before)
+        before.ag.stopAg()
     }
 
     /**
@@ -68,9 +83,10 @@ class WhatIf(
      */
     fun run(): WhatIf = apply {
         var last: Cycle? = null
-        for (cycle in recording.cycles(recorded.name)) {
-            if (cycle.index != (last?.index ?: 0) + 1) throw RecordingException(gap(recorded.name, cycle, last?.index ?: 0))
-            if (last == null) firstNs = cycle.ns else if (!inputs.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
+        firstNs = recording.firstNs
+        for (cycle in recording.replayable(recorded.name)) {
+            recording.requireNext(recorded.name, cycle, last?.index ?: recording.start(recorded.name)?.index ?: 0)
+            if (last != null && !inputs.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             before += cycle.sent()
             run(cycle, cycle.ns)
             last = cycle

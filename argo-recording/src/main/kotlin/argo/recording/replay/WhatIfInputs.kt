@@ -9,11 +9,13 @@ import argo.recording.CallFailure
 import argo.recording.Course
 import argo.recording.Cycle
 import argo.recording.End
+import argo.recording.KeyFrame
 import argo.recording.Mail
 import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
+import argo.recording.agent.ProgramParts
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.complete
 import argo.recording.agent.literalOf
@@ -77,10 +79,29 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
     /** When the first thing ends that does not end in a recorded cycle; null: none does. */
     val nextDueNs: Long? get() = due.filter { it.index == null }.minOfOrNull { it.ns }
 
-    fun begin(ts: TransitionSystem) {
+    /**
+     * The agent of [ts] has been read, and begins as its program has it, or as it was at [start].
+     *
+     * @param recorded the agent as it was recorded, if the one of [ts] has another program
+     */
+    fun begin(ts: TransitionSystem, start: KeyFrame? = null, recorded: TransitionSystem? = null) {
         this.ts = ts
         course = CourseWatch(ts)
-        watch(ts)
+        val program = ProgramParts((recorded ?: ts).ag)
+        val code = watch(ts)
+        if (recorded != null) watch(recorded) // the intentions that are under way are of its plans
+        if (start != null) beginAt(start, Restoration(start, ts, program, code, course, isProgram = recorded == null).restore())
+    }
+
+    private fun beginAt(start: KeyFrame, timers: Map<Int, Callable<*>>) {
+        ns = start.ns
+        begun = start.begun
+        senses.begin(start.perceived.map(::literalOf))
+        for ((number, work) in timers.toSortedMap()) {
+            val dueNs = start.timers[number] ?: start.ns
+            val end = recorded.takeTimer(number, dueNs)
+            due += if (end != null) Due(end.ns, end.index, number) { work.call() } else Due(dueNs, null, number) { work.call() }
+        }
     }
 
     /** The next cycle is at [ns], with what entered the agent in the recorded [cycle]; null: one of its own, which nothing enters. */

@@ -27,17 +27,20 @@ internal class NotingInputs(found: DifferenceSink) : ReplayedInputs(found) {
  * time, all else in its next cycle.
  *
  * @param begun what the recorded agent began outside of its thread
+ * @param before how many things it had begun before that
  * @param changed the percepts in place of those that were recorded
  * @param issued takes the text of a command that was not recorded
  */
 internal class AlteredInputs(
     begun: List<Beginning>,
+    before: Int,
     private val changed: (List<Literal>) -> List<Literal>,
     private val issued: (String) -> Unit,
 ) : ReplayedInputs({ _, _, _, _ -> }) {
     private class Open(val kind: String, val dueNs: Long, val complete: (End) -> Unit)
 
-    private val expected = begun.withIndex().groupByTo(HashMap(), { it.value }, { it.index + 1 }).mapValues { ArrayDeque(it.value) }
+    private val expected = begun.withIndex().groupByTo(HashMap(), { it.value }, { before + it.index + 1 })
+        .mapValues { ArrayDeque(it.value) }
     private val recorded = HashMap<Int, (End) -> Unit>()
     private val besides = ArrayList<Open>()
     private var others = 0
@@ -50,6 +53,10 @@ internal class AlteredInputs(
         if (number != null) recorded[number] = complete
         else besides += Open(kind, cycle.ns + delayNs, complete)
         return number ?: --others
+    }
+
+    override fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
+        recorded += open
     }
 
     override fun carryOut(ends: List<End>) {

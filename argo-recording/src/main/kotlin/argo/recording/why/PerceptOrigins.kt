@@ -14,9 +14,15 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     }
     private val newest = LinkedHashMap<String, Frame>()
     private var frames = 0
+    private val earlier = HashSet<String>()
 
     /** The newest frame of each board that has been perceived. */
     val newestFrames: Collection<Frame> get() = newest.values
+
+    /** These [percepts] are perceived when the replay begins: the frame is not known that they came by. */
+    fun beginWith(percepts: List<Literal>) {
+        percepts.mapTo(earlier, ::keyOf)
+    }
 
     /** The agent perceives [percepts] in the cycle of this [number] at [ns], of [snapshots] and of what it perceived before. */
     fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
@@ -24,8 +30,9 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
         val now = snapshots.map { frameOf(it, number) to keysOf(it) }
         now.forEach { (frame, _) -> newest[frame.port] = frame }
         val keys = percepts.associateBy(::keyOf)
+        earlier.retainAll(keys.keys)
         for ((key, percept) in keys) {
-            if (key in present) continue
+            if (key in present || key in earlier) continue
             val found = now.find { (_, kept) -> key in kept }
             val frame = found?.first
             val filter = found?.let { (frame, kept) -> filterOf(frame.port, kept.getValue(key)) }

@@ -3,8 +3,10 @@ package argo.recording.why
 import argo.boundary.Boundary
 import argo.boundary.Perception
 import argo.recording.Cycle
+import argo.recording.KeyFrame
 import argo.recording.Place
 import argo.recording.agent.fileName
+import argo.recording.agent.literalOf
 import argo.recording.replay.ReplayedInputs
 import argo.recording.replay.normal
 import jason.asSemantics.Event
@@ -69,16 +71,23 @@ internal class Trace(
     private var selected: Intention? = null
     private var step: StepCause? = null
     private var isFirst = true
+    private var start: KeyFrame? = null
     private var isWatching = false
     private lateinit var conditions: Conditions
 
     private val cycle get() = inputs.cycle
 
+    /** The replay begins at [start]: what was before is not known. */
+    fun beginAt(start: KeyFrame) {
+        this.start = start
+        percepts.beginWith(start.perceived.map(::literalOf))
+    }
+
     override fun cycleStarting(ts: TransitionSystem) {
         this.ts = ts
         if (isFirst) conditions = Conditions(ts.ag, ::originOf, ::goneOf)
         inputs.cycleStarting(ts)
-        notice { if (isFirst) beginning(it.trigger.literal) else UnknownCause(shown(it), "another thread of the project put it there") }
+        notice { if (isFirst) atStart(it) else UnknownCause(shown(it), "another thread of the project put it there") }
         isFirst = false
         event = ts.c.selectedEvent
         option = ts.c.selectedOption
@@ -189,9 +198,17 @@ internal class Trace(
 
     private fun carryingOut(means: IntendedMeans) {
         val body = means.currentStep?.takeUnless { it.isEmptyBody } ?: return
-        val adopted = adopted[means] ?: return
+        val adopted = adopted[means] ?: earlier(means) ?: return
         test(means, body, adopted)
         step = stepOf(means, adopted)?.also { note(means, body, it) }
+    }
+
+    /** What [means] was adopted for before the replay begins. */
+    private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
+        val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
+        val cause = UnknownCause(trigger, BEFORE)
+        val plan = PlanCause(placeOf(means.plan), trigger, secondsOf(begin.ns), begin.number, emptyList(), cause, 0)
+        Adopted(plan).also { adopted[means] = it }
     }
 
     private fun stepOf(means: IntendedMeans, adopted: Adopted): StepCause? {
@@ -245,7 +262,10 @@ internal class Trace(
         return mail.lastOrNull { it.sender == sender } ?: UnknownCause(shown(event), "what added it was not seen")
     }
 
-    private fun beginning(literal: Literal) =
+    private fun atStart(event: Event) =
+        if (start == null) beginning(event.trigger.literal) else UnknownCause(shown(event), BEFORE)
+
+    private fun beginning(literal: Literal): Cause = if (start != null) UnknownCause(keyOf(literal), BEFORE) else
         BeginningCause(keyOf(literal), literal.srcInfo?.srcFile?.let(::fileName), literal.srcInfo?.srcLine?.takeIf { it > 0 })
 
     /** When the cycle began that is under way, in seconds since the beginning. */
@@ -263,6 +283,7 @@ internal class Trace(
 
     companion object {
         private const val NANOS = 1e9
+        private const val BEFORE = "that was before the replay begins, which this recording has lost"
         private const val MAX_NOTES = 10_000
 
         /** How far an intention is followed to its root. */

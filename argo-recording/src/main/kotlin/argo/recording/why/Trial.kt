@@ -4,6 +4,7 @@ import argo.recording.Cycle
 import argo.recording.Input
 import argo.recording.RecordedAgent
 import argo.recording.replay.ProgramFiles
+import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 import argo.recording.replay.ReplayedAgent
 import argo.recording.replay.ReplayedInputs
@@ -12,6 +13,7 @@ import java.util.concurrent.TimeUnit
 
 /** Runs an agent of a recording again, up to a cycle. */
 internal class Trial(
+    private val recording: Recording,
     private val agent: RecordedAgent,
     private val programs: ProgramFiles,
     private val cycles: List<Cycle>,
@@ -27,14 +29,14 @@ internal class Trial(
         lateinit var inputs: NotingInputs
         var differing: String? = null
         ReplayedAgent(
-            agent, programs,
+            recording, agent, programs,
             found = { cycle, what, recorded, now, cause ->
                 if (!what.startsWith("result of ") && differing == null) {
                     differing = "cycle ${cycle.number}, $what: recorded ${recorded ?: "nothing"}, now ${now ?: "nothing"}; $cause"
                 }
             },
             inputsOf = { found -> NotingInputs(found).also { inputs = it } },
-            boundaryOf = { traceOf(it).also { made -> trace = made } },
+            boundaryOf = { traceOf(it).also { made -> trace = begun(made) } },
         ).use { replayed ->
             for (cycle in cycles.takeWhile { it.index <= last }) {
                 replayed.run(cycle)
@@ -45,16 +47,19 @@ internal class Trial(
         return trace to inputs.begun
     }
 
+    private fun begun(trace: Trace) = trace.apply { recording.start(agent.name)?.let(::beginAt) }
+
     /** Runs it up to the cycle [last] with percepts [changed] from the cycle [from] on, and returns the commands since then. */
     fun changed(begun: List<Beginning>, from: Long, last: Long, changed: (List<Literal>) -> List<Literal>): List<Trace.Issued> {
         lateinit var trace: Trace
         lateinit var inputs: AlteredInputs
         var isChanging = false
         val altered = { _: Any ->
-            AlteredInputs(begun, { if (isChanging) changed(it) else it }) { trace.issue(null, it) }.also { inputs = it }
+            val before = recording.start(agent.name)?.begun ?: 0
+            AlteredInputs(begun, before, { if (isChanging) changed(it) else it }) { trace.issue(null, it) }.also { inputs = it }
         }
-        val watched = { inputs: ReplayedInputs -> Trace(inputs, firstNs).also { trace = it } }
-        ReplayedAgent(agent, programs, inputsOf = altered, boundaryOf = watched).use { replayed ->
+        val watched = { inputs: ReplayedInputs -> begun(Trace(inputs, firstNs)).also { trace = it } }
+        ReplayedAgent(recording, agent, programs, inputsOf = altered, boundaryOf = watched).use { replayed ->
             var earlier = 0
             val wanted = cycles.takeWhile { it.index <= last }
             for ((place, cycle) in wanted.withIndex()) {

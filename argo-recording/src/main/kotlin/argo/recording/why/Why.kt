@@ -16,7 +16,7 @@ import jason.asSyntax.Literal
 class Why(private val recording: Recording) : AutoCloseable {
     private val programs = ProgramFiles(recording)
     private val cycles = recording.agents.keys.associateWith { recording.cycles(it).toList() }
-    private val firstNs = cycles.values.mapNotNull { it.firstOrNull()?.ns }.minOrNull() ?: 0
+    private val firstNs = recording.firstNs ?: 0
 
     /** All commands of the agents, in the order of their times. */
     val commands: List<RecordedCommand> = cycles.flatMap { (agent, cycles) -> commandsOf(agent, cycles) }.sortedBy { it.seconds }
@@ -65,7 +65,8 @@ class Why(private val recording: Recording) : AutoCloseable {
         val cycles = cyclesOf(agent)
         val until = question.seconds?.let { firstNs + (it * NANOS).toLong() } ?: Long.MAX_VALUE
         val last = cycles.lastOrNull { it.ns <= until } ?: throw RecordingException("agent $agent had no cycle before $question")
-        val filters = RecordedFilters(recording.program)
+        requireReplayed(agent, last.index)
+        val filters = filtersOf(agent)
         val unchosen = Unchosen(question) { port, text -> filters.explain(port, text)?.toString() }
         lateinit var trace: Trace
         trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs ->
@@ -76,9 +77,10 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     private fun causeOf(command: RecordedCommand): Pair<StepCause?, List<Beginning>> {
         val cycles = cyclesOf(command.agent)
-        val filters = RecordedFilters(recording.program)
+        requireReplayed(command.agent, command.cycle)
+        val filters = filtersOf(command.agent)
         val (trace, begun) = trial(command.agent, cycles).asRecorded(command.cycle) { Trace(it, firstNs, filters) }
-        return trace.issued.getOrNull(command.number - 1)?.cause to begun
+        return trace.issued.getOrNull(command.number - 1 - earlierCommands(command.agent))?.cause to begun
     }
 
     /** Null: [percept] is what the agent perceived. */
@@ -87,7 +89,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         if (of?.belief == keyOf(percept)) return null
         val from = cycles.first { it.index == command.cycle || of?.isIn(it) == true }
         val before = commands.filter { it.agent == command.agent && it.cycle in from.index..command.cycle && it.number <= command.number }
-        val isDropped = isDropped(percept, of?.frame?.port, cycles.takeWhile { it.index < from.index })
+        val isDropped = isDropped(command.agent, percept, of?.frame?.port, cycles.takeWhile { it.index < from.index })
         val issued = trial(command.agent, cycles).changed(begun, from.index, command.cycle) { replaced(it, percept, isDropped) }
         val now = issued.map { it.text }
         val times = before.count { it.text == command.text }
@@ -100,8 +102,8 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun PerceptCause.isIn(cycle: Cycle) = seconds == (cycle.ns - firstNs) / NANOS
 
     /** Whether the filter of the board on [port] drops [percept] after the cycles [before]. */
-    private fun isDropped(percept: Literal, port: String?, before: List<Cycle>): Boolean {
-        val filters = RecordedFilters(recording.program)
+    private fun isDropped(agent: String, percept: Literal, port: String?, before: List<Cycle>): Boolean {
+        val filters = filtersOf(agent)
         before.forEach { filters.changed(it.input.filters) }
         val text = keyOf(percept.cloneNS(Literal.DefaultNS) as Literal)
         return port != null && filters.explain(port, text)?.outcome == Explanation.Outcome.DROPPED
@@ -124,10 +126,34 @@ class Why(private val recording: Recording) : AutoCloseable {
         throw RecordingException("$percept is no percept such as dist(front,41)")
     }
 
+    /** The filters that [agent] perceived through when its recording began, or at its key frame. */
+    private fun filtersOf(agent: String) =
+        RecordedFilters(recording.program).apply { changed(recording.start(agent)?.filters.orEmpty()) }
+
     private fun cyclesOf(agent: String) =
         cycles[agent] ?: throw RecordingException("there is no agent $agent; those that there are: ${cycles.keys.joinToString()}")
 
-    private fun trial(agent: String, cycles: List<Cycle>) = Trial(recording.agents.getValue(agent), programs, cycles, firstNs)
+    private fun trial(agent: String, cycles: List<Cycle>) =
+        Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), firstNs)
+
+    /** How many commands of [agent] are recorded that were before the key frame at which its replay begins. */
+    private fun earlierCommands(agent: String): Int {
+        val start = recording.start(agent) ?: return 0
+        return commands.count { it.agent == agent && it.cycle <= start.index }
+    }
+
+    private fun replayable(agent: String, cycles: List<Cycle>) =
+        recording.start(agent).let { start -> if (start == null) cycles else cycles.filter { it.index > start.index } }
+
+    /** Refuses what was before the key frame at which the replay of [agent] begins. */
+    private fun requireReplayed(agent: String, cycle: Long) {
+        val start = recording.start(agent) ?: return
+        if (cycle > start.index) return
+        throw RecordingException(
+            "what agent $agent believed then is not known: the beginning of its recording is missing, and it can be replayed from " +
+                "%.3f s on".format((start.ns - firstNs) / NANOS),
+        )
+    }
 
     override fun close() = programs.close()
 

@@ -29,7 +29,8 @@ internal class AgentReplay(
     }
 
     private fun replay(recording: Recording, replay: Replay): ReplayReport {
-        val firstNs = replay.nextNs ?: throw ToolException("$file holds no cycle of an agent")
+        val firstNs = recording.firstNs ?: throw ToolException("$file holds no cycle of an agent")
+        val beginNs = replay.nextNs ?: firstNs
         val begin = System.nanoTime()
         val endNs = until?.let { nsOf(it, recording, firstNs) } ?: Long.MAX_VALUE
         val trouble = stopping { replay.run(endNs) }
@@ -37,10 +38,16 @@ internal class AgentReplay(
         val believers = if (until == null && from != null) emptySet() else shownAgents
         val shown = believers.ifEmpty { if (until == null) emptySet() else recording.agents.keys }
         return ReplayReport(
-            recording.agents.keys.toList(), replay.cyclesRun, firstNs, (replay.lastNs ?: firstNs) - firstNs, elapsedNs, replay.differences,
+            recording.agents.keys.toList(), beginnings(recording), replay.cyclesRun, firstNs, (replay.lastNs ?: beginNs) - beginNs,
+            elapsedNs,
+            replay.differences,
             shown.associateWith(replay::beliefs), cycles(recording, firstNs, endNs), recording.problems + listOfNotNull(trouble),
         )
     }
+
+    /** Where the agents begin whose first cycles are missing. */
+    private fun beginnings(recording: Recording) =
+        recording.agents.keys.mapNotNull { agent -> recording.start(agent)?.let { Beginning(agent, it.number, it.ns) } }
 
     private fun cycles(recording: Recording, firstNs: Long, endNs: Long): List<ShownCycle> {
         val beginNs = nsOf(from ?: return emptyList(), recording, firstNs)

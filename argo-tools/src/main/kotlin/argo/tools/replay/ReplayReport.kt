@@ -5,9 +5,13 @@ import argo.tools.command.counted
 import argo.tools.command.jsonOf
 import kotlinx.serialization.json.JsonObject
 
+/** Where the replay of an [agent] begins whose first cycles are missing: behind the [cycle] that began at [ns]. */
+internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
+
 /**
  * What came of a replay.
  *
+ * @property beginnings of the agents whose first cycles are missing
  * @property recordedNs from the first cycle to the last one that was replayed
  * @property elapsedNs what the replay took
  * @property beliefs of the agents that were asked about
@@ -16,6 +20,7 @@ import kotlinx.serialization.json.JsonObject
  */
 internal class ReplayReport(
     private val agents: List<String>,
+    private val beginnings: List<Beginning>,
     private val cycles: Long,
     private val firstNs: Long,
     private val recordedNs: Long,
@@ -39,6 +44,10 @@ internal class ReplayReport(
     /** For a person, of the recording [name]; all that is not deterministic if [isCheck]. */
     fun lines(name: String, isCheck: Boolean): List<String> = buildList {
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
+        beginnings.forEach {
+            val of = if (agents.size == 1) "" else "agent ${it.agent} "
+            add("${of}begins behind cycle ${it.cycle}, %.3f s: what was before is not in this recording".format((it.ns - firstNs) / NANOS))
+        }
         add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(recordedNs / NANOS, elapsedNs / NANOS, pace()))
         course.forEach { addAll(described("differs", it)) }
         if (isIdentical) add("identical: the same events, plans, steps, calls, actions and messages in each of them")
@@ -57,7 +66,9 @@ internal class ReplayReport(
     }
 
     fun json(): JsonObject = jsonOf(
-        "agents" to agents, "cycles" to cycles, "seconds" to recordedNs / NANOS, "took" to elapsedNs / NANOS,
+        "agents" to agents,
+        "begins" to beginnings.map { jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to (it.ns - firstNs) / NANOS) },
+        "cycles" to cycles, "seconds" to recordedNs / NANOS, "took" to elapsedNs / NANOS,
         "identical" to isIdentical, "deterministic" to isDeterministic, "problems" to problems,
         "differences" to (course.map { it to 1 } + results).map { (difference, times) -> jsonOf(difference, times) },
         "shown" to shown.map { it.json((it.cycle.ns - firstNs) / NANOS) },

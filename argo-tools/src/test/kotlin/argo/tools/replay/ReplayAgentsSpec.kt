@@ -164,7 +164,7 @@ class ReplayAgentsSpec : FunSpec({
     test("what cannot be replayed is refused in words") {
         argo("replay", "${made("late", index = 7)}").run {
             status shouldBe 1
-            err shouldContain "begins with its cycle 7, and what it believed then is not known; only a recording from the beginning on"
+            err shouldContain "begins with its cycle 7, what it believed then is not known, and there is no key frame to begin with"
         }
         argo("replay", "${made("newer", format = "2")}").err shouldContain
             "has format 2 of what agents do, and this version of ARGO reads format 1"

@@ -1,0 +1,42 @@
+package argo.recording
+
+import kotlinx.serialization.Serializable
+
+/** All that an agent was at the end of a cycle, so that a replay can begin behind it. Nothing of it changes. */
+@Serializable
+data class KeyFrame(
+    @Holds("the index of the cycle at whose end the agent was like this")
+    val index: Long,
+    @Holds("Jason's number of that cycle")
+    val number: Int,
+    @Holds("when that cycle began, in ns of the agent's clock")
+    val ns: Long,
+    @Holds("why there is no key frame here, and nothing but the fields above; missing: there is one")
+    val missing: String? = null,
+    @Holds("what the agent believes, in the order of its belief base")
+    val beliefs: List<String> = emptyList(),
+    @Holds("the places among the beliefs, from 0, where a rule of the program stands, and which one of its rules it is")
+    val rules: Map<Int, Int> = emptyMap(),
+    @Holds("the places among the beliefs, from 0, of those that are percepts, in the order in which Jason goes through them")
+    val percepts: List<Int> = emptyList(),
+    @Holds("how many percepts there were at most at a time, on which that order depends")
+    val mostPercepts: Int = 0,
+    @Holds("what the agent perceived, in its order")
+    val perceived: List<String> = emptyList(),
+    @Holds("the filters that it perceives through")
+    val filters: List<FilterChange> = emptyList(),
+    @Holds("how many things it had begun outside of its thread")
+    val begun: Int = 0,
+    @Holds("when its timers end that were under way, in ns of its clock, by their numbers")
+    val timers: Map<Int, Long> = emptyMap(),
+    @Holds("how many intentions were counted")
+    val intentions: Int = 0,
+    @Holds("the cycles since it perceived last")
+    val cyclesUnperceived: Int = 0,
+    @Holds("whether it had been reported to sleep")
+    val isAsleep: Boolean = false,
+    @Holds("how many plans and rules its program has")
+    val parts: Int = 0,
+    @Holds("its events, intentions and plans, as Java writes objects of Jason: deflated, in base 64")
+    val mind: String = "",
+)

@@ -1,0 +1,58 @@
+package argo.recording.agent
+
+import jason.asSemantics.Agent
+import jason.asSyntax.Plan
+import jason.asSyntax.PlanBody
+import jason.asSyntax.PlanLibrary
+import jason.asSyntax.Rule
+import java.util.IdentityHashMap
+
+/**
+ * The plans, steps of plans and rules that the program of [agent] has, with their numbers: the same program gives the same numbers. Made
+ * before the agent's first cycle, since later it may have others.
+ */
+internal class ProgramParts(val agent: Agent) {
+    private val numbers = IdentityHashMap<Any, Int>()
+    private val parts = ArrayList<Any>()
+
+    /** The plans as the program has them. */
+    val plans: List<Plan> = agent.pl.plans.toList()
+
+    /** The rules as the program has them. */
+    val rules: List<Rule> = agent.bb.filterIsInstance<Rule>()
+
+    init {
+        visit(agent.pl)
+        rules.forEach(::note)
+    }
+
+    /** How many parts there are. */
+    val size: Int get() = parts.size
+
+    private fun visit(library: PlanLibrary) {
+        note(library)
+        for (plan in library.plans) {
+            note(plan)
+            generateSequence(plan.body) { it.bodyNext }.forEach(::note)
+            plan.subPlans?.let(::visit)
+        }
+    }
+
+    private fun note(part: Any) {
+        if (numbers.putIfAbsent(part, parts.size) == null) parts += part
+    }
+
+    /** The number of [part]; null: the program does not have it. */
+    fun numberOf(part: Any): Int? = numbers[part]
+
+    /** The part with this [number]. */
+    fun part(number: Int): Any = parts[number]
+
+    /** Whether the plans of the agent are those of the program. */
+    fun hasPlans(): Boolean = agent.pl.plans.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] } }
+
+    companion object {
+        /** Whether objects like [one] may be parts of a program. */
+        fun mayBePart(one: Any): Boolean = one is Plan || one is PlanBody || one is PlanLibrary || one is Rule
+    }
+}

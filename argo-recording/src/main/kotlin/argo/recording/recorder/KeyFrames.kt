@@ -1,0 +1,215 @@
+package argo.recording.recorder
+
+import argo.recording.Cycle
+import argo.recording.FilterChange
+import argo.recording.KeyFrame
+import argo.recording.agent.CourseWatch
+import argo.recording.agent.Insides
+import argo.recording.agent.Mind
+import argo.recording.agent.ProgramParts
+import argo.recording.agent.Waits
+import argo.recording.agent.bytesOf
+import argo.recording.agent.textOf
+import jason.asSemantics.Agent
+import jason.asSemantics.CircumstanceListener
+import jason.asSemantics.Intention
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.Literal
+import jason.asSyntax.Rule
+import jason.bb.DefaultBeliefBase
+import jason.stdlib.suspend
+import java.io.ByteArrayOutputStream
+import java.io.NotSerializableException
+import java.util.Base64
+import java.util.IdentityHashMap
+import java.util.concurrent.TimeUnit
+import java.util.zip.DeflaterOutputStream
+
+/**
+ * Takes key frames of the agent of [ts], now and then, at the end of a cycle at which all that it is doing can be described. Made before
+ * its first cycle. Belongs to the agent's thread.
+ */
+internal class KeyFrames(private val ts: TransitionSystem, private val course: CourseWatch) {
+    private class Timer(val wait: CircumstanceListener, val dueNs: Long)
+
+    private val program = ProgramParts(ts.ag)
+    private val isKnown = try {
+        Waits.isThere
+    } catch (_: LinkageError) {
+        false // another version of Jason
+    }
+    private val timers = HashMap<Int, Timer>()
+    private val filters = LinkedHashMap<String?, FilterChange>()
+    private var mostPercepts = 0
+    private var dueNs = Long.MIN_VALUE
+    private var missingNs = Long.MIN_VALUE
+
+    /** The agent has begun a timer with [number], for [delayNs] from [ns] on. */
+    fun timer(number: Int, ns: Long, delayNs: Long) {
+        val wait = ts.c.listeners.lastOrNull() ?: return // a .wait has just been added when it begins its timer
+        if (!isKnown || !Waits.isWait(wait) || timers.values.any { it.wait === wait }) return
+        if (Waits.timeoutOf(wait) == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
+    }
+
+    /** What had [number] has ended. */
+    fun ended(number: Int) {
+        timers -= number
+    }
+
+    fun filterChanged(change: FilterChange) {
+        if (change.port == null) filters.clear()
+        filters[change.port] = change
+    }
+
+    /** The agent perceives [count] percepts. */
+    fun perceived(count: Int) {
+        mostPercepts = maxOf(mostPercepts, count)
+    }
+
+    /**
+     * A key frame at the end of [cycle], which another thread writes; null: it is not time for one, or there can be none, which is
+     * said once for each time.
+     *
+     * @param begun how many things the agent has begun outside of its thread
+     * @param open the numbers of those that have not ended
+     * @param perceived what it perceives
+     */
+    fun take(cycle: Cycle, begun: Int, open: Set<Int>, perceived: List<Literal>): KeyFrameNote? {
+        if (dueNs == Long.MIN_VALUE) dueNs = cycle.ns + INTERVAL_NS
+        if (cycle.ns < dueNs) return null
+        val reason = try {
+            obstacle(open) ?: return taken(cycle, begun, perceived).also {
+                dueNs = cycle.ns + (ts.ag.bb.size() * OF_BELIEF_NS).coerceIn(INTERVAL_NS, MAX_INTERVAL_NS)
+            }
+        } catch (inside: NotSerializableException) {
+            inside.message ?: "a Java object"
+        } catch (other: LinkageError) {
+            "this version of Jason has other fields ($other)"
+        } catch (_: StackOverflowError) { // Java writes a list element within element
+            "a list in an intention was too long"
+        } catch (other: RuntimeException) { // a thread of the project's may work on the agent; recording is never its trouble
+            "the agent was being changed ($other)"
+        }
+        if (cycle.ns < missingNs) return null
+        missingNs = cycle.ns + INTERVAL_NS
+        return KeyFrameNote(KeyFrame(cycle.index, cycle.number, cycle.ns, missing = reason))
+    }
+
+    /** Why the agent cannot be described now; null: nothing is known against it. */
+    private fun obstacle(open: Set<Int>): String? {
+        val c = ts.c
+        return when {
+            ts.ag.javaClass != Agent::class.java -> "its class ${ts.ag.javaClass.name} is not Jason's, and may hold anything"
+            ts.ag.bb.javaClass != DefaultBeliefBase::class.java -> "its belief base ${ts.ag.bb.javaClass.name} is not Jason's"
+            c.hasMsg() -> "messages waited in its mailbox"
+            c.hasPendingAction() || c.feedbackActions.isNotEmpty() -> "an action of the environment was under way"
+            c.action != null -> "an action of the environment had begun"
+            (Insides.tasks.get(ts) as Collection<*>).isNotEmpty() -> "work for the next cycle waited"
+            else -> waitingIntention(open) ?: (open - timers.keys).firstOrNull()?.let { "a call or timer, its number $it, was under way" }
+        }
+    }
+
+    /** What an intention waits for that cannot be described; null: none does so. */
+    private fun waitingIntention(open: Set<Int>): String? {
+        val waiting = ts.c.listeners.filter(Waits::isWait).mapTo(HashSet()) { Waits.intentionOf(it) }
+        return ts.c.pendingIntentions.entries.firstNotNullOfOrNull { (key, intention) ->
+            val isKnown = intention in waiting || key.startsWith(suspend.SUSPENDED_INT) || isAsk(intention) && open.all(timers::containsKey)
+            if (isKnown) null else "the intention ${described(intention)} was waiting"
+        }
+    }
+
+    /** It waits for the answer of another agent, which is recorded. */
+    private fun isAsk(intention: Intention) = "${intention.suspendedReason}" == "waiting_ask"
+
+    private fun described(intention: Intention): String {
+        val means = intention.takeUnless { it.isFinished }?.peek() ?: return "${intention.id}"
+        val step = means.currentStep?.bodyTerm
+        val place = course.placeOf(means.plan)
+        return "${means.trigger} at ${step ?: "its end"} (${place.file}:${means.currentStep?.srcInfo?.srcLine ?: place.line})"
+    }
+
+    private fun taken(cycle: Cycle, begun: Int, perceived: List<Literal>): KeyFrameNote {
+        val beliefs = ArrayList<Literal>(ts.ag.bb.size())
+        val places = IdentityHashMap<Literal, Int>()
+        val rules = HashMap<Int, Int>()
+        for (belief in ts.ag.bb) {
+            val place = beliefs.size
+            if (belief is Rule) {
+                rules[place] = program.rules.indexOfFirst { it === belief }
+                if (rules[place] == -1) throw NotSerializableException("a rule had been added at run time")
+                beliefs += belief
+            } else {
+                if (!belief.isGround) throw NotSerializableException("the belief $belief had variables")
+                places[belief] = place
+                beliefs += belief.copy() // its annotations may change
+            }
+        }
+        val percepts = ts.ag.bb.percepts.asSequence().mapNotNull(places::get).toList()
+        val mind = bytesOf(mind(), program)
+        val frame = KeyFrame(
+            cycle.index, cycle.number, cycle.ns, null, emptyList(), rules, percepts, maxOf(mostPercepts, percepts.size), emptyList(),
+            filters.values.toList(), begun, timers.mapValues { it.value.dueNs }, course.intentions,
+            Insides.cyclesUnperceived.getInt(ts), Insides.isAsleep.getBoolean(ts), program.size,
+        )
+        return KeyFrameNote(frame, beliefs, perceived, mind)
+    }
+
+    private fun mind(): Mind {
+        val c = ts.c
+        val listening = c.listeners.filter(Waits::isWait)
+        val numbers = timers.entries.associateTo(IdentityHashMap()) { (number, timer) -> timer.wait to number }
+        val waits = listening.map { Waits.describe(it, numbers[it], true) } +
+            timers.filterValues { timer -> listening.none { it === timer.wait } }.map { (number, timer) ->
+                Waits.describe(timer.wait, number, false)
+            }
+        val intentions = c.allIntentions.asSequence().filter { course.numberOf(it) != null }.distinct().toList()
+        return Mind(
+            ArrayList(c.events), c.atomicEvent, ArrayList(c.runningIntentions), Insides.atomicIntention.get(c) as Intention?,
+            Insides.isAtomicSuspended.getBoolean(c), LinkedHashMap(c.pendingIntentions), LinkedHashMap(c.pendingEvents),
+            Insides.goalConditions.getInt(c), c.selectedEvent, c.selectedOption?.plan, c.selectedIntention, ArrayList(waits),
+            ArrayList(intentions), intentions.mapTo(ArrayList()) { course.numberOf(it) ?: 0 },
+            if (program.hasPlans()) null else ArrayList(ts.ag.pl.plans),
+        )
+    }
+
+    private companion object {
+        /** A key frame is taken so often at most. */
+        val INTERVAL_NS = TimeUnit.SECONDS.toNanos(2)
+
+        /** So often it is tried at least. */
+        val MAX_INTERVAL_NS = TimeUnit.SECONDS.toNanos(20)
+
+        /** Many beliefs take longer to write: so much time for each. */
+        val OF_BELIEF_NS = TimeUnit.MILLISECONDS.toNanos(20)
+    }
+}
+
+/** A key frame whose texts are not made yet. The literals do not change. */
+internal class KeyFrameNote(
+    private val frame: KeyFrame,
+    private val beliefs: List<Literal> = emptyList(),
+    private val perceived: List<Literal> = emptyList(),
+    private val mind: ByteArray = ByteArray(0),
+) {
+    val ns: Long get() = frame.ns
+
+    /** About the room that it takes. */
+    val size: Int get() = (beliefs.size + perceived.size) * BELIEF_BYTES + mind.size
+
+    /** Whether there is one. */
+    val isThere: Boolean get() = frame.missing == null
+
+    /** Any thread. */
+    fun frame(): KeyFrame =
+        if (!isThere) frame else frame.copy(beliefs = beliefs.map(::textOf), perceived = perceived.map(::textOf), mind = packed())
+
+    private fun packed(): String {
+        val bytes = ByteArrayOutputStream()
+        DeflaterOutputStream(bytes).use { it.write(mind) }
+        return Base64.getEncoder().encodeToString(bytes.toByteArray())
+    }
+
+    private companion object {
+        const val BELIEF_BYTES = 100
+    }
+}

@@ -1,0 +1,157 @@
+package argo.recording.replay
+
+import argo.recording.KeyFrame
+import argo.recording.agent.Counters
+import argo.recording.agent.CourseWatch
+import argo.recording.agent.Insides
+import argo.recording.agent.Keeper
+import argo.recording.agent.Mind
+import argo.recording.agent.ProgramParts
+import argo.recording.agent.Waits
+import argo.recording.agent.WatchedCode
+import argo.recording.agent.literalOf
+import argo.recording.agent.mindOf
+import jason.JasonException
+import jason.asSemantics.CircumstanceListener
+import jason.asSemantics.Option
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.Literal
+import jason.bb.DefaultBeliefBase
+import jason.util.RunnableSerializable
+import java.io.ByteArrayInputStream
+import java.io.IOException
+import java.util.Base64
+import java.util.concurrent.Callable
+import java.util.concurrent.Delayed
+import java.util.concurrent.FutureTask
+import java.util.concurrent.ScheduledFuture
+import java.util.concurrent.TimeUnit
+import java.util.zip.InflaterInputStream
+
+/**
+ * Makes the agent of [ts], which Jason has just read and which has had no cycle, what it was at [frame].
+ *
+ * @param program the parts of the recorded program, of which the agent's intentions are
+ * @param code its watched code
+ * @param course what numbers its intentions
+ * @param isProgram whether the agent has the recorded program; otherwise it keeps its own rules and plans
+ */
+internal class Restoration(
+    private val frame: KeyFrame,
+    private val ts: TransitionSystem,
+    private val program: ProgramParts,
+    private val code: WatchedCode,
+    private val course: CourseWatch,
+    private val isProgram: Boolean = true,
+) {
+    /**
+     * Does so, and returns the timers that are under way, by their numbers.
+     * @throws RecordingException if the key frame is damaged, or of another program or version of Jason
+     */
+    fun restore(): Map<Int, Callable<*>> {
+        if (frame.parts != program.size) refuse("the program has ${program.size} plans and steps, and had ${frame.parts}")
+        val counters = Counters.read()
+        try {
+            believe()
+            val mind = InflaterInputStream(ByteArrayInputStream(Base64.getDecoder().decode(frame.mind))).use { it.readBytes() }
+            return intend(mindOf(mind, program, code))
+        } catch (unreadable: IOException) {
+            refuse("${unreadable.message}")
+        } catch (unreadable: IllegalArgumentException) {
+            refuse("${unreadable.message}")
+        } catch (unreadable: IndexOutOfBoundsException) {
+            refuse("${unreadable.message}")
+        } catch (refused: JasonException) {
+            refuse("${refused.message}")
+        } catch (other: ReflectiveOperationException) {
+            refuse("$other")
+        } catch (other: LinkageError) {
+            refuse("$other")
+        } finally {
+            Counters.write(counters)
+        }
+    }
+
+    private fun refuse(why: String): Nothing =
+        throw RecordingException(
+            "the key frame at cycle ${frame.number} cannot be read: it is damaged, or of another version of Jason ($why)",
+        )
+
+    private fun believe() {
+        val bb = ts.ag.bb as DefaultBeliefBase
+        val own = ts.ag.bb.filter { it.isRule }
+        bb.clear()
+        if (!isProgram) own.forEach { bb.add(1, it) }
+        val believed = frame.beliefs.mapIndexed { place, text -> frame.rules[place]?.let(program.rules::get) ?: literalOf(text) }
+        believed.forEach { if (isProgram || !it.isRule) bb.add(1, it) }
+        Insides.percepts.set(bb, ordered(frame.percepts.map { bb.contains(believed[it]) ?: refuse("a percept is missing") }))
+    }
+
+    /** A set of [percepts] that gives them in their order: which depends on its size, and Java has another for each. */
+    private fun ordered(percepts: List<Literal>): HashSet<Literal> {
+        val enough = generateSequence(SMALLEST) { it * 2 }.first { it * LOAD >= frame.mostPercepts }
+        val sizes = listOf(enough) + generateSequence(SMALLEST) { it * 2 }.takeWhile { it <= LARGEST && it <= enough * SMALLEST }
+        val sets = sizes.asSequence().map { size -> HashSet<Literal>(size).apply { addAll(percepts) } }
+        return sets.firstOrNull { set -> set.asSequence().zip(percepts.asSequence()).all { (one, other) -> one === other } } ?: sets.first()
+    }
+
+    private fun intend(mind: Mind): Map<Int, Callable<*>> {
+        if (isProgram && mind.plans != null) with(ts.ag.pl) {
+            clear()
+            mind.plans.forEach(::add)
+        }
+        val c = ts.c
+        val others = c.listeners.toList()
+        val timers = HashMap<Int, Callable<*>>()
+        val waits = mind.waits.map { wait -> begun({ wait.timer?.let { number -> timers[number] = it } }) { Waits.make(wait, ts) } }
+        c.listeners.clear()
+        c.listeners.addAll(others + waits.filterIndexed { place, _ -> mind.waits[place].isListening })
+        c.create()
+        c.events += mind.events
+        c.runningIntentions += mind.running
+        c.pendingIntentions += mind.pending
+        c.pendingEvents += mind.pendingEvents
+        Insides.atomicEvent.set(c, mind.atomicEvent)
+        Insides.atomicIntention.set(c, mind.atomic)
+        Insides.isAtomicSuspended.set(c, mind.isAtomicSuspended)
+        Insides.goalConditions.set(c, mind.goalConditions)
+        Insides.selectedEvent.set(c, mind.event)
+        Insides.selectedOption.set(c, mind.plan?.let { Option(it, Unifier()) })
+        Insides.selectedIntention.set(c, mind.intention)
+        Insides.cyclesUnperceived.set(ts, frame.cyclesUnperceived)
+        Insides.isAsleep.set(ts, frame.isAsleep)
+        course.restore(frame.intentions, mind.numbered.zip(mind.numbers).toMap())
+        return timers
+    }
+
+    /** What [make] makes, which begins a timer at most; [timer] takes its work. */
+    private fun begun(timer: (Callable<*>) -> Unit, make: () -> CircumstanceListener): CircumstanceListener {
+        Keeper.current = object : Keeper {
+            override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
+                timer(work)
+                return Unscheduled(work)
+            }
+
+            override fun left(work: RunnableSerializable) = Unit
+        }
+        try {
+            return make()
+        } finally {
+            Keeper.current = null
+        }
+    }
+
+    private class Unscheduled<V>(work: Callable<V>) : FutureTask<V>(work), ScheduledFuture<V> {
+        override fun getDelay(unit: TimeUnit) = Long.MAX_VALUE
+
+        override fun compareTo(other: Delayed) = 0
+    }
+
+    private companion object {
+        /** The sizes of Java's sets: a power of two, three quarters full. */
+        const val SMALLEST = 16
+        const val LARGEST = 1 shl 20
+        const val LOAD = 0.75
+    }
+}
