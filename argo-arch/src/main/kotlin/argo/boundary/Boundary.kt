@@ -13,7 +13,7 @@ import jason.asSyntax.Literal
  * Functions are called by the agent's thread unless they say otherwise, and within a cycle: between [cycleStarting] and [cycleFinished].
  */
 interface Boundary {
-    /** A reasoning cycle of the agent of [ts] begins. */
+    /** A reasoning cycle of the agent of [ts] begins. Completions of [suspended] and the like are carried out here. */
     fun cycleStarting(ts: TransitionSystem)
 
     /** What the agent perceives in this cycle; [live] gives what its boards and its environment have for it. */
@@ -25,7 +25,7 @@ interface Boundary {
     /** The port whose board says [percept], of which an event waits; null: no board does. */
     fun boardOf(percept: Literal, live: () -> String?): String?
 
-    /** [live] adds the messages that have come to the agent's mailbox. Completions of [suspended] and the like are carried out here too. */
+    /** [live] adds the messages that have come to the agent's mailbox. */
     fun takeMail(live: () -> Unit)
 
     /** What [call] gives, which [live] carries out: see [jason.asSemantics.InternalAction.execute]. */

@@ -21,6 +21,16 @@ internal interface Keeper {
         var current: Keeper?
             get() = CURRENT.get()
             set(keeper) = if (keeper == null) CURRENT.remove() else CURRENT.set(keeper)
+
+        /** Does [work] as the agent of [keeper] does it, whose cycle has not begun yet. */
+        inline fun within(keeper: Keeper, work: () -> Unit) {
+            current = keeper
+            try {
+                work()
+            } finally {
+                current = null
+            }
+        }
     }
 }
 

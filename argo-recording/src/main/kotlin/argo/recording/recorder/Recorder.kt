@@ -85,6 +85,19 @@ internal class Recorder(
         if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { "${it.trigger}" }
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent()
         agent.course.begin()
+        carryOutEnds(agent)
+    }
+
+    /** Before Jason begins the cycle: an intention that this resumes goes on in it, as it would without a recording. */
+    private fun carryOutEnds(agent: Running) {
+        if (inbox.isEmpty()) return
+        Keeper.within(this) {
+            for (arrived in inbox.takeAll()) {
+                agent.now.ends += arrived.end
+                agent.keyFrames.ended(arrived.end.number)
+                arrived.work?.run() ?: begun.carryOut(arrived.end)
+            }
+        }
     }
 
     private fun begin(ts: TransitionSystem): Running? {
@@ -118,12 +131,6 @@ internal class Recorder(
         live()
         if (agent.ts.c.mailBox.size > before) agent.ts.c.mailBox.drop(before).mapTo(agent.now.mail) { mailOf(it) }
         Keeper.current = this
-        if (inbox.isEmpty()) return
-        for (arrived in inbox.takeAll()) {
-            agent.now.ends += arrived.end
-            agent.keyFrames.ended(arrived.end.number)
-            arrived.work?.run() ?: begun.carryOut(arrived.end)
-        }
     }
 
     override fun call(call: InternalCall, live: () -> Any): Any = call(call, WatchedKind.OUTSIDE) { live() }

@@ -106,7 +106,10 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         cycle.input.events.forEach { ts.c.addExternalEv(parsed(it, ASSyntax::parseTrigger)) }
     }
 
-    override fun cycleStarting(ts: TransitionSystem) = course.begin()
+    override fun cycleStarting(ts: TransitionSystem) {
+        course.begin()
+        Keeper.within(this) { carryOut(cycle.input.ends) }
+    }
 
     override fun perceive(live: () -> Perception): Perception {
         val change = cycle.input.percepts ?: return Perception(null)
@@ -131,7 +134,6 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     override fun takeMail(live: () -> Unit) {
         cycle.input.mail.forEach { ts.c.addMsg(messageOf(it)) }
         Keeper.current = this
-        carryOut(cycle.input.ends)
     }
 
     /** Carries out what had ended that the agent had begun. */

@@ -129,7 +129,13 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
 
     fun close() = course.close()
 
-    override fun cycleStarting(ts: TransitionSystem) = course.begin()
+    override fun cycleStarting(ts: TransitionSystem) {
+        course.begin()
+        Keeper.within(this) {
+            while (true) due.peek()?.takeIf(::isDue)?.let { due.remove().carryOut() } ?: break
+            while (true) left.poll()?.run() ?: break
+        }
+    }
 
     override fun perceive(live: () -> Perception): Perception {
         val percepts = senses.perceive(cycle, ns) ?: return Perception(null)
@@ -144,8 +150,6 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
     override fun takeMail(live: () -> Unit) {
         cycle?.input?.mail?.forEach { ts.c.addMsg(messageOf(it)) }
         Keeper.current = this
-        while (true) due.peek()?.takeIf(::isDue)?.let { due.remove().carryOut() } ?: break
-        while (true) left.poll()?.run() ?: break
     }
 
     private fun isDue(one: Due) = cycle.let { now -> if (one.index != null) now != null && one.index <= now.index else one.ns <= ns }

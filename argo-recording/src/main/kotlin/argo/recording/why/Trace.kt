@@ -86,8 +86,9 @@ internal class Trace(
     override fun cycleStarting(ts: TransitionSystem) {
         this.ts = ts
         if (isFirst) conditions = Conditions(ts.ag, ::originOf, ::goneOf)
-        inputs.cycleStarting(ts)
         notice { if (isFirst) atStart(it) else UnknownCause(shown(it), "another thread of the project put it there") }
+        inputs.cycleStarting(ts)
+        notice { UnknownCause(shown(it), "a timer of the agent ended") }
         isFirst = false
         event = ts.c.selectedEvent
         option = ts.c.selectedOption
@@ -103,7 +104,6 @@ internal class Trace(
     override fun takeMail(live: () -> Unit) {
         notice { perceptOrigin(it) }
         inputs.takeMail(live)
-        notice { UnknownCause(shown(it), "a timer of the agent ended") }
     }
 
     override fun ruleApplied() {
