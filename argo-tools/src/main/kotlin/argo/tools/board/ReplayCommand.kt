@@ -146,10 +146,14 @@ internal class ReplayCommand : ToolCommand() {
     private fun awaitListener(pair: PseudoTerminals) {
         if (!Files.isDirectory(Path.of("/proc/self/fd"))) return
         while (SerialPorts.holders(pair.computer().path).none { "socat" !in it }) TimeUnit.MILLISECONDS.sleep(POLL_MS)
+        TimeUnit.MILLISECONDS.sleep(START_MS)
     }
 
     private companion object {
         const val POLL_MS = 100L
+
+        /** As long as a board takes to start when its port is opened: a serial driver empties the port meanwhile. */
+        const val START_MS = 500L
 
         /** How much earlier or later a command may be unless an option says so. */
         const val WITHIN_MS = 100L

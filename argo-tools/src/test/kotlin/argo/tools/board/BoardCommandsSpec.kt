@@ -162,9 +162,9 @@ class BoardCommandsSpec : FunSpec({
     test("a board that prints text is told from a silent one, with the bytes and the likely cause") {
         val cause = "\"dist(f,30);\\r\\n\", which is text without a frame: does the sketch use Serial.print"
         board { it.whenAsked("getPercepts").answerRaw("dist(f,30);\r\n") }.with { port ->
-            argo("request", port, "getPercepts", "--boot", "0", "--timeout", "50", "--protocol", "1").err shouldContain cause
+            argo("request", port, "getPercepts", "--boot", "0", "--timeout", "400", "--protocol", "1").err shouldContain cause
             argo("ports", port, "--probe").out shouldContain "no message at 9600 baud; "
-            argo("monitor", port, "--seconds", "1", "--boot", "0", "--timeout", "50", "--protocol", "1").out shouldContain cause
+            argo("monitor", port, "--seconds", "1", "--boot", "0", "--timeout", "400", "--protocol", "1").out shouldContain cause
         }
         board { it.whenAsked("getPercepts").staySilent() }.with { port ->
             argo("ports", port, "--probe").out shouldContain "no answer at 9600 baud"
