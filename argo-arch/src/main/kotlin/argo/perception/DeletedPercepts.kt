@@ -1,5 +1,6 @@
 package argo.perception
 
+import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSemantics.Event
 import jason.asSyntax.Literal
@@ -25,7 +26,7 @@ internal class DeletedPercepts {
     }
 
     private fun hasEvent(agent: Agent, percept: Literal) =
-        agent.ts.c.hasListener() || agent.pl.hasCandidatePlan(Trigger(TEOperator.del, TEType.belief, percept))
+        agent.ts.c.hasListener() || Plans.of(agent).hasCandidate(Trigger(TEOperator.del, TEType.belief, percept))
 
     /** Jason has added the events to [queue]. */
     fun mend(queue: Collection<Event>) {

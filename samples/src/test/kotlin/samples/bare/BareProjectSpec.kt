@@ -5,6 +5,7 @@ import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeInRange
+import io.kotest.matchers.string.shouldContain
 import jason.asSemantics.Agent
 import javino.sim.PseudoTerminals
 import java.io.File
@@ -36,10 +37,22 @@ class BareProjectSpec : FunSpec({
     test("the same jar does it with Jason 3.3.0 on Java 21 or newer").config(enabledOrReasonIf = recentJava) {
         stopsTheRobot(newestJava(), Path.of(System.getProperty("newest.jason.jar")))
     }
+
+    test("a drive that was recorded with Jason 3.3.0 is replayed with it").config(enabledOrReasonIf = recentJava) {
+        val jason = Path.of(System.getProperty("newest.jason.jar"))
+        stopsTheRobot(newestJava(), jason, "[argo_record=\"drive.mcap\"] ") { project ->
+            val replay = ProcessBuilder(newestJava().program, "-cp", classPath(jason), "argo.tools.MainKt", "replay", "drive.mcap")
+                .directory(project.toFile()).redirectErrorStream(true).start()
+            replay.inputReader().readText() shouldContain "identical: the same events"
+        }
+    }
 })
 
-private fun stopsTheRobot(java: InstalledJava, jason: Path) = PseudoTerminals.open().use { line ->
-    val project = project(line.computer())
+/** Runs the agent with [options] until it has stopped its robot, and then [examine] with its folder. */
+private fun stopsTheRobot(
+    java: InstalledJava, jason: Path, options: String = "", examine: (project: Path) -> Unit = {},
+) = PseudoTerminals.open().use { line ->
+    val project = project(line.computer(), options)
     val log = project.resolve("log").toFile()
     WallBoard(line.board()).use { board ->
         val process = ProcessBuilder(java.program, "-cp", classPath(jason), "jason.infra.local.RunLocalMAS", "bare.mas2j", "--no-net")
@@ -53,6 +66,7 @@ private fun stopsTheRobot(java: InstalledJava, jason: Path) = PseudoTerminals.op
             process.waitFor(10, TimeUnit.SECONDS)
         }
     }
+    io.kotest.assertions.withClue({ log.readText() }) { examine(project) }
     project.toFile().deleteRecursively()
 }
 
@@ -64,10 +78,10 @@ private fun classPath(jason: Path): String {
 
 internal fun jarOf(type: Class<*>): Path = Path.of(type.protectionDomain.codeSource.location.toURI())
 
-private fun project(port: File): Path {
+private fun project(port: File, options: String): Path {
     val project = createTempDirectory("bare-project")
     fun file(name: String, text: String) = project.resolve(name).writeText(text)
-    file("bare.mas2j", "MAS bare {\n    agents: robot agentArchClass argo.Arch;\n}\n")
+    file("bare.mas2j", "MAS bare {\n    agents: robot ${options}agentArchClass argo.Arch;\n}\n")
     file("robot.asl", publishedAgent(port))
     file(
         "byValue.xml",

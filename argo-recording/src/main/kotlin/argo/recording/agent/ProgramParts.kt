@@ -1,9 +1,9 @@
 package argo.recording.agent
 
+import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSyntax.Plan
 import jason.asSyntax.PlanBody
-import jason.asSyntax.PlanLibrary
 import jason.asSyntax.Rule
 import java.util.IdentityHashMap
 
@@ -16,25 +16,25 @@ internal class ProgramParts(val agent: Agent) {
     private val parts = ArrayList<Any>()
 
     /** The plans as the program has them. */
-    val plans: List<Plan> = agent.pl.plans.toList()
+    val plans: List<Plan> = Plans.of(agent).all.toList()
 
     /** The rules as the program has them. */
     val rules: List<Rule> = agent.bb.filterIsInstance<Rule>()
 
     init {
-        visit(agent.pl)
+        visit(Plans.of(agent))
         rules.forEach(::note)
     }
 
     /** How many parts there are. */
     val size: Int get() = parts.size
 
-    private fun visit(library: PlanLibrary) {
-        note(library)
-        for (plan in library.plans) {
+    private fun visit(plans: Plans) {
+        note(plans.library)
+        for (plan in plans.all) {
             note(plan)
             generateSequence(plan.body) { it.bodyNext }.forEach(::note)
-            plan.subPlans?.let(::visit)
+            Plans.within(plan)?.let(::visit)
         }
     }
 
@@ -49,10 +49,10 @@ internal class ProgramParts(val agent: Agent) {
     fun part(number: Int): Any = parts[number]
 
     /** Whether the plans of the agent are those of the program. */
-    fun hasPlans(): Boolean = agent.pl.plans.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] } }
+    fun hasPlans(): Boolean = Plans.of(agent).all.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] } }
 
     companion object {
         /** Whether objects like [one] may be parts of a program. */
-        fun mayBePart(one: Any): Boolean = one is Plan || one is PlanBody || one is PlanLibrary || one is Rule
+        fun mayBePart(one: Any): Boolean = one is Plan || one is PlanBody || Plans.isLibrary(one) || one is Rule
     }
 }

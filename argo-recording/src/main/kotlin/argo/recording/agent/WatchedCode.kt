@@ -1,6 +1,7 @@
 package argo.recording.agent
 
 import argo.boundary.InternalCall
+import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
 import jason.asSemantics.InternalAction
@@ -60,7 +61,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
     /** Watches all plans and rules that the agent has now, and actions that it looks up later. */
     fun begin() {
-        ts.ag.pl.plans.forEach(::visit)
+        Plans.of(ts.ag).all.forEach(::visit)
         ts.ag.bb.filterIsInstance<Rule>().forEach { visit(it.body) }
         INPUTS.filter { it != RANDOM }.forEach { name -> ts.ag.setIA("jason.stdlib$name", watched(name, ts.ag.getIA(name))) }
     }
@@ -86,7 +87,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         if (!seen.add(plan)) return
         plan.context?.let { visit(it as Any) }
         visit(plan.body as Any?)
-        plan.subPlans?.plans?.forEach(::visit)
+        Plans.within(plan)?.all?.forEach(::visit)
     }
 
     private fun visit(term: Any?) {

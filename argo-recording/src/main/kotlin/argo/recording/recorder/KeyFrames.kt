@@ -1,5 +1,6 @@
 package argo.recording.recorder
 
+import argo.platform.Plans
 import argo.recording.Cycle
 import argo.recording.FilterChange
 import argo.recording.KeyFrame
@@ -168,7 +169,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             Insides.isAtomicSuspended.getBoolean(c), LinkedHashMap(c.pendingIntentions), LinkedHashMap(c.pendingEvents),
             Insides.goalConditions.getInt(c), c.selectedEvent, c.selectedOption?.plan, c.selectedIntention, ArrayList(waits),
             ArrayList(intentions), intentions.mapTo(ArrayList()) { course.numberOf(it) ?: 0 },
-            if (program.hasPlans()) null else ArrayList(ts.ag.pl.plans),
+            if (program.hasPlans()) null else ArrayList(Plans.of(ts.ag).all),
         )
     }
 

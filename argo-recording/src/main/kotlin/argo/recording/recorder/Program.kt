@@ -1,6 +1,7 @@
 package argo.recording.recorder
 
 import argo.Arch
+import argo.platform.Plans
 import argo.recording.FORMAT
 import argo.recording.agentMetadata
 import argo.recording.programName
@@ -59,7 +60,7 @@ private fun RecordSink.attach(name: String, file: Path) {
 
 /** The files that the agent's program has been read from. */
 private fun sources(ts: TransitionSystem): List<Path> {
-    val names = ts.ag.pl.plans.map { it.sourceFile } + ts.ag.bb.filterIsInstance<Rule>().map { it.srcInfo?.srcFile } + ts.ag.aslSrc
+    val names = Plans.of(ts.ag).all.map { it.sourceFile } + ts.ag.bb.filterIsInstance<Rule>().map { it.srcInfo?.srcFile } + ts.ag.aslSrc
     return names.mapNotNull(::fileOf).distinct().filter(Files::isRegularFile)
 }
 

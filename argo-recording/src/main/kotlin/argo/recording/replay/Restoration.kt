@@ -1,5 +1,6 @@
 package argo.recording.replay
 
+import argo.platform.Plans
 import argo.recording.KeyFrame
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
@@ -97,10 +98,7 @@ internal class Restoration(
     }
 
     private fun intend(mind: Mind): Map<Int, Callable<*>> {
-        if (isProgram && mind.plans != null) with(ts.ag.pl) {
-            clear()
-            mind.plans.forEach(::add)
-        }
+        if (isProgram && mind.plans != null) Plans.of(ts.ag).replaceBy(mind.plans)
         val c = ts.c
         val others = c.listeners.toList()
         val timers = HashMap<Int, Callable<*>>()

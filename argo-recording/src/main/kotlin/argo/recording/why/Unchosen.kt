@@ -1,5 +1,6 @@
 package argo.recording.why
 
+import argo.platform.Plans
 import argo.recording.replay.normal
 import jason.asSemantics.Event
 import jason.asSemantics.Unifier
@@ -109,7 +110,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         return found
     }
 
-    private fun plansOf(trace: Trace) = trace.ts.ag.pl.plans.filter { it.sourceFile?.endsWith("kqmlPlans.asl") != true }
+    private fun plansOf(trace: Trace) = Plans.of(trace.ts.ag).all.filter { it.sourceFile?.endsWith("kqmlPlans.asl") != true }
 
     private fun stepOf(plan: Plan): PlanBody? = steps(plan.body).firstOrNull { step ->
         val term = step.bodyTerm

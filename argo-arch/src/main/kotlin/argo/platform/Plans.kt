@@ -1,0 +1,58 @@
+package argo.platform
+
+import jason.asSemantics.Agent
+import jason.asSyntax.Plan
+import jason.asSyntax.Trigger
+import java.lang.reflect.InvocationTargetException
+import java.lang.reflect.Method
+
+/**
+ * A library of plans of Jason's.
+ *
+ * Jason 3.3.0 has its class in another package than 3.2.1, and a program is compiled with one of them. What both have is called by name
+ * here; nothing else may name the class. For the agent's thread.
+ *
+ * @property library Jason's own object
+ */
+class Plans private constructor(val library: Any) {
+    /** The plans, in their order. */
+    @Suppress("UNCHECKED_CAST")
+    val all: List<Plan> get() = call(ALL, library) as List<Plan>
+
+    /** Whether a plan may be relevant to an event with [trigger]. */
+    fun hasCandidate(trigger: Trigger): Boolean = call(HAS_CANDIDATE, library, trigger) as Boolean
+
+    /**
+     * Has [plans] in the place of all others.
+     * @throws jason.JasonException if one of them cannot be added
+     */
+    fun replaceBy(plans: List<Plan>) {
+        call(CLEAR, library)
+        plans.forEach { call(ADD, library, it) }
+    }
+
+    companion object {
+        private val OF_AGENT: Method = Agent::class.java.getMethod("getPL")
+        private val OF_PLAN: Method = Plan::class.java.getMethod("getSubPlans")
+        private val TYPE: Class<*> = OF_AGENT.returnType
+        private val ALL = TYPE.getMethod("getPlans")
+        private val HAS_CANDIDATE = TYPE.getMethod("hasCandidatePlan", Trigger::class.java)
+        private val CLEAR = TYPE.getMethod("clear")
+        private val ADD = TYPE.getMethod("add", Plan::class.java)
+
+        /** The plans of [agent]. */
+        fun of(agent: Agent): Plans = Plans(checkNotNull(call(OF_AGENT, agent)))
+
+        /** The plans within [plan]; null: it has none. */
+        fun within(plan: Plan): Plans? = call(OF_PLAN, plan)?.let(::Plans)
+
+        /** Whether [one] is a library of plans. */
+        fun isLibrary(one: Any): Boolean = TYPE.isInstance(one)
+
+        private fun call(method: Method, on: Any, vararg arguments: Any): Any? = try {
+            method.invoke(on, *arguments)
+        } catch (failed: InvocationTargetException) {
+            throw failed.targetException
+        }
+    }
+}
