@@ -47,11 +47,11 @@ internal class CommandRecord {
     private fun folded(commands: List<CommandState>): List<CommandState> = commands.fold(emptyList()) { folded, next ->
         val last = folded.lastOrNull()
         if (last == null || last.text != next.text || last.port != next.port || last.state != next.state) folded + next
-        else folded.dropLast(1) + last.copy(times = last.times + 1)
+        else folded.dropLast(1) + last.copy(times = last.times + 1, last = next.number)
     }
 
     private fun IssuedCommand.state(now: Long, state: String) =
-        CommandState(number, port, shown(text), 1, state, ms(now - issuedNanos), tookMs = null, error = null)
+        CommandState(number, port, shown(text), 1, state, ms(now - issuedNanos), tookMs = null, error = null, last = number)
 
     private class Ended(private var command: IssuedCommand, private var nanos: Long, private val failure: CommandFailure?) {
         private val first = command.number
@@ -68,7 +68,7 @@ internal class CommandRecord {
 
         fun state(now: Long) = CommandState(
             first, command.port, shown(command.text), times, if (failure == null) "done" else "failed", ms(now - command.issuedNanos),
-            ms(nanos - command.issuedNanos), failure?.let { shown("${it.error}: ${it.cause}") },
+            ms(nanos - command.issuedNanos), failure?.let { shown("${it.error}: ${it.cause}") }, command.number,
         )
     }
 

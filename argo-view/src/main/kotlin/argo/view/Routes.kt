@@ -29,8 +29,11 @@ internal class Routes(private val agent: ObservedAgent) {
         "/command" to Route("POST") { request -> request.read<CommandRequest> { act(it.command) } },
     )
 
+    private val lanes: AgentLanes? by lazy { AgentLanesProvider.find()?.open(agent.name) }
+
     /** The response to [request]. */
     fun respond(request: Request): HttpResponse {
+        if (request.method == "GET") lanes?.respond(request.path, request.query)?.let { return it }
         val route = routes[request.path] ?: return HttpResponse.message(404, "there is nothing at ${shown(request.path)}")
         return if (request.method == route.method) route.respond(request) else HttpResponse.wrongMethod(route.method)
     }

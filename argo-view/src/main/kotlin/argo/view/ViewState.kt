@@ -173,6 +173,7 @@ internal data class CommandsState(val waiting: Int, val unfinished: List<Command
  * @property ageMs how long ago it was issued
  * @property tookMs how long it took from then until it was done or had failed
  * @property error why it failed
+ * @property last the agent's number of the last of them
  */
 @Serializable
 internal data class CommandState(
@@ -184,6 +185,7 @@ internal data class CommandState(
     val ageMs: Long,
     val tookMs: Long?,
     val error: String?,
+    val last: Long,
 )
 
 /** How often things happen, by the second. */

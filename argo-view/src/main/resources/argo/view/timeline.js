@@ -1,5 +1,6 @@
 'use strict';
-// The timeline of a recording. The server sends what is seen; of lanes with too many items for the screen it sends heaps.
+// The timeline of a recording, or of the last minutes of an agent that runs. The server sends what
+// is seen; of lanes with too many items for the screen it sends heaps.
 
 const $ = id => document.getElementById(id);
 const LANES = ['LINE', 'PERCEPTS', 'EVENTS', 'INTENTIONS', 'COMMANDS', 'PRINTED'];
@@ -10,6 +11,7 @@ const AXIS = 24;
 const PIXELS_EACH = 3;     // an item takes at least so many of the width, or it is in a heap
 const NEAR = 14;           // pixels from an item at which a click still chooses it
 const LEAST_SPAN = 0.002;  // seconds
+const NEAR_COMMAND = 1;    // seconds that are seen on both sides of a command that is asked about
 
 const canvas = $('lanes');
 let recording = null;
@@ -41,19 +43,24 @@ async function load() {
       number = asked;
       const margin = (until - from) / 4;
       const most = Math.max(20, Math.floor(canvas.clientWidth * 1.5 / PIXELS_EACH));
-      parts = await get(`items?from=${from - margin}&until=${until + margin}&most=${most}`);
+      parts = await get(`items?from=${from - margin}&until=${until + margin}&most=${most}${ofNumber()}`);
       draw();
     }
   } catch (trouble) {
-    shownProblem(`The recording is not served any more: ${trouble.message}`);
+    shownProblem(recording.number ? trouble.message : `The recording is not served any more: ${trouble.message}`);
   } finally {
     waiting = false;
   }
 }
 
-async function choose(id, beside) {
+/** Which timeline is meant, since that of an agent that runs is taken anew. */
+const ofNumber = () => `&of=${recording.number}`;
+
+const choose = (id, beside) => chooseBy(`id=${id}${beside ? `&beside=${beside}` : ''}`);
+
+async function chooseBy(which) {
   try {
-    chosen = await get(`item?id=${id}${beside ? `&beside=${beside}` : ''}`);
+    chosen = await get(`item?${which}${ofNumber()}`);
   } catch (trouble) {
     return shownProblem(trouble.message);
   }
@@ -328,10 +335,38 @@ $('after').addEventListener('click', () => beside('after'));
 new ResizeObserver(() => { if (recording) { draw(); load(); } }).observe(canvas.parentElement);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
 
-get('recording').then(contents => {
-  recording = contents;
-  document.title = `${contents.name} – ARGO`;
-  $('name').textContent = contents.name;
-  shownProblem(contents.problems.join('\n'));
+/** The number of the command that the address asks about, of an agent that runs; null: none. */
+const askedCommand = () => /^#command=(\d+)$/.exec(location.hash)?.[1];
+
+/** Chooses the command that is asked about, so that its causes are listed. */
+async function chooseAsked() {
+  const number = askedCommand();
+  if (!number) return;
+  shownProblem('');
+  await chooseBy(`command=${number}`);
+  if (!chosen) return shownProblem('This command is not in the recording of the last minutes.');
+  see(chosen.item.from - NEAR_COMMAND, (chosen.item.until ?? chosen.item.from) + NEAR_COMMAND);
+}
+
+/** Takes the recording, or what there is of it by now. */
+async function open() {
+  $('now').disabled = true;
+  try {
+    recording = await get('recording');
+  } catch (trouble) {
+    return shownProblem(`There is nothing to show: ${trouble.message}`);
+  } finally {
+    $('now').disabled = false;
+  }
+  document.title = `${recording.name} – ARGO`;
+  $('name').textContent = recording.name;
+  $('now').hidden = $('back').hidden = !recording.number;
+  shownProblem(recording.problems.join('\n'));
+  forget();
   seeAll();
-}).catch(trouble => shownProblem(`The recording is not served: ${trouble.message}`));
+}
+
+$('now').addEventListener('click', open);
+const openAsked = () => open().then(() => { if (recording) return chooseAsked(); });
+addEventListener('hashchange', openAsked);
+openAsked();

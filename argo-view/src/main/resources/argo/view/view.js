@@ -239,12 +239,24 @@ function showBeliefs(shown) {
   ), shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
 }
 
+/** A row that leads to what the command came of. */
+function commandRow() {
+  const made = row();
+  const why = element('a', 'why');
+  why.title = 'Shows what this command came of, if the agent is recorded';
+  text(why, 'why');
+  made.append(why);
+  return made;
+}
+
 function showCommands(shown, since) {
   const { waiting, unfinished, finished } = shown.commands;
   text($('commands-count'), waiting ? `${waiting} not out yet` : '');
   text($('commands-words'), waiting > unfinished.length ? `${waiting - unfinished.length} more wait and are not shown.` : '');
   const ports = new Set(shown.ports.map(port => port.name)).size;
-  rows($('commands'), [...unfinished, ...finished], command => String(command.number), () => row(), (line, command) => {
+  rows($('commands'), [...unfinished, ...finished], command => String(command.number), commandRow, (line, command) => {
+    line.children[4].href = `timeline#command=${command.last}`;
+    line.children[4].setAttribute('aria-label', `why ${command.text}`);
     const [words, kind] = STATES[command.state] || [command.state, ''];
     fill(line, command.text + times(command.times), command.tookMs === null ? words : `${words} in ${age(command.tookMs)}`, kind,
       age(command.ageMs + since), joined(ports > 1 && command.port, command.error));

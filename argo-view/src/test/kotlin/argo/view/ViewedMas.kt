@@ -39,10 +39,10 @@ internal class ViewedMas : AutoCloseable {
     /** What has been logged so far, one message a line. */
     val log: String get() = records.joinToString("\n") { it.message.orEmpty() }
 
-    /** Starts an agent with [program] whose option `argo_view` is [view]. */
-    fun agent(name: String, program: String, view: String = "0") {
+    /** Starts an agent with [program] whose option `argo_view` is [view], with other [options]. */
+    fun agent(name: String, program: String, view: String = "0", options: Map<String, String> = emptyMap()) {
         val source = directory.resolve("${name.replace(Regex("\\W"), "_")}.asl").apply { writeText(program) }
-        val settings = Settings().apply { setOptions(hashMapOf<String, Any>("argo_view" to view)) }
+        val settings = Settings().apply { setOptions(HashMap<String, Any>(options + ("argo_view" to view))) }
         val services = RuntimeServicesFactory.get()
         services.startAgent(services.createAgent(name, source.toString(), null, listOf("argo.Arch"), null, settings, null))
     }

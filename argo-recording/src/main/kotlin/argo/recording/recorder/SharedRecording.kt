@@ -4,6 +4,7 @@ import argo.recording.storage.RecordSink
 import argo.recording.storage.RecordingFile
 import argo.recording.storage.RecordingRing
 import java.io.IOException
+import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
 import java.time.LocalDateTime
@@ -26,6 +27,21 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
                 log.warning("the last minutes cannot be written to $file: $trouble")
             }
         }, "argo-save-recording").apply { isDaemon = true }.start()
+    }
+
+    /** Calls [use] with a file of all that has been recorded. Waits for the disk. */
+    fun <T> read(use: (Path) -> T): T {
+        if (sink is RecordingFile) {
+            sink.flush()
+            return use(sink.path)
+        }
+        val file = Files.createTempFile("argo-recording", ".mcap")
+        try {
+            (sink as RecordingRing).save(file)
+            return use(file)
+        } finally {
+            Files.deleteIfExists(file)
+        }
     }
 
     /** An agent ends; the last one closes the recording. */

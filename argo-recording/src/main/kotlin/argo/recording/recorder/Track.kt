@@ -4,17 +4,24 @@ import argo.recording.CommandEnd
 import argo.recording.Cycle
 import argo.recording.KeyFrame
 import argo.recording.Mark
+import argo.recording.RunningRecording
+import argo.recording.RunningRecordings
 import argo.recording.jsonSchema
 import argo.recording.lean
 import argo.recording.storage.RecordChannel
 import argo.recording.storage.RecordSink
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.json.Json
+import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
 /** What [recording] holds of one agent, called [agent]. Any thread may call; texts are made by the thread that stores them. */
-internal class Track(private val agent: String, private val recording: SharedRecording, private val nanos: () -> Long) {
+internal class Track(
+    override val agent: String,
+    private val recording: SharedRecording,
+    private val nanos: () -> Long,
+) : RunningRecording {
     private val sink: RecordSink = recording.sink
     private val cycles = channel("cycle", "argo.Cycle", Cycle.serializer())
     private val keyFrames = channel("keyframe", "argo.KeyFrame", KeyFrame.serializer())
@@ -22,6 +29,12 @@ internal class Track(private val agent: String, private val recording: SharedRec
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()
+
+    init {
+        RunningRecordings.add(this)
+    }
+
+    override fun <T> read(use: (Path) -> T): T = recording.read(use)
 
     private fun channel(name: String, schema: String, serializer: KSerializer<*>) =
         sink.channel("/$agent/$name", schema, jsonSchema(serializer.descriptor))
@@ -46,7 +59,9 @@ internal class Track(private val agent: String, private val recording: SharedRec
 
     /** The agent ends. May be called twice. */
     fun close() {
-        if (!isClosed.getAndSet(true)) recording.leave()
+        if (isClosed.getAndSet(true)) return
+        RunningRecordings.remove(this)
+        recording.leave()
     }
 
     private fun store(channel: RecordChannel, ns: Long, bytes: Int, encode: () -> ByteArray) {

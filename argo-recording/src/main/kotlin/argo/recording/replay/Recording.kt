@@ -12,6 +12,7 @@ import kotlinx.serialization.KSerializer
 import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.file.Path
+import java.time.Duration
 
 /**
  * A recording of agents. For one thread.
@@ -56,11 +57,12 @@ class Recording(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** The cycles of [agent], in their order. */
-    fun cycles(agent: String): Sequence<Cycle> = messages("/$agent/cycle", Cycle.serializer()).map(Cycle::whole)
+    /** The cycles of [agent], in their order; only those of the [last] time of the recording if that is given. */
+    fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
+        messages("/$agent/cycle", Cycle.serializer(), last).map(Cycle::whole)
 
     /** The places at which a replay of [agent] may begin, and those at which none could be made, in their order. */
-    fun keyFrames(agent: String): Sequence<KeyFrame> = messages("/$agent/keyframe", KeyFrame.serializer())
+    fun keyFrames(agent: String): Sequence<KeyFrame> = messages("/$agent/keyframe", KeyFrame.serializer(), last = null)
 
     /**
      * Where a replay of [agent] begins: its first key frame, if its beginning is missing; null: with its first cycle, or it has none to
@@ -100,11 +102,14 @@ class Recording(private val file: Path) : AutoCloseable {
             }
     }
 
-    /** What became of the commands of [agent], in the order in which that was known. */
-    fun commandEnds(agent: String): Sequence<CommandEnd> = messages("/$agent/command", CommandEnd.serializer())
+    /** What became of the commands of [agent], in the order in which that was known; only in the [last] time if that is given. */
+    fun commandEnds(agent: String, last: Duration? = null): Sequence<CommandEnd> =
+        messages("/$agent/command", CommandEnd.serializer(), last)
 
-    private fun <T> messages(topic: String, serializer: KSerializer<T>): Sequence<T> =
-        reader.messages(topics = setOf(topic)).map { JSON.decodeFromString(serializer, it.data.decodeToString()) }
+    private fun <T> messages(topic: String, serializer: KSerializer<T>, last: Duration?): Sequence<T> {
+        val from = last?.let { (reader.times?.last ?: 0) - it.toNanos() } ?: 0
+        return reader.messages(from, topics = setOf(topic)).map { JSON.decodeFromString(serializer, it.data.decodeToString()) }
+    }
 
     private fun agentOf(name: String, values: Map<String, String>): RecordedAgent {
         fun value(key: String) = values[key] ?: throw RecordingException("$file does not hold the $key of agent $name")

@@ -107,16 +107,16 @@ internal class AgentItems(
         }
         val detail = listOf("to ${sent.port}", outcome, "cycle ${cycle.number}")
         val isBad = end?.failure != null
-        val id = add(cycle.ns, Lane.COMMANDS, sent.text, detail, isBad, listOfNotNull(step), end?.ns)
+        val id = add(cycle.ns, Lane.COMMANDS, sent.text, detail, isBad, listOfNotNull(step), end?.ns, sent.number)
         if (end == null || isBad) return
         add(end.ns, Lane.LINE, "${sent.text} to ${sent.port}", listOf("the command had left, or the board had acted"), causes = listOf(id))
     }
 
     private fun add(
         ns: Long, lane: Lane, text: String, detail: List<String> = emptyList(), isBad: Boolean = false, causes: List<Int> = emptyList(),
-        untilNs: Long? = null,
+        untilNs: Long? = null, command: Long? = null,
     ): Int {
-        items += Item(items.size, agent, lane, seconds(ns), untilNs?.let(::seconds), text, detail, isBad, causes)
+        items += Item(items.size, agent, lane, seconds(ns), untilNs?.let(::seconds), text, detail, isBad, causes, command)
         return items.lastIndex
     }
 

@@ -34,6 +34,7 @@ internal enum class Lane {
  * @property detail more of it, a line for each thing
  * @property isBad whether it is a failure
  * @property causes the ids of what it came of
+ * @property command which of the agent's commands it is, counted from 1; null: it is none
  */
 @Serializable
 internal class Item(
@@ -46,4 +47,5 @@ internal class Item(
     val detail: List<String> = emptyList(),
     val isBad: Boolean = false,
     val causes: List<Int> = emptyList(),
+    val command: Long? = null,
 )

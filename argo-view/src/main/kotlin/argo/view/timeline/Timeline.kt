@@ -2,6 +2,7 @@ package argo.view.timeline
 
 import argo.recording.replay.Recording
 import kotlinx.serialization.Serializable
+import java.time.Duration
 
 /** What the page draws of a lane between two times: [items], or in their place [heaps] if they are too many. */
 @Serializable
@@ -53,6 +54,12 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         return Related(item, reached(id, most) { items[it].causes }, reached(id, most) { effects[it].orEmpty() })
     }
 
+    /** The id of the command of [agent] that it counted as [number]; null: it is not here. */
+    fun command(agent: String, number: Long): Int? {
+        val place = agents.indexOf(agent)
+        return lanes[place to Lane.COMMANDS]?.find { it.command == number }?.id
+    }
+
     /** The item before or after [id] in its lane; [id] itself if there is none. */
     fun beside(id: Int, isAfter: Boolean): Int? {
         val item = items.getOrNull(id) ?: return null
@@ -75,16 +82,16 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
 
     companion object {
         /**
-         * Reads [recording].
+         * Reads [recording], or only the [last] time of it if that is given.
          * @throws IllegalArgumentException if a message in it cannot be read
          */
-        fun of(recording: Recording): Timeline {
+        fun of(recording: Recording, last: Duration? = null): Timeline {
             val agents = recording.agents.keys.sorted()
-            val zeroNs = agents.mapNotNull { recording.cycles(it).firstOrNull()?.ns }.minOrNull() ?: 0
+            val zeroNs = agents.mapNotNull { recording.cycles(it, last).firstOrNull()?.ns }.minOrNull() ?: 0
             val items = ArrayList<Item>()
             agents.forEachIndexed { place, agent ->
-                val made = AgentItems(place, zeroNs, items, recording.commandEnds(agent).associateBy { it.number })
-                recording.cycles(agent).forEach(made::add)
+                val made = AgentItems(place, zeroNs, items, recording.commandEnds(agent, last).associateBy { it.number })
+                recording.cycles(agent, last).forEach(made::add)
             }
             return Timeline(agents, items.maxOfOrNull { it.until ?: it.from } ?: 0.0, items)
         }

@@ -2,14 +2,9 @@ package argo.view.timeline
 
 import argo.view.HttpResponse
 import argo.view.RequestGate
-import argo.view.Site
 import argo.view.begin
 import com.sun.net.httpserver.HttpExchange
 import com.sun.net.httpserver.HttpServer
-import kotlinx.serialization.KSerializer
-import kotlinx.serialization.Serializable
-import kotlinx.serialization.builtins.ListSerializer
-import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.net.InetAddress
 import java.net.InetSocketAddress
@@ -25,11 +20,12 @@ import java.util.concurrent.Executors
  * @throws IOException if the port cannot be had
  */
 internal class TimelineServer(
-    private val timeline: Timeline,
-    private val name: String,
-    private val problems: List<String>,
+    timeline: Timeline,
+    name: String,
+    problems: List<String>,
     port: Int,
 ) : AutoCloseable {
+    private val routes = TimelineRoutes(timeline, name, problems)
     private val threads = Executors.newFixedThreadPool(THREADS) { work -> Thread(work, "argo-timeline").apply { isDaemon = true } }
     private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), port), 0)
 
@@ -49,50 +45,11 @@ internal class TimelineServer(
         val response = when {
             refusal != null -> HttpResponse.message(403, refusal)
             requestMethod != "GET" -> HttpResponse.wrongMethod("GET")
-            else -> responseTo(path, parametersOf(requestURI.query.orEmpty()))
+            else -> routes.respond(path, parametersOf(requestURI.query))
         }
         begin(response.status, response.type, response.body.size.toLong())
         responseBody.use { it.write(response.body) }
     }
-
-    private fun responseTo(path: String, parameters: Map<String, String>): HttpResponse = when (path) {
-        "/" -> Site.file("timeline.html", "text/html")
-        "/view.css" -> Site.file("view.css", "text/css")
-        "/timeline.css" -> Site.file("timeline.css", "text/css")
-        "/timeline.js" -> Site.file("timeline.js", "text/javascript")
-        "/recording" -> json(Contents.serializer(), Contents(name, timeline.agents, timeline.seconds, timeline.items.size, problems))
-        "/items" -> items(parameters)
-        "/item" -> item(parameters)
-        else -> HttpResponse.message(404, "there is nothing here; the timeline is at /")
-    }
-
-    private fun items(parameters: Map<String, String>): HttpResponse {
-        val from = parameters["from"]?.toDoubleOrNull()?.takeIf { it.isFinite() }
-        val until = parameters["until"]?.toDoubleOrNull()?.takeIf { it.isFinite() }
-        if (from == null || until == null || until <= from) {
-            return HttpResponse.message(400, "from and until are seconds, as in /items?from=0&until=10")
-        }
-        val most = parameters["most"]?.toIntOrNull()?.coerceIn(1, MOST_ITEMS) ?: MOST_ITEMS
-        return json(ListSerializer(LanePart.serializer()), timeline.between(from, until, most))
-    }
-
-    /** The item `id`, or that before or after it, with what it is linked with. */
-    private fun item(parameters: Map<String, String>): HttpResponse {
-        val id = parameters["id"]?.toIntOrNull()
-        val wanted = when (parameters["beside"]) {
-            null -> id
-            "after" -> id?.let { timeline.beside(it, isAfter = true) }
-            else -> id?.let { timeline.beside(it, isAfter = false) }
-        }
-        val related = wanted?.let { timeline.related(it, MOST_RELATED) } ?: return HttpResponse.message(404, "there is no such item")
-        return json(Related.serializer(), related)
-    }
-
-    private fun <T> json(serializer: KSerializer<T>, value: T) =
-        HttpResponse(200, HttpResponse.JSON, Json.encodeToString(serializer, value).toByteArray())
-
-    private fun parametersOf(query: String) =
-        query.split('&').filter { '=' in it }.associate { it.substringBefore('=') to it.substringAfter('=') }
 
     /** Serves the exchange with [handle], and drops the connection of a browser that has gone. */
     private fun HttpExchange.use(handle: (HttpExchange) -> Unit) {
@@ -111,12 +68,7 @@ internal class TimelineServer(
         threads.shutdownNow()
     }
 
-    @Serializable
-    private class Contents(val name: String, val agents: List<String>, val seconds: Double, val items: Int, val problems: List<String>)
-
     private companion object {
         const val THREADS = 4
-        const val MOST_ITEMS = 2_000
-        const val MOST_RELATED = 300
     }
 }

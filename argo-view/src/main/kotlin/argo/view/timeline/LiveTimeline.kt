@@ -1,0 +1,64 @@
+package argo.view.timeline
+
+import argo.recording.RunningRecordings
+import argo.recording.replay.Recording
+import argo.view.AgentLanes
+import argo.view.AgentLanesProvider
+import argo.view.HttpResponse
+import java.io.IOException
+import java.time.Duration
+
+/**
+ * The timeline of the last minutes of [agent], which runs: what its recording has at the moment in which the page is opened or asks anew.
+ * The newest one is kept, and nothing is done for it while no page asks.
+ */
+internal class LiveTimeline(private val agent: String) : AgentLanes {
+    private var number = 0
+
+    @Volatile
+    private var newest: TimelineRoutes? = null
+
+    override fun respond(path: String, query: String?): HttpResponse? = when (path) {
+        "/timeline" -> TimelineRoutes.page()
+        "/recording" -> taken()
+        "/items", "/item" -> part(path, parametersOf(query))
+        else -> TimelineRoutes.file(path)
+    }
+
+    private fun part(path: String, parameters: Map<String, String>): HttpResponse {
+        val routes = newest?.takeIf { "${it.number}" == parameters["of"] }
+        return routes?.respond(path, parameters) ?: HttpResponse.message(409, "the lanes are older than those of another page; press Now")
+    }
+
+    /** Takes what is recorded now; one page at a time, so that many together cost no more memory. */
+    @Synchronized
+    private fun taken(): HttpResponse {
+        val recording = try {
+            RunningRecordings.of(agent) ?: return HttpResponse.message(404, "agent $agent is not recorded; $REMEDY")
+        } catch (_: NoClassDefFoundError) {
+            return HttpResponse.message(404, "the library argo-recording is not on the class path; argo.jar has it")
+        }
+        return try {
+            val timeline = recording.read { file -> Recording(file).use { Timeline.of(it, LAST) } }
+            TimelineRoutes(timeline, agent, emptyList(), ++number).also { newest = it }.respond("/recording", emptyMap())
+        } catch (unreadable: IOException) {
+            unreadable(unreadable)
+        } catch (unreadable: IllegalArgumentException) { // a message
+            unreadable(unreadable)
+        }
+    }
+
+    private fun unreadable(trouble: Exception) =
+        HttpResponse.message(500, "what is recorded of agent $agent cannot be read: ${trouble.message ?: trouble}")
+
+    private companion object {
+        /** Longer is for the recording itself: it would take the robot's computer time and memory. */
+        val LAST: Duration = Duration.ofMinutes(2)
+        const val REMEDY = "write argo_record=\"last(5)\" beside argo_view in the .mas2j, which keeps the last five minutes in memory"
+    }
+}
+
+/** Adds the timeline to the live view. */
+internal class LiveTimelineProvider : AgentLanesProvider {
+    override fun open(agent: String): AgentLanes = LiveTimeline(agent)
+}

@@ -1,0 +1,84 @@
+package argo.view.timeline
+
+import argo.view.HttpResponse
+import argo.view.Site
+import kotlinx.serialization.KSerializer
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.builtins.ListSerializer
+import kotlinx.serialization.json.Json
+
+/**
+ * Responds to what the page of [timeline] asks for.
+ *
+ * @param name of the recording, or of the agent that runs
+ * @param problems what of the recording cannot be read
+ * @property number of the timeline among those of an agent that runs; 0: it is of a file
+ */
+internal class TimelineRoutes(
+    private val timeline: Timeline,
+    private val name: String,
+    problems: List<String>,
+    val number: Int = 0,
+) {
+    private val contents = Contents(name, timeline.agents, timeline.seconds, timeline.items.size, problems, number)
+
+    /** The response to a request for [path]. */
+    fun respond(path: String, parameters: Map<String, String>): HttpResponse = when (path) {
+        "/" -> page()
+        "/recording" -> json(Contents.serializer(), contents)
+        "/items" -> items(parameters)
+        "/item" -> item(parameters)
+        else -> file(path) ?: HttpResponse.message(404, "there is nothing here; the timeline is at /")
+    }
+
+    private fun items(parameters: Map<String, String>): HttpResponse {
+        val from = parameters["from"]?.toDoubleOrNull()?.takeIf { it.isFinite() }
+        val until = parameters["until"]?.toDoubleOrNull()?.takeIf { it.isFinite() }
+        if (from == null || until == null || until <= from) {
+            return HttpResponse.message(400, "from and until are seconds, as in /items?from=0&until=10")
+        }
+        val most = parameters["most"]?.toIntOrNull()?.coerceIn(1, MOST_ITEMS) ?: MOST_ITEMS
+        return json(ListSerializer(LanePart.serializer()), timeline.between(from, until, most))
+    }
+
+    /** The item `id`, or that before or after it, with what it is linked with. */
+    private fun item(parameters: Map<String, String>): HttpResponse {
+        val command = parameters["command"]?.toLongOrNull()
+        val id = if (command == null) parameters["id"]?.toIntOrNull() else timeline.command(name, command)
+        val wanted = when (parameters["beside"]) {
+            null -> id
+            "after" -> id?.let { timeline.beside(it, isAfter = true) }
+            else -> id?.let { timeline.beside(it, isAfter = false) }
+        }
+        val related = wanted?.let { timeline.related(it, MOST_RELATED) } ?: return HttpResponse.message(404, "there is no such item")
+        return json(Related.serializer(), related)
+    }
+
+    private fun <T> json(serializer: KSerializer<T>, value: T) =
+        HttpResponse(200, HttpResponse.JSON, Json.encodeToString(serializer, value).toByteArray())
+
+    @Serializable
+    private class Contents(
+        val name: String, val agents: List<String>, val seconds: Double, val items: Int, val problems: List<String>, val number: Int,
+    )
+
+    companion object {
+        private const val MOST_ITEMS = 2_000
+        private const val MOST_RELATED = 300
+
+        /** The page itself. */
+        fun page(): HttpResponse = Site.file("timeline.html", "text/html")
+
+        /** What the page loads from [path]; null: that is no file of it. */
+        fun file(path: String): HttpResponse? = when (path) {
+            "/view.css" -> Site.file("view.css", "text/css")
+            "/timeline.css" -> Site.file("timeline.css", "text/css")
+            "/timeline.js" -> Site.file("timeline.js", "text/javascript")
+            else -> null
+        }
+    }
+}
+
+/** The names and values in [query], which may be missing. */
+internal fun parametersOf(query: String?): Map<String, String> =
+    query.orEmpty().split('&').filter { '=' in it }.associate { it.substringBefore('=') to it.substringAfter('=') }
