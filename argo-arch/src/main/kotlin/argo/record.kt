@@ -3,7 +3,7 @@ package argo
 import jason.asSyntax.StringTerm
 
 /**
- * The internal action `argo.record(Why)`: keeps what led to this. With `argo_record=last(Minutes)` in the `.mas2j` the last minutes are
+ * The internal action `argo.record(Why)`: keeps what led to this. With `argo_record="last(Minutes)"` in the `.mas2j` the last minutes are
  * written to a file, `recording-….mcap`; with `argo_record="FILE"` the place in the file is marked with Why, a string or any term. The
  * agent does not wait for the disk.
  *
@@ -15,6 +15,6 @@ open class record : BoardAction("argo.record", 1..1) {
         val why = call.args[0].let { if (it is StringTerm) it.string else "$it" }
         val isKept = call.arch.observers.count { it.recordWanted(why) } > 0
         if (isKept) return
-        throw call.failure("not_recording", "the agent is not recorded; [argo_record=last(5)] in the .mas2j keeps five minutes")
+        throw call.failure("not_recording", "the agent is not recorded; [argo_record=\"last(5)\"] in the .mas2j keeps five minutes")
     }
 }

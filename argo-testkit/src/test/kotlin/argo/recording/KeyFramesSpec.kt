@@ -123,7 +123,7 @@ class KeyFramesSpec : FunSpec({
         )
         val message = shouldThrow<RecordingException> { replayOf(file) }.message.orEmpty()
         message shouldContain "begins with its cycle"
-        message shouldContain "argo_record=last(10)"
+        message shouldContain "argo_record=\"last(10)\""
         message shouldContain "a loop \"for\""
     }
 

@@ -10,7 +10,7 @@ import java.util.logging.Logger
 /** Records agents that have the option `argo_record`. Agents with the same value are in one recording. */
 class RecorderProvider : AgentObserverProvider {
     override val option = "argo_record"
-    override val usage = "a file such as \"drive.mcap\", or last(5) for the last five minutes"
+    override val usage = "a file such as \"drive.mcap\", or \"last(5)\" for the last five minutes"
 
     override fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver? {
         val wanted = value.trim().removeSurrounding("\"").filterNot(Char::isWhitespace)

@@ -95,9 +95,9 @@ class Recording(private val file: Path) : AutoCloseable {
         val reasons = keyFrames(agent).mapNotNull { it.missing }.groupingBy { it }.eachCount().maxByOrNull { it.value }?.key
         return "the recording of agent $agent begins with its cycle ${cycle.index}, what it believed then is not known, and there is no " +
             "key frame to begin with" + when (reasons) {
-                null -> "; keep more minutes, argo_record=last(10), or record from the beginning on, argo_record=\"FILE.mcap\""
+                null -> "; keep more minutes, argo_record=\"last(10)\", or record from the beginning on, argo_record=\"FILE.mcap\""
                 else -> ": each time that one was due, something that cannot be described was under way, mostly: $reasons. Keep more " +
-                    "minutes, argo_record=last(10), let the agent come to rest now and then, or record from the beginning on, " +
+                    "minutes, argo_record=\"last(10)\", let the agent come to rest now and then, or record from the beginning on, " +
                     "argo_record=\"FILE.mcap\""
             }
     }
