@@ -172,7 +172,7 @@ class ReportSpec : FunSpec({
                 if (it.trial.view == lost) it.copy(result = it.result.copy(outcome = Outcome.FAILED, reason = "lost")) else it
             }
             val page = writeReport(tempdir().toPath(), settings, left, MADE).readText()
-            page shouldContain "54 runs have failed"
+            page shouldContain "Failed and left out (54 in all)"
             page.replace(Regex("base64,[^\"]*"), "") shouldNotContain "NaN"
         }
     }
