@@ -179,12 +179,8 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
         answer.read(nextNanos)
         if (!isWanted) return
         stale.renew()
-        if (isForLater()) return
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
-
-    /** Whether the agent would do nothing with the answer that came but wait for those of other boards, of which the last one wakes it. */
-    private fun isForLater() = handOver.isReady() && !hasNews() && agent.awaitsOthers()
 
     /** The board has reported a percept: see [BoardPercepts.reported]. Any thread. */
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {

@@ -60,9 +60,6 @@ internal interface Perceiver {
     /** Wakes the agent until [seen], which other threads ask. */
     fun wake(seen: () -> Boolean)
 
-    /** Whether snapshots that are ready wait for those of other boards. The agent is woken when that has lasted too long. */
-    fun awaitsOthers(): Boolean
-
     /** [port] has changed its state. */
     fun report(port: OpenPort, status: PortStatus, reason: String? = null)
 
