@@ -23,10 +23,10 @@ internal interface Keeper {
             set(keeper) = if (keeper == null) CURRENT.remove() else CURRENT.set(keeper)
 
         /** Does [work] as the agent of [keeper] does it, whose cycle has not begun yet. */
-        inline fun within(keeper: Keeper, work: () -> Unit) {
+        inline fun <T> within(keeper: Keeper, work: () -> T): T {
             current = keeper
             try {
-                work()
+                return work()
             } finally {
                 current = null
             }

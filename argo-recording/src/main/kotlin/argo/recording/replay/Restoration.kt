@@ -125,7 +125,7 @@ internal class Restoration(
 
     /** What [make] makes, which begins a timer at most; [timer] takes its work. */
     private fun begun(timer: (Callable<*>) -> Unit, make: () -> CircumstanceListener): CircumstanceListener {
-        Keeper.current = object : Keeper {
+        val keeper = object : Keeper {
             override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
                 timer(work)
                 return Unscheduled(work)
@@ -133,11 +133,7 @@ internal class Restoration(
 
             override fun left(work: RunnableSerializable) = Unit
         }
-        try {
-            return make()
-        } finally {
-            Keeper.current = null
-        }
+        return Keeper.within(keeper, make)
     }
 
     private class Unscheduled<V>(work: Callable<V>) : FutureTask<V>(work), ScheduledFuture<V> {
