@@ -91,7 +91,7 @@ internal class AgentIo(
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
 
-    private val instant = OneInstant(platform)
+    private val instant = OneInstant(platform, waker::wake)
 
     /** Other boards are perceived than the agent's beliefs are about. */
     @Volatile
@@ -134,6 +134,10 @@ internal class AgentIo(
     }
 
     override fun wake(seen: () -> Boolean) = waker.wake(seen)
+
+    override fun answered(board: Board) = instant.answered(board)
+
+    override fun isForLater(board: Board) = instant.isAwaited(board, perceivedBoards())
 
     override fun report(port: OpenPort, status: PortStatus, reason: String?) = ports.report(port, status, reason)
 
@@ -298,7 +302,7 @@ internal class AgentIo(
         val boards = perceived.get().boards
         coupling.perceiving(intervalMs) { boards.filter { isPerceiving && it.port.link.isOpen }.mapNotNull { lines[it.port]?.sensing } }
         if (isPerceiving) boards.forEach(Board::putDue)
-        val snapshots = if (instant.isAwaited(boards, begins = true)) emptyList() else take(boards)
+        val snapshots = if (instant.isAwaited(boards)) emptyList() else take(boards)
         if (snapshots.isNotEmpty()) perceived.updateAndGet { Perceived(it.boards, emptyList()) }
         snapshots.forEach { observers().messagePerceived(it) }
         newlyCritical = snapshots.flatMap { snapshot -> snapshot.critical.map { it.percept } }
@@ -319,7 +323,7 @@ internal class AgentIo(
         believed().flatMap { it.sensed } + states.beliefs() + perceived.get().boards.flatMap(Board::metaBeliefs)
 
     /** The time in ms until [update] has something to do without news from a board; null: it will not have. */
-    fun dueInMs(): Long? = (perceivedBoards().mapNotNull(Board::dueInMs) + listOfNotNull(instant.dueInMs())).minOrNull()
+    fun dueInMs(): Long? = perceivedBoards().mapNotNull(Board::dueInMs).minOrNull()
 
     /** Whether [update] has something to do now. Any thread. */
     fun hasNews(): Boolean = isOtherBoards || states.hasNews() || perceivedBoards().any(Board::hasNews) || hasSnapshots()

@@ -177,10 +177,15 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
         answer.came(message.receivedNanos)
         val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos)
         answer.read(nextNanos)
+        agent.answered(this)
         if (!isWanted) return
         stale.renew()
+        if (isForLater()) return
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
+
+    /** Whether the agent would do nothing with the answer that came but wait for those of other boards, of which the last one wakes it. */
+    private fun isForLater() = handOver.isReady() && !hasNews() && agent.isForLater(this)
 
     /** The board has reported a percept: see [BoardPercepts.reported]. Any thread. */
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {

@@ -1,31 +1,61 @@
 package argo.boards
 
 import argo.platform.Platform
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicReference
 
 /**
  * Has what several boards sense at one instant perceived together. While the answer of another board is [near][ExpectedAnswer.isNear] a
  * snapshot that is ready waits for it, [MAX_NANOS] at most. Any thread may ask; [taken] belongs to the agent's.
+ *
+ * @param wake wakes the agent until its argument holds; called once a wait has lasted too long
  */
-internal class OneInstant(private val platform: Platform) {
-    @Volatile
-    private var sinceNanos: Long? = null
+internal class OneInstant(private val platform: Platform, private val wake: (seen: () -> Boolean) -> Unit) {
+    /** A wait for the answers of [boards]. A board leaves them with its answer, so that an answer is not compared with all others. */
+    private class Wait(val beganNanos: Long, boards: List<Board>) {
+        private val awaited = ConcurrentHashMap.newKeySet<Board>(boards.size).apply { addAll(boards) }
 
-    /** Whether the snapshots of [boards] that are ready wait for others of them. Called by the agent's thread it begins the wait. */
-    fun isAwaited(boards: List<Board>, begins: Boolean = false): Boolean {
-        if (boards.size < 2 || boards.none(Board::isReady) || boards.any(Board::isUrgent)) return false.also { if (begins) taken() }
-        val now = platform.clock.nanos()
-        val since = sinceNanos ?: now.also { if (begins) sinceNanos = it }
-        return now - since < MAX_NANOS && boards.any { !it.isReady() && it.answer.isNear(now) }
+        fun leave(board: Board) {
+            awaited -= board
+        }
+
+        fun lasts(nowNanos: Long) = awaited.isNotEmpty() && nowNanos - beganNanos < MAX_NANOS
     }
 
-    /** The time in ms until the wait is over at the latest; null: nothing waits. */
-    fun dueInMs(): Long? = sinceNanos?.let { maxOf(1, TimeUnit.NANOSECONDS.toMillis(it + MAX_NANOS - platform.clock.nanos())) }
+    /** Null: no snapshot waits. */
+    private val wait = AtomicReference<Wait?>()
+
+    /** Whether the snapshots of [boards] that are ready wait for others of them. Who finds it first begins the wait. */
+    fun isAwaited(boards: List<Board>): Boolean =
+        boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
+
+    /** The answer of [board] has come, and can be perceived. */
+    fun answered(board: Board) {
+        wait.get()?.leave(board)
+    }
+
+    /** Whether the snapshot of [board], one of [boards], which has just become ready, waits for others of them. */
+    fun isAwaited(board: Board, boards: List<Board>): Boolean = boards.size > 1 && !board.isUrgent() && lasts(boards)
+
+    private fun lasts(boards: List<Board>): Boolean {
+        val now = platform.clock.nanos()
+        return (wait.get() ?: begin(boards, now))?.lasts(now) == true
+    }
+
+    /** Null: no board is awaited. A timer wakes the agent if an answer stays out. */
+    private fun begin(boards: List<Board>, nowNanos: Long): Wait? {
+        val awaited = boards.filter { !it.isReady() && it.answer.isNear(nowNanos) }
+        if (awaited.isEmpty()) return null
+        val begun = Wait(nowNanos, awaited)
+        if (!wait.compareAndSet(null, begun)) return wait.get()
+        awaited.filter(Board::isReady).forEach(begun::leave) // those that came before the wait could be seen
+        platform.later(TimeUnit.NANOSECONDS.toMillis(MAX_NANOS)) { if (wait.get() === begun) wake { wait.get() !== begun } }
+        return begun
+    }
 
     /** Snapshots were taken, or none is ready. */
-    fun taken() {
-        sinceNanos = null
-    }
+    fun taken() = wait.set(null)
 
     companion object {
         /** The longest that a snapshot waits, in ns. */

@@ -60,6 +60,12 @@ internal interface Perceiver {
     /** Wakes the agent until [seen], which other threads ask. */
     fun wake(seen: () -> Boolean)
 
+    /** The answer of [board] has come, and can be perceived. */
+    fun answered(board: Board)
+
+    /** Whether the snapshot of [board], which is ready, waits for those of other boards. The agent is woken when that has lasted too long. */
+    fun isForLater(board: Board): Boolean
+
     /** [port] has changed its state. */
     fun report(port: OpenPort, status: PortStatus, reason: String? = null)
 

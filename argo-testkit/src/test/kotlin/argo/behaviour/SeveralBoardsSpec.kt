@@ -368,6 +368,16 @@ class SeveralBoardsSpec : FunSpec({
             }
         }
 
+        test("wakes the agent once, with the last answer") {
+            agentOf(leftAndRight).use { bob ->
+                bob.after(1.seconds).left().shows { listOf("n(${it.inWholeMilliseconds})") }
+                bob.right().shows { listOf("n(${it.inWholeMilliseconds})", "b(1)") }
+                bob.after(500.milliseconds)
+                val before = bob.ts.agArch.cycleNumber
+                bob.after(2.seconds).ts.agArch.cycleNumber - before shouldBeInRange 100..120 // for 100 instants
+            }
+        }
+
         test("is not waited for when a board misses its answers") {
             agentOf("$leftAndRight\n+left::n(X) <- argo.act(left::saw(X)).").use { bob ->
                 bob.left().shows("n(0)")
