@@ -93,7 +93,7 @@ data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
 /**
  * A port that an agent has asked for.
  *
- * @property name what the agent calls it
+ * @property name what the agent calls it, as a literal: `ttyACM0`, or a string in its quotes
  * @property status `on`, `off` or `timeout`
  * @property isInUse whether it is the port in use, where commands go for which no other board is found
  * @property isStale whether the agent believes `stale(P)` of it

@@ -40,7 +40,7 @@ internal fun TestAgent.whyBlind(): String {
 /** What its boards show, what its filters make of that, and whether it perceives any of it. */
 private fun TestAgent.boards(): List<String> {
     val agent = observed() ?: return emptyList()
-    val ports = agent.ports().associateBy { it.name }
+    val ports = agent.ports().associateBy { it.name.removeSurrounding("\"") } // a name is a literal
     val blocked = if (agent.isPerceiving) emptyList() else listOf("perceiving is blocked: the agent starts it with argo.percepts(open)")
     return blocked + platform.named().flatMap { (name, board) ->
         val port = ports[name]

@@ -83,6 +83,16 @@ class PerceptsSpec : FunSpec({
         }
     }
 
+    test("it finds the state and the filter of a port whose name is a string") {
+        val program = "!start.\n+!start <- argo.port(\"/dev/ttyUNO\"); argo.change_filter(front); argo.percepts(open)."
+        agentOf(program).use { agent ->
+            agent.perceives("temp(21)")
+            val message = shouldThrow<AssertionError> { agent.shouldBelieve("temp(_)") }.message.orEmpty()
+            message shouldContain "/dev/ttyUNO (on) shows temp(21)"
+            message shouldContain "temp(21) is dropped by filter front: rule 1 "
+        }
+    }
+
     test("it says that perceiving is blocked, that a board is not in use, and that percepts cannot be read") {
         agentOf("!start.\n+!start <- argo.port(ttyACM0).").use { agent ->
             agent.board.showsRaw("dist(front;light(3);")
