@@ -22,6 +22,7 @@ class CommandLineSpec : FunSpec({
             "collision --view --view-wait=-1" to "--view-wait is from 0 to 3600 s, not -1",
             "collision --view-wait 5" to "--view-wait is for --view",
             "collision --fast" to "Unknown option: '--fast'",
+            "collision --limt 30" to "Unknown option: '--limt'; did you mean --limit?",
             "blink --seconds 0" to "--seconds is at least 1, not 0",
             "collision --seed x" to "'--seed': x is not a whole number",
             "collision faster" to "'faster' is one argument too many",

@@ -61,8 +61,11 @@ class CommandLineSpec : FunSpec({
             "filter convert f.xml --to yaml" to "--to is xml, json, kotlin, not yaml",
             "filter convert f.xml" to "Missing required option: '--to=FORM'",
             "new" to "Missing required parameter: 'NAME'",
-            "new -x" to "Unknown option: '-x'",
+            "new -x" to "Unknown option: '-x'\n",
             "monitor --fly" to "Unknown option: '--fly'",
+            "monitor --rwa" to "Unknown option: '--rwa'; did you mean --raw?",
+            "monitor sim:x --secnds 3" to "Unknown option: '--secnds'; did you mean --seconds?",
+            "monitor sim:x --modus=listen" to "Unknown option: '--modus=listen'; did you mean --mode?",
             "new ../up" to "a project's name begins with a letter",
         ).forEach { (line, reason) ->
             test("argo $line") {

@@ -42,9 +42,14 @@ private fun reason(wrong: ParameterException, kind: String): String? {
     val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()
     val commands = wrong.commandLine.subcommands.keys
     // what is missing may be what was taken for an option
-    val unknown = if (wrong is MissingParameterException) wrong.commandLine.unmatchedArguments.find { it.startsWith("-") } else null
+    val isUnknownOption = wrong is MissingParameterException || wrong is UnmatchedArgumentException && wrong.isUnknownOption
+    val unknown = if (isUnknownOption) wrong.commandLine.unmatchedArguments.find { it.startsWith("-") } else null
     return when {
-        unknown != null -> "Unknown option: '$unknown'"
+        unknown != null -> {
+            val options = wrong.commandLine.commandSpec.optionsMap().keys.filter { it.startsWith("--") }
+            val meant = closest(unknown.substringBefore('='), options)?.let { "; did you mean $it?" }.orEmpty()
+            "Unknown option: '$unknown'$meant"
+        }
         surplus == null -> wrong.message
         commands.isEmpty() -> "'$surplus' is one argument too many"
         else -> {
