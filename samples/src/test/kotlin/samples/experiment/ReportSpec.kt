@@ -19,6 +19,7 @@ import samples.experiment.report.fate
 import samples.experiment.report.median
 import samples.experiment.report.promise
 import samples.experiment.report.publishedClaims
+import samples.experiment.report.rounded
 import samples.experiment.report.writeReport
 import java.io.ByteArrayInputStream
 import java.time.Instant
@@ -194,6 +195,12 @@ class ReportSpec : FunSpec({
         Scaling(runs).table("Table 9") shouldContain "<td class=\"n\">0.50</td><td class=\"n\">wall</td><td class=\"n\">0.50</td><td " +
             "class=\"n\">0.50</td><td class=\"n\">115200 baud</td>"
         Scaling(runs.take(2)).table("Table 9") shouldContain "<td class=\"n\">none</td><td class=\"n\">–</td>"
+    }
+
+    test("what rounds to nought has no sign") {
+        listOf(-0.04, -0.0, 0.04).map { rounded(it, 1) }.distinct() shouldBe listOf("0.0")
+        rounded(-0.4, 0) shouldBe "0"
+        rounded(-0.06, 1) shouldBe "-0.1"
     }
 
     test("the median of an even number of runs is between the two in the middle") {

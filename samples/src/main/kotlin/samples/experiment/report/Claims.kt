@@ -150,7 +150,10 @@ else "The agent gets the newest frame, and gets it when it has handled the event
 /** The median of [values], of which there is one at least. */
 internal fun median(values: List<Double>): Double = values.sorted().let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }
 
-internal fun rounded(value: Double, decimals: Int): String = String.format(Locale.ROOT, "%.${decimals}f", value)
+/** [value] with so many decimals; what rounds to nought has no sign. */
+internal fun rounded(value: Double, decimals: Int): String =
+    String.format(Locale.ROOT, "%.${decimals}f", value).let { if (it.toDouble() == 0.0) it.removePrefix("-") else it }
+
 internal fun whole(value: Double): String = rounded(value, 0)
 internal fun one(value: Double): String = rounded(value, 1)
 internal fun two(value: Double): String = rounded(value, 2)
