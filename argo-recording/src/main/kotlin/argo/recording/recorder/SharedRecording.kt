@@ -10,10 +10,16 @@ import java.time.Duration
 import java.time.LocalDateTime
 import java.time.format.DateTimeFormatter
 import java.util.logging.Logger
+import kotlin.concurrent.thread
 
 /** A recording of all agents of a program that ask for the same. Safe for use by several threads. */
 internal class SharedRecording private constructor(val sink: RecordSink, private val key: String, private val log: Logger) {
     private var agents = 0
+    private val atExit = Thread(::closeSoon, "argo-recording-exit")
+
+    init {
+        if (sink is RecordingFile) Runtime.getRuntime().addShutdownHook(atExit) // or Ctrl-C would cost the end of the file
+    }
 
     /** Writes a ring to a file, on a thread of its own. Does nothing to a recording that is written anyway. */
     fun save() {
@@ -49,11 +55,24 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         if (--agents == 0) {
             OPEN -= key
             sink.close()
+            forgetExit()
+        }
+    }
+
+    /** Closes the recording, but has a disk that hangs keep nobody from ending the program. */
+    private fun closeSoon() = thread(isDaemon = true, block = sink::close).join(MAX_FAREWELL_MS)
+
+    private fun forgetExit() {
+        try {
+            Runtime.getRuntime().removeShutdownHook(atExit)
+        } catch (_: IllegalStateException) {
+            // the program is ending
         }
     }
 
     companion object {
         private val OPEN = HashMap<String, SharedRecording>()
+        private const val MAX_FAREWELL_MS = 5000L
         private val STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS")
 
         /** The last minutes, and how many. */
