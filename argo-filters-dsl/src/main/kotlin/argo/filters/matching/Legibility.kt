@@ -1,6 +1,7 @@
 package argo.filters.matching
 
 import argo.filters.GroundTerm
+import argo.filters.Syntax
 
 /**
  * Why an agent leaves out a percept of this text, with what to write instead; null if the text is a literal without variables. Never
@@ -12,14 +13,18 @@ fun whyUnreadable(percept: String): String? {
         GroundTerm.ofOrNull(text) is GroundTerm.Structure -> null
         text.isEmpty() -> "it is empty"
         text[0].isUpperCase() || text[0] == '_' -> "its name begins in upper case, so it is a variable; write ${text.lowerCaseName()}"
+        QUOTED.findAll(text).any { '\n' in it.value || '\r' in it.value } -> "there is a line break in quotes; write \\n"
         !isBalanced(text) -> "a bracket or a quote is not closed"
         VARIABLE.containsMatchIn(QUOTED.replace(text, "0")) ->
             "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes"
+        Syntax.isReserved(text, 0, nameEnd(text)) -> "${text.take(nameEnd(text))} is a word of AgentSpeak, which cannot be a percept's name"
         else -> "it is no literal: a name in lower case, and arguments in brackets, as in dist(front,30)"
     }
 }
 
 private val QUOTED = Regex("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']*'")
 private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
+
+private fun nameEnd(text: String) = Syntax.wordEnd(text, 0, text.length)
 
 private fun String.lowerCaseName() = trimStart('_').replaceFirstChar(Char::lowercase)

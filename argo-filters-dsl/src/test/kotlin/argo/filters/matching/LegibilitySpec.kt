@@ -15,6 +15,8 @@ class LegibilitySpec : FunSpec({
         "t(kitchen,21,5" to "a bracket or a quote is not closed",
         "say(\"x)" to "a bracket or a quote is not closed",
         "dist(Front,3)" to "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes",
+        "say(\"a\nb\")" to "there is a line break in quotes; write \\n",
+        "for(1)" to "for is a word of AgentSpeak, which cannot be a percept's name",
         "30" to "it is no literal",
         "front left" to "it is no literal",
         "" to "it is empty",

@@ -77,6 +77,10 @@ class WhyCommandSpec : FunSpec({
         argo("why", "$drive", "stop#1", "--not").status shouldBe 2
         val text = directory.resolve("text.mcap").apply { writeText("hello") }
         argo("why", "$text", "stop").err shouldContain "is no recording of an agent"
+        val empty = directory.resolve("empty.mcap").apply { writeText("") }
+        listOf(listOf("why", "$empty", "stop"), listOf("replay", "$empty"), listOf("recording", "$empty")).forEach {
+            argo(*it.toTypedArray()).err shouldContain "$empty is empty"
+        }
     }
 
     test("a recording that was cut off is asked as far as it goes") {
