@@ -9,15 +9,28 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** A sensor of a scenario: a percept with one number, which is another one in some phases. */
-internal class ScenarioSensor(private val functor: String, private val place: String, val values: List<Int>) {
-    fun percept(value: String) = "$functor($place,$value)"
+/**
+ * A sensor of a scenario: a percept with one number, which is another one in some phases.
+ *
+ * @property space the namespace of its board; null: there is one board
+ */
+internal class ScenarioSensor(val space: String?, private val functor: String, private val place: String, val values: List<Int>) {
+    /** What the agent believes. */
+    fun percept(value: String) = inSpace(space, "$functor($place,$value)")
+
+    val isConstant get() = values.distinct().size == 1
 
     /** Since which phase it has shown what it shows in [phase]. */
     fun since(phase: Int): Int = (phase downTo 1).firstOrNull { values[it] != values[it - 1] } ?: 0
 
     fun isNewIn(phase: Int) = phase == 0 || values[phase] != values[phase - 1]
+
+    /** The first frame with what it shows in [phase]. */
+    fun cause(phase: Int) = CausingFrame(space, since(phase))
 }
+
+/** The first frame of a [phase] from the board in the namespace [space]. */
+internal data class CausingFrame(val space: String?, val phase: Int)
 
 /**
  * A command that the agent of a scenario sends once.
@@ -25,10 +38,12 @@ internal class ScenarioSensor(private val functor: String, private val place: St
  * @property text the command
  * @property plans the plans that lead to it
  * @property phase in which phase the frame comes on which it is sent; null: it is not sent
- * @property root the phase in whose first frame the percept came that began the intention; null: a goal of the program began it
- * @property causes the phases in whose first frames all percepts came that it depends on
+ * @property root the frame in which the percept came that began the intention; null: a goal of the program began it
+ * @property causes the frames in which all percepts came that it depends on
  */
-internal class KnownCommand(val text: String, val plans: String, val phase: Int?, val root: Int?, val causes: Set<Int>)
+internal class KnownCommand(
+    val text: String, val plans: String, val phase: Int?, val root: CausingFrame?, val causes: Set<CausingFrame>,
+)
 
 /**
  * An agent and a drive of it, both by [seed], for whose commands the frames are known that are the cause. Each frame has the number of its
@@ -37,6 +52,7 @@ internal class KnownCommand(val text: String, val plans: String, val phase: Int?
 internal class WhyScenario(seed: Int) {
     private val random = Random(seed)
     private val phases = random.nextInt(3, 7)
+    private val spaces: List<String?> = if (random.nextInt(3) == 0) listOf("left", "right") else listOf(null)
     private val sensors = List(random.nextInt(MOST_COMMANDS + 1, MOST_COMMANDS + 4)) { sensor(it) }
     private val pausesMs = List(phases) { random.nextInt(700, 1300) }
     private val isFiltered = random.nextInt(3) == 0
@@ -48,12 +64,13 @@ internal class WhyScenario(seed: Int) {
     /** The agent. */
     val program: String = buildString {
         appendLine("!start.")
+        val ports = if (spaces.size == 1) "argo.port(ttyACM0)" else "argo.ports([port(ttyACM0,[as(left)]),port(ttyACM1,[as(right)])])"
         val filter = if (isFiltered) "argo.change_filter(quiet); " else ""
-        appendLine("+!start <- argo.port(ttyACM0); ${filter}argo.percepts(open); !!watch.")
+        appendLine("+!start <- $ports; ${filter}argo.percepts(open); !!watch.")
         appendLine("+!watch <- .wait(150); !watch.")
-        if (!isFiltered) appendLine("+number(N) : N mod 3 == 0 <- -+seen(N).")
-        appendLine("+${decoy.percept("V")} : V > 1000 <- argo.act(never).")
-        appendLine("+phase(N) <- +phase_seen(N).")
+        if (!isFiltered) appendLine("+${inSpace(spaces.last(), "number(N)")} : N mod 3 == 0 <- -+seen(N).")
+        appendLine("+${decoy.percept("V")} : V > 1000 <- ${acting("never")}.")
+        appendLine("+${inSpace(spaces.first(), "phase(N)")} <- +phase_seen(N).")
         commands.forEach { appendLine(it.plans) }
     }
 
@@ -61,61 +78,66 @@ internal class WhyScenario(seed: Int) {
         var value = random.nextInt(0, 200)
         val values = List(phases) { value.also { if (random.nextInt(3) > 0) value = random.nextInt(0, 200) } }
         val functor = listOf("dist", "light", "temp").random(random)
-        return ScenarioSensor("$functor$number", listOf("front", "left", "back").random(random), values)
+        return ScenarioSensor(spaces.random(random), "$functor$number", listOf("front", "left", "back").random(random), values)
     }
 
     private fun known(number: Int): KnownCommand {
         val act = "act$number"
         val first = sensors[number] // of two plans for the same event only one is chosen
-        val second = (sensors - decoy).random(random)
         val limit = random.nextInt(20, 180)
         val other = random.nextInt(20, 180)
+        val isAtOnce = first.values[0] < limit // so that what another board shows is not there yet, or is
+        val second = (sensors - decoy).filter { it.space == first.space || it.isConstant && !isAtOnce }.random(random)
         fun isLow(phase: Int) = first.values[phase] < limit
         fun isHigh(phase: Int) = second.values[phase] > other
         val both = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) && isHigh(it) }
         val alone = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) }
         val event = first.percept("V")
         val once = "not done$number"
-        fun of(plans: String, phase: Int?, vararg causes: Int?) =
-            KnownCommand(act, plans, phase, phase?.let { first.since(it) }, causes.filterNotNull().toSet())
+        fun of(plans: String, phase: Int?, vararg others: CausingFrame?) =
+            KnownCommand(act, plans, phase, phase?.let(first::cause), setOfNotNull(phase?.let(first::cause), *others))
+        val send = acting(act)
         val isOtherHigh = "${second.percept("W")} & W > $other"
         return when (random.nextInt(8)) {
-            0 -> of("+$event : V < $limit & $once <- +done$number; argo.act($act).", alone, alone)
+            0 -> of("+$event : V < $limit & $once <- +done$number; $send.", alone)
             1 -> of(
-                "+$event : V < $limit & $isOtherHigh & $once <- +done$number; .wait(${random.nextInt(1, 90)}); argo.act($act).",
-                both, both, both?.let(second::since),
+                "+$event : V < $limit & $isOtherHigh & $once <- +done$number; .wait(${random.nextInt(1, 90)}); $send.",
+                both, both?.let(second::cause),
             )
             2 -> of(
                 "+$event : V < $limit & $once <- +done$number; !react$number(V).\n" +
-                    "+!react$number(V) : V > ${limit + 1} <- argo.act(wrong).\n+!react$number(V) <- .wait(20); argo.act($act).",
-                alone, alone,
+                    "+!react$number(V) : V > ${limit + 1} <- ${acting("wrong")}.\n+!react$number(V) <- .wait(20); $send.",
+                alone,
             )
-            3 -> of("+$event : V < $limit & $once <- +done$number; +alarm$number.\n+alarm$number <- argo.act($act).", alone, alone)
+            3 -> of("+$event : V < $limit & $once <- +done$number; +alarm$number.\n+alarm$number <- $send.", alone)
             4 -> of(
-                "+$event : V < $limit & $once <- +done$number; !!react$number; .wait(300).\n+!react$number <- argo.act($act).",
-                alone, alone,
+                "+$event : V < $limit & $once <- +done$number; !!react$number; .wait(300).\n+!react$number <- $send.",
+                alone,
             )
             5 -> of(
-                "+$event : near$number(V) & $isOtherHigh & $once <- +done$number; argo.act($act).\n" +
+                "+$event : near$number(V) & $isOtherHigh & $once <- +done$number; $send.\n" +
                     "near$number(V) :- V < $limit.",
-                both, both, both?.let(second::since),
+                both, both?.let(second::cause),
             )
             6 -> of(
                 "+$event : V < $limit & $once <- +done$number; ?${second.percept("W")}; " +
-                    "if (W > $other) { argo.act($act); } else { argo.act(other$number); }.",
-                alone?.takeIf(::isHigh), alone, alone?.let(second::since),
+                    "if (W > $other) { $send; } else { ${acting("other$number")}; }.",
+                alone?.takeIf(::isHigh), alone?.let(first::cause), alone?.let(second::cause),
             )
             else -> polled(number, first, limit)
         }
     }
 
+    /** The step that sends [command] to the first board. */
+    private fun acting(command: String) = "argo.act(${inSpace(spaces.first(), command)})"
+
     private fun polled(number: Int, sensor: ScenarioSensor, limit: Int): KnownCommand {
         val phase = (0 until phases).firstOrNull { sensor.values[it] < limit }
         return KnownCommand(
             "act$number",
-            "!poll$number.\n+!poll$number : ${sensor.percept("V")} & V < $limit <- argo.act(act$number).\n" +
+            "!poll$number.\n+!poll$number : ${sensor.percept("V")} & V < $limit <- ${acting("act$number")}.\n" +
                 "+!poll$number <- .wait(100); !poll$number.",
-            phase, null, setOfNotNull(phase?.let(sensor::since)),
+            phase, null, setOfNotNull(phase?.let(sensor::cause)),
         )
     }
 
@@ -136,9 +158,12 @@ internal class WhyScenario(seed: Int) {
 
     private fun TestAgent.drive(until: Duration = Duration.INFINITE, changed: (Int, String) -> String) {
         var phase = 0
-        var frames = 0
-        board.shows { _ ->
-            sensors.map { changed(phase, it.percept("${it.values[phase]}")) } + "phase($phase)" + "number(${frames++})"
+        spaces.forEachIndexed { place, space ->
+            var frames = 0
+            board("ttyACM$place").shows { _ ->
+                val shown = sensors.filter { it.space == space }.map { changed(phase, it.percept("${it.values[phase]}")) }
+                shown.map { it.substringAfter("::") } + "phase($phase)" + "number(${frames++})"
+            }
         }
         for (next in 0 until phases) {
             phase = next
@@ -151,6 +176,9 @@ private const val MOST_COMMANDS = 3
 
 /** What a command takes on the line, at most. */
 private val LINE = 40.milliseconds
+
+/** What a board in the namespace [space] says as [text], as the agent believes it. */
+internal fun inSpace(space: String?, text: String) = if (space == null) text else "$space::$text"
 
 /** The phase of this frame. */
 internal val Frame.phase: Int get() = texts.first { it.startsWith("phase(") }.removeSurrounding("phase(", ")").toInt()

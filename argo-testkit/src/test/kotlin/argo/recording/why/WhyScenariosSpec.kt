@@ -14,16 +14,17 @@ import java.nio.file.Path
 class WhyScenariosSpec : FunSpec({
     val count = System.getProperty("argo.why.scenarios")?.toInt() ?: 50
 
-    /** The phases in whose first frames perceived the answer sees the cause; a frame that is not the first of its phase: -1. */
-    fun phasesOf(frames: List<Frame>, first: Map<Int, Int>) = frames.map { if (first[it.phase] == it.number) it.phase else -1 }.toSet()
+    /** These [frames], which the answer sees as the cause; one that is not the [first] of its phase has the phase -1. */
+    fun causes(frames: List<Frame>, first: Set<Int>) =
+        frames.map { CausingFrame(it.namespace, if (it.number in first) it.phase else -1) }.toSet()
 
     fun <T> asking(file: Path, ask: (Why) -> T): T = Recording(file).use { recording -> Why(recording).use(ask) }
 
-    /** For each phase the number of the first frame of it that was perceived. */
-    fun firstFrames(file: Path): Map<Int, Int> = Recording(file).use { recording ->
+    /** The numbers of the first frame of each board in each phase that was perceived. */
+    fun firstFrames(file: Path): Set<Int> = Recording(file).use { recording ->
         recording.cycles("agent").flatMap { it.input.snapshots }.toList()
-            .mapIndexed { place, it -> it.texts.first { "phase(" in it } to place + 1 }
-            .groupBy({ it.first.removeSurrounding("phase(", ")").toInt() }, { it.second }).mapValues { it.value.first() }
+            .mapIndexed { place, it -> Triple(it.port, it.texts.first { "phase(" in it }, place + 1) }
+            .distinctBy { (port, phase, _) -> port to phase }.map { it.third }.toSet()
     }
 
     test("the cause of $count scenarios") {
@@ -44,13 +45,13 @@ class WhyScenariosSpec : FunSpec({
                 if (command == null) continue
                 asked++
                 val answer = asking(file) { it.answer(command) }
-                val named = phasesOf(answer.frames, first) to answer.frame?.let { phasesOf(listOf(it), first).single() }
+                val named = causes(answer.frames, first) to answer.frame?.let { causes(listOf(it), first).single() }
                 if (named != known.causes to known.root) {
                     wrong += "seed $seed, ${known.text}: named $named, known ${known.causes} to ${known.root}\n${scenario.program}\n$answer"
                 }
                 for (one in answer.had) {
                     had++
-                    val from = answer.frames.first { frame -> frame.texts.any { it == one.replaced } }.phase
+                    val from = answer.frames.first { frame -> frame.texts.any { inSpace(frame.namespace, it) == one.replaced } }.phase
                     val sent = scenario.sentWith(one.percept, from, checkNotNull(known.phase), command.seconds)
                     if (known.text in sent != one.isSent) untrue += "seed $seed, ${known.text}: $one, sent $sent\n${scenario.program}"
                 }
