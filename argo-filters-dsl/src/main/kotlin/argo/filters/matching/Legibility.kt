@@ -9,6 +9,7 @@ import argo.filters.Syntax
  */
 fun whyUnreadable(percept: String): String? {
     val text = percept.trim()
+    val word = text.take(Syntax.wordEnd(text, 0, text.length))
     return when {
         GroundTerm.ofOrNull(text) is GroundTerm.Structure -> null
         text.isEmpty() -> "it is empty"
@@ -17,14 +18,12 @@ fun whyUnreadable(percept: String): String? {
         !isBalanced(text) -> "a bracket or a quote is not closed"
         VARIABLE.containsMatchIn(QUOTED.replace(text, "0")) ->
             "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes"
-        Syntax.isReserved(text, 0, nameEnd(text)) -> "${text.take(nameEnd(text))} is a word of AgentSpeak, which cannot be a percept's name"
+        Syntax.isReserved(word, 0, word.length) -> "$word is a word of AgentSpeak, which cannot be a percept's name"
         else -> "it is no literal: a name in lower case, and arguments in brackets, as in dist(front,30)"
     }
 }
 
 private val QUOTED = Regex("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']*'")
 private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
-
-private fun nameEnd(text: String) = Syntax.wordEnd(text, 0, text.length)
 
 private fun String.lowerCaseName() = trimStart('_').replaceFirstChar(Char::lowercase)

@@ -94,8 +94,10 @@ internal class WhyScenario(seed: Int) {
         val alone = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) }
         val event = first.percept("V")
         val once = "not done$number"
-        fun of(plans: String, phase: Int?, vararg others: CausingFrame?) =
-            KnownCommand(act, plans, phase, phase?.let(first::cause), setOfNotNull(phase?.let(first::cause), *others))
+        fun of(plans: String, phase: Int?, other: CausingFrame? = null): KnownCommand {
+            val root = phase?.let(first::cause)
+            return KnownCommand(act, plans, phase, root, setOfNotNull(root, other))
+        }
         val send = acting(act)
         val isOtherHigh = "${second.percept("W")} & W > $other"
         return when (random.nextInt(8)) {
@@ -122,7 +124,7 @@ internal class WhyScenario(seed: Int) {
             6 -> of(
                 "+$event : V < $limit & $once <- +done$number; ?${second.percept("W")}; " +
                     "if (W > $other) { $send; } else { ${acting("other$number")}; }.",
-                alone?.takeIf(::isHigh), alone?.let(first::cause), alone?.let(second::cause),
+                alone?.takeIf(::isHigh), alone?.let(second::cause),
             )
             else -> polled(number, first, limit)
         }
