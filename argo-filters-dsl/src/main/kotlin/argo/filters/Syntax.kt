@@ -10,10 +10,14 @@ internal object Syntax {
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
-    private val RESERVED = arrayOf("if", "not", "div", "mod", "for", "else", "elif", "while")
+    /** The reserved words, at the index of their length: each percept's name is compared with those of its own length only. */
+    private val RESERVED = listOf("if", "not", "div", "mod", "for", "else", "elif", "while").let { words ->
+        Array(words.maxOf(String::length) + 1) { length -> words.filter { it.length == length }.toTypedArray() }
+    }
 
     /** Whether a word is one that Jason's parser takes for something else than an atom. */
-    fun isReserved(text: CharSequence, start: Int, end: Int): Boolean = RESERVED.any { isAt(text, start, end, it) }
+    fun isReserved(text: CharSequence, start: Int, end: Int): Boolean =
+        end - start < RESERVED.size && RESERVED[end - start].any { isAt(text, start, end, it) }
 
     fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean =
         isAt(text, start, end, "true") || isAt(text, start, end, "false")

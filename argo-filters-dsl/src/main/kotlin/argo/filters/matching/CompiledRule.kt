@@ -20,14 +20,15 @@ import argo.filters.TermTest
  */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val predicate = rule.predicate
-    private val arity = rule.arity
+    private val isPlain = !predicate.negated && predicate.namespace == Predicate.DEFAULT_NAMESPACE
+    private val arity = rule.arity ?: ANY
     private val compiled = rule.conditions.map(::CompiledCondition).toTypedArray()
     val rate: Rate? = rule.rate
 
     /** Whether the rule is for a percept of its functor that goes on with [tail], and has [head] if it has a namespace or negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
-        if (arity != null && TermBounds.arity(tail) != arity) return false
-        if (head == null) return !predicate.negated && predicate.namespace == Predicate.DEFAULT_NAMESPACE
+        if (arity != ANY && TermBounds.arity(tail) != arity) return false
+        if (head == null) return isPlain
         return head.negated == predicate.negated && head.namespace == predicate.namespace
     }
 
@@ -38,6 +39,10 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     /** The first condition that the percept does not meet; parameters as of [areMet]. */
     fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Condition =
         rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail) }]
+
+    private companion object {
+        const val ANY = -1
+    }
 }
 
 /** A condition in the form in which it is applied: on an argument, or on annotations. */
