@@ -110,8 +110,9 @@ class LayersSpec : FunSpec({
         }
         test("shows recordings knowing how they are read and what a tool is") {
             noClasses().that().resideInAPackage("argo.view.timeline").should()
-                .dependOnClassesThat(productBut("argo.view..", "argo.recording", "argo.recording.replay", "argo.tools.command"))
-                .check(product)
+                .dependOnClassesThat(
+                    productBut("argo.view..", "argo.recording", "argo.recording.replay", "argo.tools.command", "argo.tools.why"),
+                ).check(product)
         }
     }
 

@@ -218,6 +218,23 @@ data class CommandEnd(
     val port: String? = null,
     @Holds("what was sent, as a reflex of the computer")
     val text: String? = null,
+    @Holds("when it was issued, in ns of the agent's clock; missing: in the cycle whose call sent it")
+    val issuedNs: Long? = null,
+    @Holds("when this was known, in ns of the agent's clock")
+    val ns: Long,
+    @Holds("why it failed; missing: it did not")
+    val failure: CallFailure? = null,
+)
+
+/** The reflex of a critical rule, and what became of it. */
+@Serializable
+data class ReflexEnd(
+    @Holds("the command")
+    val command: String,
+    @Holds("the critical rule in words")
+    val rule: String,
+    @Holds("whether the board watched the rule, and carried its reflex out; otherwise the computer sent it, which is a command, too")
+    val isByBoard: Boolean,
     @Holds("when this was known, in ns of the agent's clock")
     val ns: Long,
     @Holds("why it failed; missing: it did not")

@@ -64,6 +64,7 @@ async function chooseBy(which) {
   } catch (trouble) {
     return shownProblem(trouble.message);
   }
+  forgetWhy();
   lit = new Set([chosen.item, ...chosen.causes, ...chosen.effects].map(item => item.id));
   tell();
   const { item } = chosen;
@@ -94,12 +95,54 @@ function tell() {
   const { item, causes, effects } = chosen;
   $('item-title').textContent = item.text;
   const time = item.until == null ? clock(item.from) : `${clock(item.from)} to ${clock(item.until)}`;
+  $('why').hidden = item.command == null;
   $('detail').replaceChildren(line(`${time} · ${nameOf(item)}`), ...(item.detail || []).map(line));
   for (const [id, items] of [['causes', causes], ['effects', effects]]) {
     $(`${id}-count`).textContent = items.length || '';
     $(id).replaceChildren(...(items.length ? items.map(link) : [line('nothing that the recording has')]));
   }
 }
+
+// --- why, in sentences ---
+
+let whyAsked = 0; // counts what was asked, since an answer may be overtaken
+
+/** A sentence of the tool why: two blanks at its beginning for each cause that it stands behind. */
+function sentence(words) {
+  const depth = (words.length - words.trimStart().length) / 2;
+  const made = line(words.trimStart());
+  made.style.marginLeft = `${Math.max(0, depth - 1)}rem`;
+  if (depth > 1) made.className = 'aside';
+  return made;
+}
+
+function shownSentences(title, lines) {
+  $('told').hidden = false;
+  $('told-title').textContent = title;
+  $('sentences').replaceChildren(...lines.map(sentence));
+}
+
+/** Tells why the chosen command was sent. The recorded agent is run again for it, which takes a while. */
+async function askWhy() {
+  const { item } = chosen;
+  const number = ++whyAsked;
+  const title = `Why ${item.text}?`;
+  shownSentences(title, ['The recorded agent is run again up to this command …']);
+  let lines;
+  try {
+    lines = (await get(`why?agent=${encodeURIComponent(recording.agents[item.agent])}&command=${item.command}`)).lines;
+  } catch (trouble) {
+    lines = [`There is no answer: ${trouble.message}`];
+  }
+  if (number === whyAsked) shownSentences(title, lines);
+}
+
+function forgetWhy() {
+  whyAsked++;
+  $('told').hidden = true;
+}
+
+$('why').addEventListener('click', askWhy);
 
 // --- drawing ---
 
@@ -300,6 +343,8 @@ canvas.addEventListener('wheel', event => {
 function forget() {
   chosen = null;
   lit = new Set();
+  forgetWhy();
+  $('why').hidden = true;
   $('item-title').textContent = 'Nothing is chosen';
   ['detail', 'causes', 'effects', 'causes-count', 'effects-count'].forEach(id => $(id).replaceChildren());
   draw();
@@ -346,6 +391,7 @@ async function chooseAsked() {
   await chooseBy(`command=${number}`);
   if (!chosen) return shownProblem('This command is not in the recording of the last minutes.');
   see(chosen.item.from - NEAR_COMMAND, (chosen.item.until ?? chosen.item.from) + NEAR_COMMAND);
+  await askWhy();
 }
 
 /** Takes the recording, or what there is of it by now. */

@@ -7,15 +7,18 @@ import argo.boundary.Perception
 import argo.filters.PerceptionFilter
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
+import argo.observing.EndedReflex
 import argo.observing.IssuedCommand
 import argo.observing.ObservedAgent
 import argo.observing.PerceivedMessage
+import argo.observing.RuleWatcher
 import argo.recording.CallFailure
 import argo.recording.CommandEnd
 import argo.recording.Cycle
 import argo.recording.End
 import argo.recording.FilterChange
 import argo.recording.PerceivedSnapshot
+import argo.recording.ReflexEnd
 import argo.recording.agent.Begun
 import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
@@ -266,8 +269,16 @@ internal class Recorder(
 
     override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) {
         val isInCall = inCalls.remove(command.number)
-        val (port, text) = if (isInCall) null to null else command.port to command.text
-        track.ended(CommandEnd(command.number, port, text, agent.nanos(), failure?.run { CallFailure(error, cause) }))
+        val end = CommandEnd(command.number, ns = agent.nanos(), failure = failure?.run { CallFailure(error, cause) })
+        track.ended(if (isInCall) end else end.copy(port = command.port, text = command.text, issuedNs = command.issuedNanos))
+    }
+
+    override fun reflexEnded(reflex: EndedReflex) {
+        val (rule, watcher, failure, ns) = reflex
+        val command = rule.reflex ?: return
+        track.ended(
+            ReflexEnd(command, "${rule.rule}", watcher == RuleWatcher.BOARD, ns, failure?.run { CallFailure(error, cause) }),
+        )
     }
 
     override fun recordWanted(why: String): Boolean {

@@ -4,6 +4,7 @@ import argo.recording.CommandEnd
 import argo.recording.Cycle
 import argo.recording.KeyFrame
 import argo.recording.Mark
+import argo.recording.ReflexEnd
 import argo.recording.RunningRecording
 import argo.recording.RunningRecordings
 import argo.recording.jsonSchema
@@ -26,6 +27,7 @@ internal class Track(
     private val cycles = channel("cycle", "argo.Cycle", Cycle.serializer())
     private val keyFrames = channel("keyframe", "argo.KeyFrame", KeyFrame.serializer())
     private val commands = channel("command", "argo.Command", CommandEnd.serializer())
+    private val reflexes = channel("reflex", "argo.Reflex", ReflexEnd.serializer())
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()
@@ -48,6 +50,8 @@ internal class Track(
     fun keyFrame(note: KeyFrameNote) = store(keyFrames, note.ns, note.size) { json(KeyFrame.serializer(), note.frame()) }
 
     fun ended(command: CommandEnd) = store(commands, command.ns, COMMAND_BYTES) { json(CommandEnd.serializer(), command) }
+
+    fun ended(reflex: ReflexEnd) = store(reflexes, reflex.ns, COMMAND_BYTES) { json(ReflexEnd.serializer(), reflex) }
 
     fun attach(name: String, text: String) = sink.attach(name, "text/xml", text.encodeToByteArray())
 

@@ -6,6 +6,7 @@ import argo.recording.Cycle
 import argo.recording.FORMAT
 import argo.recording.KeyFrame
 import argo.recording.RecordedAgent
+import argo.recording.ReflexEnd
 import argo.recording.agentMetadata
 import argo.recording.whole
 import kotlinx.serialization.KSerializer
@@ -105,6 +106,9 @@ class Recording(private val file: Path) : AutoCloseable {
     /** What became of the commands of [agent], in the order in which that was known; only in the [last] time if that is given. */
     fun commandEnds(agent: String, last: Duration? = null): Sequence<CommandEnd> =
         messages("/$agent/command", CommandEnd.serializer(), last)
+
+    /** What became of the reflexes of [agent], in the order in which that was known. */
+    fun reflexEnds(agent: String): Sequence<ReflexEnd> = messages("/$agent/reflex", ReflexEnd.serializer(), last = null)
 
     private fun <T> messages(topic: String, serializer: KSerializer<T>, last: Duration?): Sequence<T> {
         val from = last?.let { (reader.times?.last ?: 0) - it.toNanos() } ?: 0

@@ -6,8 +6,9 @@ import kotlinx.serialization.Serializable
  * Why a command was issued.
  *
  * @property command the command
- * @property cause the step of a plan that issued it; null: no plan did, and a critical rule of a filter had it as its reflex
- * @property frame the frame at the root: its percept began the intention; null: the intention began with something else
+ * @property cause the step of a plan that issued it; null: no plan did, or it was not seen
+ * @property reflex the critical rule whose reflex it was; null: it was none
+ * @property frame the frame at the root: its percept began the intention, or met the critical rule; null: there is none
  * @property frames all frames that the command came of, [frame] first: also those of percepts in contexts and tests
  * @property had what the agent would have done with another percept, if that was asked or found
  */
@@ -15,6 +16,7 @@ import kotlinx.serialization.Serializable
 data class Answer(
     val command: RecordedCommand,
     val cause: StepCause? = null,
+    val reflex: ReflexCause? = null,
     val frame: Frame? = null,
     val frames: List<Frame> = emptyList(),
     val had: List<Had> = emptyList(),

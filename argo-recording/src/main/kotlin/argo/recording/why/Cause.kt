@@ -58,6 +58,23 @@ data class PerceptCause(
     val filter: String? = null,
 ) : Cause
 
+/**
+ * A critical rule of a filter had its reflex sent, without a plan.
+ *
+ * @property rule the rule in words
+ * @property isByBoard whether the board watched it and carried the reflex out; otherwise the computer sent it
+ * @property failure why it was not carried out; null: it was
+ * @property percept the percept that met the rule; null: the agent perceived no frame with one
+ */
+@Serializable
+@SerialName("reflex")
+data class ReflexCause(val rule: String, val isByBoard: Boolean, val failure: String? = null, val percept: PerceptCause? = null) : Cause {
+    override val causes get() = listOfNotNull(percept)
+
+    @Transient
+    override val depth: Int = 1 + causes.size
+}
+
 /** An agent sent a message. */
 @Serializable
 @SerialName("message")
@@ -146,6 +163,7 @@ fun Cause.frames(): List<Frame> = percepts().mapNotNull { it.frame }.distinct()
 fun Cause.root(): Cause = when (this) {
     is StepCause -> plan.root()
     is PlanCause -> event.root()
+    is ReflexCause -> percept ?: this
     else -> this
 }
 

@@ -10,8 +10,12 @@ import kotlin.math.abs
  * @property number counts the commands of the agent, from 1
  * @property text what was sent, `speed(120)`, or the action of the environment
  * @property port the port of its board; null: it was an action of the environment
- * @property seconds when the cycle began in which it was issued, since the first cycle
- * @property cycle the index of that cycle, see [argo.recording.Cycle.index]
+ * @property seconds when it was issued, since the first cycle: when the cycle of the plan's step began; of a reflex of the board, when it was
+ * reported
+ * @property cycle the index of that cycle, or of the one under way, see [argo.recording.Cycle.index]
+ * @property by what sent it
+ * @property sent its number among the agent's commands to boards, from 1, as the live view and the timeline have it; null: it was an action
+ * of the environment, or a reflex that the board carried out
  */
 @Serializable
 data class RecordedCommand(
@@ -21,14 +25,29 @@ data class RecordedCommand(
     val port: String? = null,
     val seconds: Double,
     val cycle: Long,
+    val by: Sender = Sender.PLAN,
+    val sent: Long? = null,
 )
+
+/** What sends a command. */
+enum class Sender {
+    /** A step of a plan. */
+    PLAN,
+
+    /** A critical rule of a filter. */
+    REFLEX,
+
+    /** A person or another program, as by the live view. */
+    OUTSIDE,
+}
 
 /**
  * Which command is asked about.
  *
- * @property text the whole command, or its functor
+ * @property text the whole command, or its functor; empty: any
  * @property seconds about when, since the first cycle; null: at any time
- * @property count the how manieth command of this [text], from 1; null: the last one, or the one next to [seconds]
+ * @property count the how manieth command of this [text], from 1; of an empty one, see [RecordedCommand.sent]; null: the last one, or the
+ * one next to [seconds]
  */
 data class Question(val text: String, val seconds: Double? = null, val count: Int? = null) {
     override fun toString() = text + (seconds?.let { "@${it}s" } ?: count?.let { "#$it" }.orEmpty())
@@ -43,11 +62,17 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
     fun find(all: List<RecordedCommand>): RecordedCommand {
         val fitting = all.filter { isAbout(it.text) }
         val found = when {
+            text.isEmpty() -> all.filter { it.sent == count?.toLong() }.also(::requireOneAgent).firstOrNull()
             count != null -> fitting.getOrNull(count - 1)
             seconds != null -> fitting.minByOrNull { abs(it.seconds - seconds) }?.takeIf { abs(it.seconds - seconds) <= TOLERANCE_S }
             else -> fitting.lastOrNull()
         }
         return found ?: throw RecordingException(notFound(all, fitting.size))
+    }
+
+    private fun requireOneAgent(found: List<RecordedCommand>) {
+        if (found.size < 2) return
+        throw RecordingException("several agents have a command $this: ${found.joinToString { it.agent }}; --of names one of them")
     }
 
     private fun notFound(all: List<RecordedCommand>, fitting: Int): String {
@@ -63,9 +88,9 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
         const val TOLERANCE_S = 0.5
         private const val SHOWN = 8
         private val AT = Regex("""(.+?)@(\d{1,9}(?:\.\d{1,9})?)\s*s?""")
-        private val COUNTED = Regex("""(.+)#([1-9]\d{0,8})""")
+        private val COUNTED = Regex("""(.*)#([1-9]\d{0,8})""")
 
-        /** The question that [text] asks: `stop@12.3s`, `stop#3`, `stop`; null: it is none. */
+        /** The question that [text] asks: `stop@12.3s`, `stop#3`, `#17`, `stop`; null: it is none. */
         fun of(text: String): Question? {
             val asked = text.trim()
             AT.matchEntire(asked)?.destructured?.let { (command, seconds) -> return Question(command.trim(), seconds.toDouble()) }

@@ -2,6 +2,7 @@ package argo.recording.why
 
 import argo.filters.FilterException
 import argo.filters.format.XmlFilters
+import argo.filters.matching.CriticalPercept
 import argo.filters.matching.Explanation
 import argo.filters.matching.FilterSession
 import argo.recording.FilterChange
@@ -26,8 +27,16 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
         }
     }
 
+    /** The percepts of [texts] that meet critical rules of the filter of the board on [port], each with its rule. */
+    fun critical(port: String, texts: List<String>): List<CriticalPercept<String>> {
+        val filter = of(port)?.filter?.takeIf { it.critical.isNotEmpty() } ?: return emptyList()
+        return FilterSession.ofTexts().apply { switchTo(filter) }.perceive(texts, 0).critical
+    }
+
     /** Why the filter of the board on [port] keeps or drops [text]; null: it has none. What rates hold back is not known. */
-    fun explain(port: String, text: String): Explanation? = (if (port in ofBoards) ofBoards[port] else ofAll)?.explain(text, 0)
+    fun explain(port: String, text: String): Explanation? = of(port)?.explain(text, 0)
+
+    private fun of(port: String) = if (port in ofBoards) ofBoards[port] else ofAll
 
     private fun sessionOf(change: FilterChange): FilterSession<String>? {
         val text = files[change.file ?: return null] ?: return null

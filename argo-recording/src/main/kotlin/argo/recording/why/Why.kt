@@ -18,30 +18,32 @@ class Why(private val recording: Recording) : AutoCloseable {
     private val cycles = recording.agents.keys.associateWith { recording.cycles(it).toList() }
     private val firstNs = recording.firstNs ?: 0
 
-    /** All commands of the agents, in the order of their times. */
-    val commands: List<RecordedCommand> = cycles.flatMap { (agent, cycles) -> commandsOf(agent, cycles) }.sortedBy { it.seconds }
+    private val commandsOf = cycles.mapValues { (agent, cycles) -> Commands(recording, agent, cycles, firstNs) }
 
-    private fun commandsOf(agent: String, cycles: List<Cycle>): List<RecordedCommand> {
-        var number = 0
-        return cycles.flatMap { cycle ->
-            val toBoards = cycle.input.calls.flatMap { it.commands }.map { it.text to it.port }
-            val sent = toBoards + listOfNotNull(cycle.course.action?.let { it to null })
-            sent.map { (text, port) -> RecordedCommand(agent, ++number, text, port, (cycle.ns - firstNs) / NANOS, cycle.index) }
-        }
-    }
+    /** All commands of the agents, in the order of their times. */
+    val commands: List<RecordedCommand> = commandsOf.values.flatMap { it.all }.sortedBy { it.seconds }
 
     /**
-     * Why [command] was issued.
+     * Why [command] was issued. Of a reflex no other value of a percept is looked for.
      *
      * @param isTrying whether to look for another value of a percept with which it would not have been
      * @throws RecordingException if the agent cannot be replayed up to there, or does something else than it did
      */
     fun answer(command: RecordedCommand, isTrying: Boolean = true): Answer {
+        if (command.by != Sender.PLAN) return reflexAnswer(command)
         val (cause, begun) = causeOf(command)
         val frame = (cause?.root() as? PerceptCause)?.frame
         val frames = (listOfNotNull(frame) + cause?.frames().orEmpty()).distinct()
         val had = if (isTrying && cause != null) Flips(cause) { percept, of -> had(command, begun, percept, of) }.find() else emptyList()
-        return Answer(command, cause, frame, frames, had)
+        return Answer(command, cause, null, frame, frames, had)
+    }
+
+    /** No replay has what a reflex did, so there is no telling what another percept would have made of it. */
+    private fun reflexAnswer(command: RecordedCommand): Answer {
+        val end = commandsOf[command.agent]?.reflex(command) ?: return Answer(command)
+        val cycles = replayable(command.agent, cyclesOf(command.agent))
+        val reflex = ReflexFrames(cycles, filtersOf(command.agent), firstNs).cause(command, end)
+        return Answer(command, null, reflex, reflex.percept?.frame, reflex.frames())
     }
 
     /**
@@ -52,6 +54,9 @@ class Why(private val recording: Recording) : AutoCloseable {
      */
     fun had(command: RecordedCommand, percept: String): Had {
         val literal = literal(percept)
+        if (command.by != Sender.PLAN) {
+            throw RecordingException("no plan sent ${command.text}, so no replay has what would have become of it")
+        }
         val (cause, begun) = causeOf(command)
         val of = cause?.percepts().orEmpty().find { isOfKind(literalOf(it.belief), literal) }
         return had(command, begun, literal, of) ?: throw RecordingException("$percept is what the agent perceived")
@@ -80,7 +85,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         requireReplayed(command.agent, command.cycle)
         val filters = filtersOf(command.agent)
         val (trace, begun) = trial(command.agent, cycles).asRecorded(command.cycle) { Trace(it, firstNs, filters) }
-        return trace.issued.getOrNull(command.number - 1 - earlierCommands(command.agent))?.cause to begun
+        return trace.issued.getOrNull(replayedBefore(command))?.cause to begun
     }
 
     /** Null: [percept] is what the agent perceived. */
@@ -88,7 +93,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         val cycles = cyclesOf(command.agent)
         if (of?.belief == keyOf(percept)) return null
         val from = cycles.first { it.index == command.cycle || of?.isIn(it) == true }
-        val before = commands.filter { it.agent == command.agent && it.cycle in from.index..command.cycle && it.number <= command.number }
+        val before = ofPlans(command.agent).filter { it.cycle in from.index..command.cycle && it.number <= command.number }
         val isDropped = isDropped(command.agent, percept, of?.frame?.port, cycles.takeWhile { it.index < from.index })
         val issued = trial(command.agent, cycles).changed(begun, from.index, command.cycle) { replaced(it, percept, isDropped) }
         val now = issued.map { it.text }
@@ -136,11 +141,13 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun trial(agent: String, cycles: List<Cycle>) =
         Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), firstNs)
 
-    /** How many commands of [agent] are recorded that were before the key frame at which its replay begins. */
-    private fun earlierCommands(agent: String): Int {
-        val start = recording.start(agent) ?: return 0
-        return commands.count { it.agent == agent && it.cycle <= start.index }
+    /** How many commands plans of the agent send in its replay before [command]. */
+    private fun replayedBefore(command: RecordedCommand): Int {
+        val start = recording.start(command.agent)?.index ?: 0
+        return ofPlans(command.agent).count { it.cycle > start && it.number < command.number }
     }
+
+    private fun ofPlans(agent: String) = commandsOf[agent]?.all.orEmpty().filter { it.by == Sender.PLAN }
 
     private fun replayable(agent: String, cycles: List<Cycle>) =
         recording.start(agent).let { start -> if (start == null) cycles else cycles.filter { it.index > start.index } }

@@ -5,9 +5,9 @@ import argo.tools.command.ToolException
 import argo.tools.command.requireFile
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
+import argo.tools.command.runJava
 import argo.tools.replay.classPathWithJason
 import argo.tools.replay.missingJason
-import argo.tools.samples.runJava
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters

@@ -2,7 +2,7 @@ package argo.tools.replay
 
 import argo.tools.command.ToolException
 import argo.tools.command.ownJar
-import argo.tools.samples.runJava
+import argo.tools.command.runJava
 import java.io.File
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
@@ -34,7 +34,7 @@ internal fun runWithJason(command: String, classPath: String?, arguments: List<S
  * Options of a Java machine for a program of seconds, which ends before a better compilation pays, and which needs no threads for its
  * memory. A Java machine that has none of these passes over them.
  */
-private val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
+internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
 /** The class path of this program with [classPath] and Jason; null: there is no Jason. */
 internal fun classPathWithJason(classPath: String?): String? {

@@ -1,6 +1,7 @@
 package argo.tools.samples
 
 import argo.tools.command.ownJar
+import argo.tools.command.runJava
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Spec
@@ -37,16 +38,3 @@ internal class ExperimentCommand : SampleProgramCommand("experiment")
 /** `sample NAME`: any sample. */
 @Command(name = "sample", description = ["Runs the sample of the name that follows. --help lists the samples."])
 internal class SampleCommand : SampleProgramCommand()
-
-/** Runs the Java of this program with [arguments], on its terminal, and returns the exit status. Who ends this program ends that one. */
-internal fun runJava(arguments: List<String>): Int {
-    val java = ProcessHandle.current().info().command().orElseGet { Path.of(System.getProperty("java.home"), "bin", "java").toString() }
-    // jSerialComm loads a native library, which newer Java machines warn about
-    val process = ProcessBuilder(listOf(java, "--enable-native-access=ALL-UNNAMED") + arguments).inheritIO().start()
-    val ending = Thread {
-        process.destroy()
-        process.waitFor()
-    }
-    Runtime.getRuntime().addShutdownHook(ending)
-    return process.waitFor()
-}

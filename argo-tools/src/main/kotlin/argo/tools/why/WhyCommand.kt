@@ -24,14 +24,15 @@ import java.nio.file.Path
     name = "why",
     description = [
         "Tells why an agent in a recording (FILE.mcap) sent a command, back to the frames of the boards, or why it did not.",
-        "QUESTION is a command or its functor: stop@12.3s is the one next to that second, stop#3 the third one, stop the last one.",
+        "QUESTION is a command or its functor: stop@12.3s is the one next to that second, stop#3 the third one, stop the last one;",
+        "#17 is the command that the live view and the timeline call number 17.",
     ],
 )
 internal class WhyCommand : DataCommand() {
     @Parameters(index = "0", paramLabel = "FILE", description = ["a recording by an agent's argo_record"])
     private lateinit var file: Path
 
-    @Parameters(index = "1", paramLabel = "QUESTION", description = ["a command: stop@12.3s, stop#3 or stop"])
+    @Parameters(index = "1", paramLabel = "QUESTION", description = ["a command: stop@12.3s, stop#3, stop or #17"])
     private lateinit var question: String
 
     @Option(names = ["--not"], description = ["tells why the command was not sent up to that second, or at all"])
@@ -49,7 +50,7 @@ internal class WhyCommand : DataCommand() {
     override fun call(): Int {
         val asked = Question.of(question) ?: misuse("a question is a command such as stop@12.3s, not '$question'")
         if (isNot && had.isNotEmpty()) misuse("--not and --had exclude each other")
-        if (isNot && asked.count != null) misuse("--not goes with a time, ${asked.text}@12.3s, and not with a number")
+        if (isNot && asked.count != null) misuse("--not goes with a time, ${asked.text.ifEmpty { "stop" }}@12.3s, and not with a number")
         requireRecording(file)
         if (!McapReader.isMcap(file)) throw ToolException("$file is no recording of an agent, which the option argo_record makes")
         if (classPath != null || !hasJason()) return runWithJason(spec.root().name(), classPath, arguments())

@@ -12,6 +12,8 @@ import argo.recording.why.Missed
 import argo.recording.why.NotAnswer
 import argo.recording.why.PerceptCause
 import argo.recording.why.PlanCause
+import argo.recording.why.ReflexCause
+import argo.recording.why.Sender
 import argo.recording.why.StepCause
 import argo.recording.why.UnchosenPlan
 import argo.recording.why.UnknownCause
@@ -26,12 +28,28 @@ internal class WhyText {
     fun of(answer: Answer): List<String> {
         val command = answer.command
         val to = command.port?.let { " to $it" }.orEmpty()
-        lines += "${at(command.seconds)}  agent ${command.agent} sent ${command.text}$to"
-        answer.cause?.let { explain(it, 1) }
-        if (answer.cause == null) line(1, "by which step of a plan was not seen: a plan may have split its intention")
+        lines += "${at(command.seconds)}  ${sender(answer)} ${command.text}$to"
+        val cause = answer.cause ?: answer.reflex
+        cause?.let { explain(it, 1) }
+        if (cause == null) line(1, unseen(command.by))
         answer.frame?.let { line(1, "that frame was ${ms(command.seconds - it.seconds)} old when the command was sent") }
         answer.had.forEach { lines += had(it, command.text) }
         return lines
+    }
+
+    private fun sender(answer: Answer): String {
+        val agent = answer.command.agent
+        return when {
+            answer.reflex?.isByBoard == true -> "the board of agent $agent carried out"
+            answer.reflex != null -> "the computer of agent $agent sent, before the agent reasoned,"
+            else -> "agent $agent sent"
+        }
+    }
+
+    private fun unseen(by: Sender) = when (by) {
+        Sender.PLAN -> "by which step of a plan was not seen: a plan may have split its intention"
+        Sender.REFLEX -> "as the reflex of a critical rule"
+        Sender.OUTSIDE -> "because a person or another program wanted it, as by the live view; no plan did"
     }
 
     /** Why a command was not sent. */
@@ -51,6 +69,7 @@ internal class WhyText {
                 explain(cause.plan, depth)
             }
             is PlanCause -> plan(cause, depth)
+            is ReflexCause -> reflex(cause, depth)
             is PerceptCause -> percept(cause, depth)
             is MessageCause -> line(
                 depth, "because agent ${cause.sender} had sent ${cause.performative} ${cause.content}, taken at ${at(cause.seconds)}",
@@ -68,6 +87,12 @@ internal class WhyText {
         line(depth, "of the plan ${place(plan.place)}, chosen for ${plan.trigger} at ${at(plan.seconds)}$again")
         plan.conditions.forEach { condition(it, "its context:", depth + 1) }
         explain(plan.event, depth)
+    }
+
+    private fun reflex(cause: ReflexCause, depth: Int) {
+        line(depth, "as the reflex of the critical rule on ${cause.rule}; no plan did")
+        cause.failure?.let { line(depth, "it was not carried out: $it") }
+        cause.percept?.let { percept(it, depth) } ?: line(depth, "because of a frame that the agent did not perceive")
     }
 
     private fun condition(condition: Condition, what: String, depth: Int) {

@@ -1,5 +1,6 @@
 package argo.tools.why
 
+import argo.testkit.agent
 import argo.testkit.agentOf
 import argo.tools.argo
 import io.kotest.core.spec.style.FunSpec
@@ -12,6 +13,7 @@ import kotlinx.serialization.json.boolean
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import kotlin.io.path.createDirectories
 import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
@@ -41,6 +43,47 @@ class WhyCommandSpec : FunSpec({
         said.out shouldContain ": dist(front,30);\n"
         said.out shouldContain "had the board sent dist(front,40) in place of dist(front,30) from"
         said.out shouldContain "it would not have sent stop, but nothing"
+    }
+
+    test("a command by the number that the live view and the timeline give it") {
+        argo("why", "$drive", "#2").out shouldContain "agent agent sent stop to ttyACM0\n"
+        argo("why", "$drive", "#1").out shouldContain "agent agent sent forward to ttyACM0\n"
+        argo("why", "$drive", "#3").err shouldContain "there is no command #3; those at the end: forward@"
+    }
+
+    test("a program of its own tells the same, or why it does not") {
+        val program = WhyProgram(patienceS = 120)
+        program.ask(drive, "agent", 2).run {
+            trouble shouldBe ""
+            lines.joinToString("") { "$it\n" } shouldBe argo("why", "$drive", "stop").out
+        }
+        program.ask(drive, "agent", 99).run {
+            lines shouldBe emptyList()
+            trouble shouldStartWith "there is no command #99"
+        }
+    }
+
+    test("a reflex, which no plan sent") {
+        val folder = directory.resolve("reflex").createDirectories()
+        folder.resolve("careful.xml").writeText(
+            """<PerceptionFilter><critical reflex="stop"><predicate>dist</predicate><parameter id="1" operator="LT">15</parameter></critical>
+            </PerceptionFilter>""",
+        )
+        val program = folder.resolve("robot.asl").apply {
+            writeText("!start. +!start <- argo.port(ttyACM0); argo.change_filter(careful); argo.percepts(open).")
+        }
+        val reflex = folder.resolve("reflex.mcap")
+        agent(program) { options("argo_record" to "$reflex") }.use {
+            it.perceives("dist(front,80)").after(1.seconds)
+            it.perceives("dist(front,9)").shouldSend("stop").after(1.seconds)
+        }
+        val said = argo("why", "$reflex", "stop")
+        said.err shouldBe ""
+        said.out shouldContain "the computer of agent robot sent, before the agent reasoned, stop to ttyACM0\n"
+        said.out shouldContain "  as the reflex of the critical rule on dist where argument 1 is less than 15; no plan did\n"
+        said.out shouldContain "  because dist(front,9) was perceived from "
+        said.out shouldContain "critical rule 1 meets it"
+        said.out shouldContain "whose last byte came at"
     }
 
     test("--had") {

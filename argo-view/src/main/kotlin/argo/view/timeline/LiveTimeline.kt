@@ -14,6 +14,7 @@ import java.time.Duration
  */
 internal class LiveTimeline(private val agent: String) : AgentLanes {
     private var number = 0
+    private val why = ToldWhy { ask -> RunningRecordings.of(agent)?.read(ask) }
 
     @Volatile
     private var newest: TimelineRoutes? = null
@@ -21,6 +22,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
     override fun respond(path: String, query: String?): HttpResponse? = when (path) {
         "/timeline" -> TimelineRoutes.page()
         "/recording" -> taken()
+        "/why" -> why.respond(parametersOf(query))
         "/items", "/item" -> part(path, parametersOf(query))
         else -> TimelineRoutes.file(path)
     }
@@ -40,7 +42,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         }
         return try {
             val timeline = recording.read { file -> Recording(file).use { Timeline.of(it, LAST) } }
-            TimelineRoutes(timeline, agent, emptyList(), ++number).also { newest = it }.respond("/recording", emptyMap())
+            TimelineRoutes(timeline, agent, emptyList(), why, ++number).also { newest = it }.respond("/recording", emptyMap())
         } catch (unreadable: IOException) {
             unreadable(unreadable)
         } catch (unreadable: IllegalArgumentException) { // a message

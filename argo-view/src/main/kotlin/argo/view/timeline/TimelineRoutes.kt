@@ -6,18 +6,21 @@ import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.builtins.ListSerializer
 import kotlinx.serialization.json.Json
+import java.net.URLDecoder
 
 /**
  * Responds to what the page of [timeline] asks for.
  *
  * @param name of the recording, or of the agent that runs
  * @param problems what of the recording cannot be read
+ * @param why answers why a command was sent
  * @property number of the timeline among those of an agent that runs; 0: it is of a file
  */
 internal class TimelineRoutes(
     private val timeline: Timeline,
     private val name: String,
     problems: List<String>,
+    private val why: ToldWhy,
     val number: Int = 0,
 ) {
     private val contents = Contents(name, timeline.agents, timeline.seconds, timeline.items.size, problems, number)
@@ -28,6 +31,7 @@ internal class TimelineRoutes(
         "/recording" -> json(Contents.serializer(), contents)
         "/items" -> items(parameters)
         "/item" -> item(parameters)
+        "/why" -> why.respond(parameters)
         else -> file(path) ?: HttpResponse.message(404, "there is nothing here; the timeline is at /")
     }
 
@@ -79,6 +83,12 @@ internal class TimelineRoutes(
     }
 }
 
-/** The names and values in [query], which may be missing. */
+/** The names and values in [query], as it stands in the address; it may be missing. */
 internal fun parametersOf(query: String?): Map<String, String> =
-    query.orEmpty().split('&').filter { '=' in it }.associate { it.substringBefore('=') to it.substringAfter('=') }
+    query.orEmpty().split('&').filter { '=' in it }.associate { it.substringBefore('=') to decoded(it.substringAfter('=')) }
+
+private fun decoded(value: String) = try {
+    URLDecoder.decode(value, Charsets.UTF_8)
+} catch (_: IllegalArgumentException) {
+    value // not encoded
+}

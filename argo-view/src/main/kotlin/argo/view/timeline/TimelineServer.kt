@@ -9,23 +9,24 @@ import java.io.IOException
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.URI
+import java.nio.file.Path
 import java.util.concurrent.Executors
 
 /**
  * Serves the page of [timeline] to browsers on this computer, and what it draws in pieces.
  *
- * @param name of the recording, for its title
+ * @param file the recording; its name is the title
  * @param problems what of the recording cannot be read
  * @param port 0 to 65535; 0: any that is free
  * @throws IOException if the port cannot be had
  */
 internal class TimelineServer(
     timeline: Timeline,
-    name: String,
+    file: Path,
     problems: List<String>,
     port: Int,
 ) : AutoCloseable {
-    private val routes = TimelineRoutes(timeline, name, problems)
+    private val routes = TimelineRoutes(timeline, "${file.fileName}", problems, ToldWhy { ask -> ask(file) })
     private val threads = Executors.newFixedThreadPool(THREADS) { work -> Thread(work, "argo-timeline").apply { isDaemon = true } }
     private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), port), 0)
 
@@ -45,7 +46,7 @@ internal class TimelineServer(
         val response = when {
             refusal != null -> HttpResponse.message(403, refusal)
             requestMethod != "GET" -> HttpResponse.wrongMethod("GET")
-            else -> routes.respond(path, parametersOf(requestURI.query))
+            else -> routes.respond(path, parametersOf(requestURI.rawQuery))
         }
         begin(response.status, response.type, response.body.size.toLong())
         responseBody.use { it.write(response.body) }

@@ -42,7 +42,7 @@ internal class ViewCommand : Callable<Int> {
         val (timeline, problems) = read() ?: return FAILED
         problems.forEach { tell("$file: $it") }
         val server = try {
-            TimelineServer(timeline, "${file.fileName}", problems, port)
+            TimelineServer(timeline, file, problems, port)
         } catch (taken: BindException) {
             tell("port $port cannot be had: ${taken.message}; --port 0 takes a free one")
             return FAILED

@@ -25,6 +25,7 @@ class LiveTimelineSpec : FunSpec({
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer(percepts)
             ViewedMas().use { mas ->
+                mas.file("filters/near.xml", FILTER)
                 mas.agent("bob", PROGRAM, options = listOfNotNull(record?.let { "argo_record" to it }).toMap())
                 eventually({ board.receivedMessages() }) { "hold" in mas.beliefs("bob") }
                 test(mas, board)
@@ -47,6 +48,13 @@ class LiveTimelineSpec : FunSpec({
                 text("#causes") shouldContain "percepts"
                 texts("#causes small").last() shouldContain "line"
                 await { run("return parts.length > 0 && !waiting") }
+                await { texts("#sentences li").size > 3 }
+                text("#sentences") shouldContain "agent bob sent stop to"
+                text("#sentences") shouldContain "because of the step argo.act(stop), bob.asl:3"
+                text("#sentences") shouldContain "its context: D < 50, which was 38 < 50"
+                text("#sentences") shouldContain "let through: dist(front,38) is kept by filter near: rule 1 does not meet it"
+                text("#sentences") shouldContain "whose last byte came at"
+                text("#sentences") shouldContain "it would not have sent stop, but nothing"
                 picture("live-timeline-light")
                 prefer("prefers-color-scheme" to "dark")
                 run<Any?>("draw(); return null")
@@ -99,6 +107,16 @@ class LiveTimelineSpec : FunSpec({
         }
     }
 
+    test("sentences that cannot be told") {
+        stopped("last(5)") { mas, _ ->
+            mas.get("why?agent=bob").statusCode() shouldBe 400
+            mas.get("why?agent=bob&command=99").run {
+                statusCode() shouldBe 404
+                body() shouldContain "there is no command #99"
+            }
+        }
+    }
+
     test("an agent that records to a file has its lanes, too, while the file is written") {
         val file = tempdir().toPath().resolve("drive.mcap")
         stopped("$file") { mas, _ ->
@@ -125,8 +143,14 @@ class LiveTimelineSpec : FunSpec({
 
 private val PROGRAM = """
     !start.
-    +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(500); argo.percepts(open).
+    +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(500); argo.change_filter(near); argo.percepts(open).
     +dist(front,D) : D < 50 & not hold <- argo.act(stop); +hold.
     +say(_) <- argo.act(beep); +hold.
     +port(_,_).
+""".trimIndent()
+
+private val FILTER = """
+    <PerceptionFilter>
+      <filter><predicate>dist</predicate><parameter id="1" operator="GT">200</parameter></filter>
+    </PerceptionFilter>
 """.trimIndent()

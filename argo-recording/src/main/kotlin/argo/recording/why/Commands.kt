@@ -1,0 +1,67 @@
+package argo.recording.why
+
+import argo.recording.CommandEnd
+import argo.recording.Cycle
+import argo.recording.ReflexEnd
+import argo.recording.replay.Recording
+import kotlin.math.abs
+
+/**
+ * The commands of one agent of [recording], whoever sent them.
+ *
+ * @param cycles all cycles of the agent
+ * @param firstNs when the recording began, in ns of the agents' clock
+ */
+internal class Commands(
+    private val recording: Recording,
+    private val agent: String,
+    private val cycles: List<Cycle>,
+    private val firstNs: Long,
+) {
+    private val reflexOf = HashMap<RecordedCommand, ReflexEnd>()
+
+    /** All of them, in the order of their times. */
+    val all: List<RecordedCommand>
+
+    init {
+        val open = recording.reflexEnds(agent).toMutableList()
+        val others = recording.commandEnds(agent).filter { it.text != null }.map { it to open.take(it) }.toList()
+        val ordered = ofPlans() + others.map { (end, reflex) -> sent(end, reflex) to reflex } + open.map { reported(it) to it }
+        all = ordered.sortedBy { (command, _) -> command.seconds }.mapIndexed { place, (command, reflex) ->
+            command.copy(number = place + 1).also { if (reflex != null) reflexOf[it] = reflex }
+        }
+    }
+
+    /** What became of the reflex that [command] is; null: it is none. */
+    fun reflex(command: RecordedCommand): ReflexEnd? = reflexOf[command]
+
+    private fun ofPlans(): List<Pair<RecordedCommand, ReflexEnd?>> = cycles.flatMap { cycle ->
+        val seconds = secondsOf(cycle.ns)
+        val toBoards = cycle.input.calls.flatMap { it.commands }
+            .map { RecordedCommand(agent, 0, it.text, it.port, seconds, cycle.index, sent = it.number) }
+        toBoards + listOfNotNull(cycle.course.action?.let { RecordedCommand(agent, 0, it, null, seconds, cycle.index) })
+    }.map { it to null }
+
+    private fun sent(end: CommandEnd, reflex: ReflexEnd?): RecordedCommand {
+        val ns = end.issuedNs ?: end.ns
+        val by = if (reflex == null) Sender.OUTSIDE else Sender.REFLEX
+        return RecordedCommand(agent, 0, end.text.orEmpty(), end.port, secondsOf(ns), cycleAt(ns), by, end.number)
+    }
+
+    private fun reported(reflex: ReflexEnd) =
+        RecordedCommand(agent, 0, reflex.command, null, secondsOf(reflex.ns), cycleAt(reflex.ns), Sender.REFLEX)
+
+    private fun cycleAt(ns: Long) = cycles.lastOrNull { it.ns <= ns }?.index ?: 0
+
+    private fun secondsOf(ns: Long) = (ns - firstNs) / NANOS
+
+    /** Takes the reflex of the computer out that [end] tells of, which is known at about the same time. */
+    private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =
+        filter { !it.isByBoard && it.command == end.text && abs(it.ns - end.ns) < SAME_NS }.minByOrNull { abs(it.ns - end.ns) }
+            ?.also { remove(it) }
+
+    private companion object {
+        const val NANOS = 1e9
+        const val SAME_NS = 100_000_000L
+    }
+}

@@ -1,0 +1,46 @@
+package argo.recording.why
+
+import argo.recording.Cycle
+import argo.recording.ReflexEnd
+
+/**
+ * Finds the frame that had a reflex carried out, among what an agent perceived.
+ *
+ * @param cycles those that are replayed, by which frames are counted
+ * @param filters the filters at their beginning
+ * @param firstNs when the recording began, in ns of the agent's clock
+ */
+internal class ReflexFrames(private val cycles: List<Cycle>, private val filters: RecordedFilters, private val firstNs: Long) {
+    /** Why [reflex] was carried out, whose [command] went to a port that may be known. */
+    fun cause(command: RecordedCommand, reflex: ReflexEnd): ReflexCause {
+        val all = percepts(command, reflex)
+        // the newest one up to then: a report of a board can be taken by its agent a moment before its frame is
+        val frame = all.lastOrNull { it.seconds <= command.seconds } ?: all.firstOrNull { it.seconds - command.seconds <= LATE_S }
+        return ReflexCause(reflex.rule, reflex.isByBoard, reflex.failure?.message, frame)
+    }
+
+    /** The percepts that met the rule of [reflex], in their order. */
+    private fun percepts(command: RecordedCommand, reflex: ReflexEnd): List<PerceptCause> {
+        var frames = 0
+        return cycles.flatMap { cycle ->
+            val found = cycle.input.snapshots.mapNotNull { snapshot ->
+                val frame = frameOf(snapshot, ++frames, cycle.number, ::secondsOf)
+                if (command.port != null && command.port != snapshot.port) return@mapNotNull null
+                val met = filters.critical(snapshot.port, snapshot.texts)
+                    .find { it.rule.reflex == reflex.command && "${it.rule.rule}" == reflex.rule } ?: return@mapNotNull null
+                val belief = believed(met.percept, snapshot.namespace)?.let(::keyOf) ?: met.percept
+                val why = filters.explain(snapshot.port, met.percept)?.toString()
+                PerceptCause(belief, seconds = frame.seconds, frame = frame, filter = why)
+            }
+            filters.changed(cycle.input.filters)
+            found
+        }
+    }
+
+    private fun secondsOf(ns: Long) = (ns - firstNs) / NANOS
+
+    private companion object {
+        const val NANOS = 1e9
+        const val LATE_S = 0.5
+    }
+}

@@ -1,0 +1,59 @@
+package argo.tools.why
+
+import argo.tools.command.awaitEnd
+import argo.tools.command.java
+import argo.tools.replay.QUICK_START
+import argo.tools.replay.classPathWithJason
+import argo.tools.replay.missingJason
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+
+/**
+ * What the tool `why` has told.
+ *
+ * @property lines its sentences; two blanks before one for each cause that it stands behind. Empty: there is no answer
+ * @property trouble why there is no answer, or what of the recording is missing; empty: nothing
+ */
+class Told(val lines: List<String>, val trouble: String)
+
+/**
+ * Asks the tool `why` in a Java machine of its own. A program whose agents run cannot replay one of them: the replay sets counters of Jason
+ * that all of them share, and takes memory and processor time. One question is answered at a time; any thread may ask.
+ *
+ * @param patienceS how many seconds an answer may take
+ */
+class WhyProgram(private val patienceS: Long) {
+    /**
+     * Why [agent] sent the command to a board that it counted as [number], as the recording [file] has it. Waits for the answer.
+     * @throws java.io.IOException if no other program can be started
+     */
+    @Synchronized
+    fun ask(file: Path, agent: String, number: Long): Told {
+        val path = classPathWithJason(null) ?: return Told(emptyList(), missingJason())
+        val errors = Files.createTempFile("argo-why", ".txt")
+        try {
+            val program = QUICK_START + IN_UNICODE + listOf("-cp", path, "argo.tools.MainKt", "why", "$file", "#$number", "--of=$agent")
+            val process = java(program).redirectError(errors.toFile()).start()
+            CompletableFuture.delayedExecutor(patienceS, TimeUnit.SECONDS).execute(process::destroyForcibly)
+            val lines = process.inputStream.bufferedReader().readLines()
+            val status = process.awaitEnd()
+            val trouble = Files.readString(errors).trim()
+            return Told(lines, if (status == KILLED) tooLong(number) else trouble)
+        } finally {
+            Files.deleteIfExists(errors)
+        }
+    }
+
+    private fun tooLong(number: Long) = "the replay did not come to the command within $patienceS s; it has no limit in a terminal: " +
+        "java -jar argo.jar why FILE '#$number'"
+
+    private companion object {
+        /** Whatever the language of this computer is. */
+        val IN_UNICODE = listOf("file", "stdout", "stderr").map { "-D$it.encoding=UTF-8" }
+
+        /** The exit status of a program that was ended by SIGKILL. */
+        const val KILLED = 137
+    }
+}

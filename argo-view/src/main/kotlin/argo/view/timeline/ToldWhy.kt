@@ -1,0 +1,40 @@
+package argo.view.timeline
+
+import argo.tools.why.Told
+import argo.tools.why.WhyProgram
+import argo.view.HttpResponse
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * Responds to why a command was sent, in the sentences of the tool `why`. One question is answered at a time.
+ *
+ * @param reading calls its argument with the file that the agents are recorded in, or returns null: there is none
+ */
+internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
+    private val program = WhyProgram(PATIENCE_S)
+
+    /** The response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`. Waits for the answer. */
+    fun respond(parameters: Map<String, String>): HttpResponse {
+        val agent = parameters["agent"]
+        val number = parameters["command"]?.toLongOrNull()
+        if (agent == null || number == null || number < 1) return HttpResponse.message(400, "ask for why?agent=robot&command=17")
+        val told = try {
+            reading { file -> program.ask(file, agent, number) }
+                ?: return HttpResponse.message(404, "agent $agent is not recorded any more")
+        } catch (trouble: IOException) {
+            return HttpResponse.message(500, "the tool why cannot be run: ${trouble.message}")
+        }
+        if (told.lines.isEmpty()) return HttpResponse.message(404, told.trouble.ifEmpty { "the tool why has ended without an answer" })
+        return HttpResponse(200, HttpResponse.JSON, Json.encodeToString(Sentences.serializer(), Sentences(told.lines)).toByteArray())
+    }
+
+    @Serializable
+    private class Sentences(val lines: List<String>)
+
+    private companion object {
+        const val PATIENCE_S = 60L
+    }
+}
