@@ -1,6 +1,7 @@
 package argo.view
 
 import argo.observing.AgentObserver
+import argo.observing.Farewell
 import argo.observing.ObservedAgent
 import kotlinx.serialization.json.Json
 import java.net.URI
@@ -28,9 +29,11 @@ class AgentView private constructor(
     private val closing = CountDownLatch(1)
     private var publishedNanos: Long? = null
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply { isDaemon = true }
-    private val atExit = Thread {
+
+    /** Or pages would not be sent the agent's end where the program ends with it. */
+    private val farewell = Farewell(MAX_FAREWELL_MS) {
         close()
-        publisher.join(MAX_FAREWELL_MS)
+        publisher.join()
     }
 
     /** @throws java.io.IOException if the port cannot be had */
@@ -38,7 +41,6 @@ class AgentView private constructor(
 
     init {
         record.begin()
-        Runtime.getRuntime().addShutdownHook(atExit) // or pages would not be sent the agent's end where the program ends with it
         publisher.start()
     }
 
@@ -68,7 +70,7 @@ class AgentView private constructor(
             pages.awaitNoPage(MAX_FAREWELL_MS) // one that does not read is not waited for
         } finally {
             ViewServers.leave(port, server, page)
-            forgetExit()
+            farewell.close()
         }
     }
 
@@ -86,14 +88,6 @@ class AgentView private constructor(
     private fun publish(isLast: Boolean, isFull: Boolean = true) {
         pages.publish(Json.encodeToString(ViewState.serializer(), composer.state(isLast, isFull)), isLast)
         publishedNanos = System.nanoTime()
-    }
-
-    private fun forgetExit() {
-        try {
-            Runtime.getRuntime().removeShutdownHook(atExit)
-        } catch (_: IllegalStateException) {
-            // the program is ending
-        }
     }
 
     private companion object {

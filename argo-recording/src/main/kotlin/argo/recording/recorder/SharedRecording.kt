@@ -1,5 +1,6 @@
 package argo.recording.recorder
 
+import argo.observing.Farewell
 import argo.recording.storage.RecordSink
 import argo.recording.storage.RecordingFile
 import argo.recording.storage.RecordingRing
@@ -10,16 +11,13 @@ import java.time.Duration
 import java.time.LocalDateTime
 import java.time.format.DateTimeFormatter
 import java.util.logging.Logger
-import kotlin.concurrent.thread
 
 /** A recording of all agents of a program that ask for the same. Safe for use by several threads. */
 internal class SharedRecording private constructor(val sink: RecordSink, private val key: String, private val log: Logger) {
     private var agents = 0
-    private val atExit = Thread(::closeSoon, "argo-recording-exit")
 
-    init {
-        if (sink is RecordingFile) Runtime.getRuntime().addShutdownHook(atExit) // or Ctrl-C would cost the end of the file
-    }
+    /** Or Ctrl-C would cost the end of a file. The last minutes are written where they are asked for, and not at each end of a program. */
+    private val farewell = if (sink is RecordingFile) Farewell(MAX_FAREWELL_MS, sink::close) else null
 
     /** Writes a ring to a file, on a thread of its own. Does nothing to a recording that is written anyway. */
     fun save() {
@@ -55,18 +53,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         if (--agents == 0) {
             OPEN -= key
             sink.close()
-            forgetExit()
-        }
-    }
-
-    /** Closes the recording, but has a disk that hangs keep nobody from ending the program. */
-    private fun closeSoon() = thread(isDaemon = true, block = sink::close).join(MAX_FAREWELL_MS)
-
-    private fun forgetExit() {
-        try {
-            Runtime.getRuntime().removeShutdownHook(atExit)
-        } catch (_: IllegalStateException) {
-            // the program is ending
+            farewell?.close()
         }
     }
 

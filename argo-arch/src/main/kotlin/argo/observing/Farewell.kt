@@ -1,0 +1,26 @@
+package argo.observing
+
+import kotlin.concurrent.thread
+
+/**
+ * Has [say] carried out, on a thread of its own, when the program is ended from outside, as by Ctrl-C, before this is closed. The program
+ * waits for that, but no longer than [mostMs], so that a disk or a browser that hangs keeps nobody from ending it.
+ *
+ * Safe for use by several threads.
+ */
+class Farewell(private val mostMs: Long, private val say: () -> Unit) : AutoCloseable {
+    private val atExit = Thread({ thread(isDaemon = true, block = say).join(mostMs) }, "argo-farewell")
+
+    init {
+        Runtime.getRuntime().addShutdownHook(atExit)
+    }
+
+    /** There is nothing to be said any more. May be called twice, and while the program ends. */
+    override fun close() {
+        try {
+            Runtime.getRuntime().removeShutdownHook(atExit)
+        } catch (_: IllegalStateException) {
+            // the program is ending
+        }
+    }
+}
