@@ -12,7 +12,7 @@ import kotlin.io.path.inputStream
  * The whole file is looked through once when it is opened, one chunk in memory at a time. For one thread.
  *
  * @param path the file; it should not change while it is read
- * @throws McapException if it is no MCAP file, or of a newer version of the format
+ * @throws McapException if it is empty or no MCAP file, or of a newer version of the format
  * @throws java.io.IOException if it cannot be read
  */
 class McapReader(path: Path) : Closeable {
@@ -71,8 +71,16 @@ class McapReader(path: Path) : Closeable {
     override fun close() = input.close()
 
     companion object {
-        /** Whether the file [path] begins as one of MCAP, of any version. Throws [java.io.IOException] if it cannot be read. */
-        fun isMcap(path: Path): Boolean = path.inputStream().use { it.readNBytes(VERSION_AT) }.contentEquals(MAGIC.copyOf(VERSION_AT))
+        /**
+         * Whether the file [path] begins as one of MCAP, of any version.
+         * @throws McapException if it is empty
+         * @throws java.io.IOException if it cannot be read
+         */
+        fun isMcap(path: Path): Boolean {
+            val start = path.inputStream().use { it.readNBytes(VERSION_AT) }
+            if (start.isEmpty()) throw McapException(emptyFile(path))
+            return start.contentEquals(MAGIC.copyOf(VERSION_AT))
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 package argo.mcap
 
 import java.nio.ByteBuffer
+import java.nio.file.Path
 import java.util.zip.CRC32
 
 /** A place in the file with whole records of messages, whose log times are in [times]. */
@@ -42,6 +43,9 @@ internal class McapContents {
     }
 }
 
+/** What is wrong with [path], a file without any byte. */
+internal fun emptyFile(path: Path) = "$path is empty: what was to be recorded into it ended, or the disk was full, before"
+
 /** Looks through a file from its beginning, as far as its records are whole. */
 internal class McapScan(private val input: McapInput) {
     private val contents = McapContents()
@@ -72,6 +76,7 @@ internal class McapScan(private val input: McapInput) {
     }
 
     private fun checkMagic() {
+        if (input.size == 0L) throw McapException(emptyFile(input.path))
         val start = ByteArray(minOf(MAGIC.size.toLong(), input.size).toInt()).also { input.read(0, it.size.toLong()).get(it) }
         val differing = MAGIC.indices.filter { it >= start.size || start[it] != MAGIC[it] }
         if (differing == listOf(VERSION_AT)) {

@@ -6,8 +6,8 @@ import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.making
 import argo.tools.command.printable
+import argo.tools.command.requireFile
 import argo.tools.command.requireNew
-import argo.tools.command.requireRecording
 import argo.tools.filter.filterIn
 import argo.tools.replay.AgentReplay
 import argo.tools.replay.AgentReplayOptions
@@ -52,7 +52,7 @@ internal class ReplayCommand : ToolCommand() {
     private val board get() = asBoard ?: BoardReplayOptions()
 
     override fun call(): Int {
-        requireRecording(file)
+        requireFile(file)
         if (McapReader.isMcap(file)) {
             if (asBoard != null) misuse("--loop, --in-turn and --link are for a recording of a board, and $file is one of agents")
             return replayAgents(ofAgents ?: AgentReplayOptions())

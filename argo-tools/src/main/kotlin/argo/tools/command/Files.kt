@@ -54,16 +54,6 @@ internal fun requireFile(file: Path) {
     if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy into one what it is to give")
 }
 
-/**
- * Checks that [file] is a file that something was recorded into.
- *
- * @throws ToolException if not
- */
-internal fun requireRecording(file: Path) {
-    requireFile(file)
-    if (Files.size(file) == 0L) throw ToolException("$file is empty: what was to be recorded into it ended, or the disk was full, before")
-}
-
 /** The files below [folder] with one of these [extensions], sorted; without hidden files and outputs of builds. */
 internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = Files.walk(folder).use { found ->
     found.filter { it.extension in extensions && Files.isRegularFile(it) && !isBuilt(folder.relativize(it)) }.sorted().toList()

@@ -8,7 +8,7 @@ import argo.tools.command.ToolException
 import argo.tools.command.jsonOf
 import argo.tools.command.nanosOf
 import argo.tools.command.printable
-import argo.tools.command.requireRecording
+import argo.tools.command.requireFile
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
@@ -48,7 +48,7 @@ internal class RecordingCommand : DataCommand() {
     override fun call(): Int {
         if (wantsMessages && inside != null) misuse("--messages and --file exclude each other")
         if (!wantsMessages && (topics != null || from != null || until != null)) misuse("--topic, --from and --until go with --messages")
-        requireRecording(file)
+        requireFile(file)
         return McapReader(file).use { recording ->
             val name = inside
             when {

@@ -10,7 +10,7 @@ import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.printable
-import argo.tools.command.requireRecording
+import argo.tools.command.requireFile
 import argo.tools.replay.hasJason
 import argo.tools.replay.runWithJason
 import kotlinx.serialization.json.Json
@@ -51,7 +51,7 @@ internal class WhyCommand : DataCommand() {
         val asked = Question.of(question) ?: misuse("a question is a command such as stop@12.3s, not '$question'")
         if (isNot && had.isNotEmpty()) misuse("--not and --had exclude each other")
         if (isNot && asked.count != null) misuse("--not goes with a time, ${asked.text.ifEmpty { "stop" }}@12.3s, and not with a number")
-        requireRecording(file)
+        requireFile(file)
         if (!McapReader.isMcap(file)) throw ToolException("$file is no recording of an agent, which the option argo_record makes")
         if (classPath != null || !hasJason()) return runWithJason(spec.root().name(), classPath, arguments())
         return Recording(file).use { recording ->
