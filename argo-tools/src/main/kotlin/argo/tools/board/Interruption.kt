@@ -10,13 +10,25 @@ import java.util.concurrent.TimeUnit
 internal class Interruption : AutoCloseable {
     private val worker = Thread.currentThread()
     private val done = CountDownLatch(1)
+    private val ending = CountDownLatch(1)
     private val hook = Thread {
+        ending.countDown()
         worker.interrupt()
         done.await(LIMIT_S, TimeUnit.SECONDS)
     }
 
     init {
         Runtime.getRuntime().addShutdownHook(hook)
+    }
+
+    /**
+     * Whether the program is ending, or begins to within [LATE_MS]: a signal to all programs of a terminal may end those that a command has
+     * started before this one. For the thread that made this; its interruption is taken then.
+     */
+    fun isEnding(): Boolean = try {
+        ending.await(LATE_MS, TimeUnit.MILLISECONDS).also { if (it) Thread.interrupted() }
+    } catch (_: InterruptedException) {
+        true
     }
 
     override fun close() {
@@ -30,5 +42,6 @@ internal class Interruption : AutoCloseable {
 
     private companion object {
         const val LIMIT_S = 5L
+        const val LATE_MS = 500L
     }
 }

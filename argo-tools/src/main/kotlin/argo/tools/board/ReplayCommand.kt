@@ -102,7 +102,9 @@ internal class ReplayCommand : ToolCommand() {
             )
         }
         val waits = !recording.isOfRequests && !board.inTurn
-        return Interruption().use { PseudoTerminals.open().use { pair -> linked(pair) { serve(pair, it, replayed, waits) } } }
+        return Interruption().use { interruption ->
+            PseudoTerminals.open().use { pair -> linked(pair) { serve(pair, it, replayed, waits, interruption) } }
+        }
     }
 
     private fun board(recording: Recording): ReplayBoard {
@@ -125,7 +127,7 @@ internal class ReplayCommand : ToolCommand() {
         }
     }
 
-    private fun serve(pair: PseudoTerminals, port: String, board: ReplayBoard, waits: Boolean): Int {
+    private fun serve(pair: PseudoTerminals, port: String, board: ReplayBoard, waits: Boolean, interruption: Interruption): Int {
         out.println(port)
         out.flush()
         err.println("$file is a board on this port until Ctrl-C: argo.port(\"$port\") in an agent, or the commands monitor and request")
@@ -137,7 +139,7 @@ internal class ReplayCommand : ToolCommand() {
         } catch (_: InterruptedException) {
             // as above
         } catch (gone: PortException) {
-            if (!Thread.interrupted()) throw ToolException("the pseudo-terminal is lost: ${gone.message}")
+            if (!interruption.isEnding()) throw ToolException("the pseudo-terminal is lost: ${gone.message}")
         }
         return ExitStatus.DONE
     }

@@ -56,6 +56,15 @@ class InterruptionSpec : FunSpec({
             link.exists(LinkOption.NOFOLLOW_LINKS) shouldBe false
         }
     }
+
+    test("a replay that is ended together with its pseudo-terminal says nothing of that").config(enabledOrReasonIf = pairs) {
+        tool("replay", "$board") { process, said ->
+            repeat(2) { said.readLine() }
+            process.descendants().forEach { it.destroy() }
+            process.toHandle().destroy()
+            said.readText() shouldBe ""
+        }
+    }
 })
 
 private const val LIMIT_S = 60L
