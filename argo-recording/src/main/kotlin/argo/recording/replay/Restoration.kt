@@ -57,21 +57,22 @@ internal class Restoration(
             believe()
             val mind = InflaterInputStream(ByteArrayInputStream(Base64.getDecoder().decode(frame.mind))).use { it.readBytes() }
             return intend(mindOf(mind, program, code))
-        } catch (unreadable: IOException) {
-            refuse("${unreadable.message}")
-        } catch (unreadable: IllegalArgumentException) {
-            refuse("${unreadable.message}")
-        } catch (unreadable: IndexOutOfBoundsException) {
-            refuse("${unreadable.message}")
-        } catch (refused: JasonException) {
-            refuse("${refused.message}")
-        } catch (other: ReflectiveOperationException) {
-            refuse("$other")
+        } catch (refused: RecordingException) {
+            throw refused
+        } catch (broken: Exception) {
+            refuse(unreadable(broken) ?: throw broken)
         } catch (other: LinkageError) {
             refuse("$other")
         } finally {
             Counters.write(counters)
         }
+    }
+
+    /** What is wrong with the key frame if reading it ends with [broken]; null: that is a fault of the program. */
+    private fun unreadable(broken: Exception): String? = when (broken) {
+        is IOException, is IllegalArgumentException, is IndexOutOfBoundsException, is JasonException -> "${broken.message}"
+        is ReflectiveOperationException -> "$broken"
+        else -> null
     }
 
     private fun refuse(why: String): Nothing =
