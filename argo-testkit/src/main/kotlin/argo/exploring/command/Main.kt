@@ -1,6 +1,7 @@
 package argo.exploring.command
 
 import argo.exploring.Found
+import argo.exploring.NotDeterministic
 import argo.exploring.NothingFound
 import argo.exploring.outcomeOf
 import argo.exploring.reportOf
@@ -19,7 +20,8 @@ fun main(arguments: Array<String>): Unit = exitProcess(explored(arguments.toList
  *
  * @param out where the report goes
  * @param err where the reason goes if nothing is explored
- * @return the exit status: 0 no rule was broken, 1 one was, or nothing can be found out, 2 the arguments are wrong
+ * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 nothing can be found out, 4 a rule was broken, which no Java
+ * machine ends with that cannot start
  */
 internal fun explored(arguments: List<String>, out: PrintStream, err: PrintStream): Int {
     val outcome = try {
@@ -33,7 +35,11 @@ internal fun explored(arguments: List<String>, out: PrintStream, err: PrintStrea
         return FAILED
     }
     out.println(reportOf(outcome))
-    return if (outcome is NothingFound) DONE else FAILED
+    return when (outcome) {
+        is NothingFound -> DONE
+        is Found -> FOUND
+        is NotDeterministic -> FAILED
+    }
 }
 
 private fun save(found: Found, file: Path, out: PrintStream) {
@@ -42,5 +48,6 @@ private fun save(found: Found, file: Path, out: PrintStream) {
 }
 
 private const val DONE = 0
-private const val FAILED = 1
 private const val MISUSED = 2
+private const val FAILED = 3
+private const val FOUND = 4

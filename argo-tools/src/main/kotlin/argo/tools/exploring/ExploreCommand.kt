@@ -1,5 +1,6 @@
 package argo.tools.exploring
 
+import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.requireFile
@@ -8,6 +9,7 @@ import argo.tools.command.requireWithin
 import argo.tools.command.runJava
 import argo.tools.replay.classPathWithJason
 import argo.tools.replay.missingJason
+import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
@@ -20,7 +22,8 @@ import kotlin.io.path.createTempDirectory
     name = "explore",
     description = [
         "Plays changing sensors and faults of boards against an agent in virtual time, and looks for a run that breaks a rule.",
-        "Prints such a run, as short as it gets, in words and as a spec. Exit status: 0 none found, 1 found, 2 wrong arguments.",
+        "Prints such a run, as short as it gets, in words and as a spec. Exit status: 0 none found, 1 found, 2 wrong arguments,",
+        "3 nothing could be found out.",
         "For example: explore robot.asl --board 'ttyACM0 dist(front,5..200)' --rule 'stopsWhenBlind(stop,[front])'",
     ],
 )
@@ -76,7 +79,14 @@ internal class ExploreCommand : ToolCommand() {
     @Option(names = ["--class-path"], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
     private var classPath: String? = null
 
-    override fun call(): Int {
+    override fun call(): Int = try {
+        explore()
+    } catch (refused: ToolException) {
+        err.println(refused.message)
+        NOTHING_KNOWN
+    }
+
+    private fun explore(): Int {
         if (boards.isEmpty() && described == null) misuse("describe the agent's board: --board 'ttyACM0 dist(front,5..200)'")
         runs?.let { spec.requireWithin("--runs", it, 1..MOST_RUNS) }
         time?.let { spec.requireWithin("--time", it, 1..MOST_SECONDS, "seconds") }
@@ -93,8 +103,17 @@ internal class ExploreCommand : ToolCommand() {
         }
     }
 
-    private fun explore(classPath: String, described: String?): Int =
-        runJava(listOf("-cp", classPath, "argo.exploring.command.MainKt", source) + arguments(described))
+    private fun explore(classPath: String, described: String?): Int {
+        val status = runJava(listOf("-cp", classPath, "argo.exploring.command.MainKt", source) + arguments(described))
+        return when (status) {
+            FOUND_THERE -> ExitStatus.FAILED
+            in TOLD -> status
+            else -> throw ToolException(
+                "nothing was explored: the Java machine for it has ended with status $status. What it printed above has the reason, such " +
+                    "as too little memory, or a class path without the test kit",
+            )
+        }
+    }
 
     private fun arguments(described: String?): List<String> = buildList {
         boards.forEach { add("--board=$it") }
@@ -113,5 +132,14 @@ internal class ExploreCommand : ToolCommand() {
     private companion object {
         const val MOST_RUNS = 1_000_000
         const val MOST_SECONDS = 86_400
+
+        /** The exit status if nothing could be found out. */
+        const val NOTHING_KNOWN = 3
+
+        /** The exit status of the exploration's program if it has found a run. */
+        const val FOUND_THERE = 4
+
+        /** Its others, with which it has told why. */
+        val TOLD = setOf(ExitStatus.DONE, CommandLine.ExitCode.USAGE, NOTHING_KNOWN)
     }
 }

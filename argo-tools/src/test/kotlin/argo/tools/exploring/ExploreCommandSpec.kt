@@ -25,10 +25,10 @@ class ExploreCommandSpec : FunSpec({
     val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
 
     /** Runs a Java program with [arguments] in the folder, with [path] as `PATH`. */
-    fun run(vararg arguments: String, path: String = System.getenv("PATH")): Output {
+    fun run(vararg arguments: String, path: String = System.getenv("PATH"), environment: Map<String, String> = emptyMap()): Output {
         val (out, err) = List(2) { createTempFile(folder, "output") }
         val process = ProcessBuilder(listOf(java, "-XX:TieredStopAtLevel=1") + arguments).directory(folder.toFile())
-            .redirectOutput(out.toFile()).redirectError(err.toFile()).apply { environment()["PATH"] = path }.start()
+            .redirectOutput(out.toFile()).redirectError(err.toFile()).apply { environment() += environment + ("PATH" to path) }.start()
         check(process.waitFor(5, TimeUnit.MINUTES)) { "${arguments.toList()} does not end" }
         return Output(process.exitValue(), out.readText(), err.readText())
     }
@@ -122,13 +122,25 @@ class ExploreCommandSpec : FunSpec({
         folder.resolve("broken.kt").writeText("fun Exploration.boards() {")
         val refused = explore("robot.asl", "--boards", "broken.kt", path = "${kotlinc()}:${System.getenv("PATH")}")
         withClue(refused) {
-            refused.status shouldBe 1
+            refused.status shouldBe 3
             refused.err shouldContain "kotlinc does not compile broken.kt"
         }
         val missing = explore("robot.asl", "--boards", "broken.kt", path = "/nowhere")
         withClue(missing) {
-            missing.status shouldBe 1
+            missing.status shouldBe 3
             missing.err shouldContain "--boards BrokenKt"
+        }
+    }
+
+    test("a Java machine that cannot start has found nothing") {
+        robot(isMended = false)
+        val broken = run(
+            "-XX:+IgnoreUnrecognizedVMOptions", "-cp", classPath, "argo.tools.MainKt", "explore", "robot.asl", *board,
+            environment = mapOf("JDK_JAVA_OPTIONS" to "-XX:+NoSuchOption"), // which the program that starts it passes over
+        )
+        withClue(broken) {
+            broken.status shouldBe 3
+            broken.err shouldContain "nothing was explored: the Java machine for it has ended with status 1."
         }
     }
 
