@@ -13,9 +13,12 @@ fun whyUnreadable(percept: String): String? {
     return when {
         GroundTerm.ofOrNull(text) is GroundTerm.Structure -> null
         text.isEmpty() -> "it is empty"
-        text[0].isUpperCase() || text[0] == '_' -> "its name begins in upper case, so it is a variable; write ${text.lowerCaseName()}"
+        text[0] in 'A'..'Z' -> "its name begins in upper case, so it is a variable; write ${readableName(text)}"
+        text[0] == '_' -> "its name begins with _, so it is a variable; write ${readableName(text)}"
         QUOTED.findAll(text).any { '\n' in it.value || '\r' in it.value } -> "there is a line break in quotes; write \\n"
         !isBalanced(text) -> "a bracket or a quote is not closed"
+        foreignLetter(text) != null ->
+            "${foreignLetter(text)} is no letter of a word, which a to z are; put the word in quotes"
         VARIABLE.containsMatchIn(QUOTED.replace(text, "0")) ->
             "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes"
         Syntax.isReserved(word, 0, word.length) -> "$word is a word of AgentSpeak, which cannot be a percept's name"
@@ -26,4 +29,11 @@ fun whyUnreadable(percept: String): String? {
 private val QUOTED = Regex("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']*'")
 private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
 
-private fun String.lowerCaseName() = trimStart('_').replaceFirstChar(Char::lowercase)
+private val FOREIGN = Regex("""[\p{L}&&[^A-Za-z]]""")
+
+/** The text with a name that is none of a variable, or what to write where that does not make it readable. */
+private fun readableName(text: String): String =
+    text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { GroundTerm.ofOrNull(it) is GroundTerm.Structure }
+        ?: "a name that begins with one of a to z"
+
+private fun foreignLetter(text: String): String? = FOREIGN.find(QUOTED.replace(text, "0"))?.value

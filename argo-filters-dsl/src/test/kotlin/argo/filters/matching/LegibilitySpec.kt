@@ -5,13 +5,20 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
 class LegibilitySpec : FunSpec({
-    listOf("stop", "dist(front,30)", "~wall", "say(\"Hi (there\")", "at([1,2],p(q))", "t(-3.5)[level(2)]", "p('Front Left')").forEach {
+    listOf(
+        "stop", "dist(front,30)", "~wall", "say(\"Hi (there\")", "at([1,2],p(q))", "t(-3.5)[level(2)]", "p('Front Left')", "'Öl'(\"grün\")",
+    ).forEach {
         test("$it can be read") { whyUnreadable(it) shouldBe null }
     }
 
     mapOf(
         "Dist(30)" to "its name begins in upper case, so it is a variable; write dist(30)",
-        "_x" to "its name begins in upper case, so it is a variable; write x",
+        "_x" to "its name begins with _, so it is a variable; write x",
+        "_(1)" to "its name begins with _, so it is a variable; write a name that begins with one of a to z",
+        "_1(2)" to "its name begins with _, so it is a variable; write a name that begins with one of a to z",
+        "Dist(X)" to "its name begins in upper case, so it is a variable; write a name that begins with one of a to z",
+        "Öl(1)" to "Ö is no letter of a word, which a to z are; put the word in quotes",
+        "light(grün)" to "ü is no letter of a word, which a to z are; put the word in quotes",
         "t(kitchen,21,5" to "a bracket or a quote is not closed",
         "say(\"x)" to "a bracket or a quote is not closed",
         "dist(Front,3)" to "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes",
