@@ -13,7 +13,7 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
         override fun removeEldestEntry(eldest: Map.Entry<String, PerceptCause>) = size > MAX_GONE
     }
     private val newest = LinkedHashMap<String, Frame>()
-    private var frames = 0
+    private val frames = Frames(secondsOf)
     private val earlier = HashSet<String>()
 
     /** The newest frame of each board that has been perceived. */
@@ -27,7 +27,7 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     /** The agent perceives [percepts] in the cycle of this [number] at [ns], of [snapshots] and of what it perceived before. */
     fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
         val seconds = secondsOf(ns)
-        val now = snapshots.map { frameOf(it, ++frames, number, secondsOf) to keysOf(it) }
+        val now = snapshots.map { frames.of(it, number) to keysOf(it) }
         now.forEach { (frame, _) -> newest[frame.port] = frame }
         val keys = percepts.associateBy(::keyOf)
         earlier.retainAll(keys.keys)
@@ -65,10 +65,6 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
         val OF_ARGO = setOf("port/2", "stale/1", "reflex/2")
     }
 }
-
-/** The [snapshot], the how manieth it is, and Jason's number of the [cycle] in which it was perceived. */
-internal fun frameOf(snapshot: PerceivedSnapshot, number: Int, cycle: Int, secondsOf: (Long) -> Double) =
-    Frame(number, snapshot.port, snapshot.namespace, secondsOf(snapshot.receivedNs), cycle, snapshot.texts, snapshot.kept)
 
 /** The percept that a board's [text] is believed as in [namespace]; null: it cannot be read. */
 internal fun believed(text: String, namespace: String?): Literal? = try {

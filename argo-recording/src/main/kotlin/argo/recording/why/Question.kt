@@ -10,7 +10,7 @@ import kotlin.math.abs
  * @property number counts the commands of the agent, from 1
  * @property text what was sent, `speed(120)`, or the action of the environment
  * @property port the port of its board; null: it was an action of the environment
- * @property seconds when it was issued, since the first cycle: when the cycle of the plan's step began; of a reflex of the board, when it was
+ * @property seconds when it was issued, since the first cycle: when the cycle of the step began; of a reflex of the board, when it was
  * reported
  * @property cycle the index of that cycle, or of the one under way, see [argo.recording.Cycle.index]
  * @property by what sent it

@@ -21,10 +21,10 @@ internal class ReflexFrames(private val cycles: List<Cycle>, private val filters
 
     /** The percepts that met the rule of [reflex], in their order. */
     private fun percepts(command: RecordedCommand, reflex: ReflexEnd): List<PerceptCause> {
-        var frames = 0
+        val frames = Frames(::secondsOf)
         return cycles.flatMap { cycle ->
             val found = cycle.input.snapshots.mapNotNull { snapshot ->
-                val frame = frameOf(snapshot, ++frames, cycle.number, ::secondsOf)
+                val frame = frames.of(snapshot, cycle.number)
                 if (command.port != null && command.port != snapshot.port) return@mapNotNull null
                 val met = filters.critical(snapshot.port, snapshot.texts)
                     .find { it.rule.reflex == reflex.command && "${it.rule.rule}" == reflex.rule } ?: return@mapNotNull null

@@ -14,7 +14,9 @@ import kotlin.time.Duration.Companion.seconds
  *
  * @property space the namespace of its board; null: there is one board
  */
-internal class ScenarioSensor(val space: String?, private val functor: String, private val place: String, val values: List<Int>) {
+internal class ScenarioSensor(
+    val space: String?, private val functor: String, private val place: String, val values: List<Int>, private val filter: ScenarioFilter,
+) {
     /** What the agent believes. */
     fun percept(value: String) = inSpace(space, "$functor($place,$value)")
 
@@ -25,12 +27,51 @@ internal class ScenarioSensor(val space: String?, private val functor: String, p
 
     fun isNewIn(phase: Int) = phase == 0 || values[phase] != values[phase - 1]
 
-    /** The first frame with what it shows in [phase]. */
-    fun cause(phase: Int) = CausingFrame(space, since(phase))
+    /** The frame by which what it shows in [phase] came. */
+    fun cause(phase: Int) = since(phase).let { CausingFrame(space, it, isHeld(it)) }
+
+    /** Whether the filter holds what is new in [phase] back for a part of it: what was new in the phase before has just passed. */
+    fun isHeld(phase: Int): Boolean =
+        filter.isRated(phase) && ScenarioFilter.isLong(phase) && isNewIn(phase) && isNewIn(phase - 1)
+
+    /** What the agent perceives in [phase]; [isLate]: at its end, behind what is held back. */
+    fun perceived(phase: Int, isLate: Boolean): Int = if (isLate || !isHeld(phase)) values[phase] else values[phase - 1]
 }
 
-/** The first frame of a [phase] from the board in the namespace [space]. */
-internal data class CausingFrame(val space: String?, val phase: Int)
+/** The filter of a scenario. */
+internal enum class ScenarioFilter {
+    NONE,
+
+    /** Drops the numbers of frames. */
+    QUIET,
+
+    /** Drops them, too, and lets each sensor pass once in [EVERY_MS]. */
+    RATED,
+
+    /** The first one until the second phase begins, then the other. */
+    CHANGED,
+    ;
+
+    /** Whether phases are short and long in turn. */
+    val isOfRates get() = this == RATED || this == CHANGED
+
+    /** Whether what is new in [phase] may be held back. */
+    fun isRated(phase: Int) = this == RATED || this == CHANGED && phase > 1
+
+    companion object {
+        /** How often a sensor passes at most in the filter `rated`. */
+        const val EVERY_MS = 500
+
+        /** Whether [phase] is longer than that; the others are shorter. */
+        fun isLong(phase: Int) = phase % 2 == 1
+    }
+}
+
+/**
+ * The first frame of a [phase] from the board in the namespace [space]; or, of a percept that was held back, the one in that phase by which
+ * it came.
+ */
+internal data class CausingFrame(val space: String?, val phase: Int, val isHeld: Boolean = false)
 
 /**
  * A command that the agent of a scenario sends once.
@@ -53,9 +94,15 @@ internal class WhyScenario(seed: Int) {
     private val random = Random(seed)
     private val phases = random.nextInt(3, 7)
     private val spaces: List<String?> = if (random.nextInt(3) == 0) listOf("left", "right") else listOf(null)
+    private val filter = ScenarioFilter.entries.random(random)
     private val sensors = List(random.nextInt(MOST_COMMANDS + 1, MOST_COMMANDS + 4)) { sensor(it) }
-    private val pausesMs = List(phases) { random.nextInt(700, 1300) }
-    private val isFiltered = random.nextInt(3) == 0
+    private val pausesMs = List(phases) { phase ->
+        when {
+            !filter.isOfRates -> random.nextInt(700, 1300)
+            ScenarioFilter.isLong(phase) -> random.nextInt(1000, 1400) // what was held back has passed for long when the next one begins
+            else -> SHORT_MS
+        }
+    }
     private val decoy = sensors.last()
 
     /** The commands that the agent may send. */
@@ -65,12 +112,14 @@ internal class WhyScenario(seed: Int) {
     val program: String = buildString {
         appendLine("!start.")
         val ports = if (spaces.size == 1) "argo.port(ttyACM0)" else "argo.ports([port(ttyACM0,[as(left)]),port(ttyACM1,[as(right)])])"
-        val filter = if (isFiltered) "argo.change_filter(quiet); " else ""
-        appendLine("+!start <- $ports; ${filter}argo.percepts(open); !!watch.")
+        val name = if (filter == ScenarioFilter.RATED) "rated" else if (filter != ScenarioFilter.NONE) "quiet" else "none"
+        appendLine("+!start <- $ports; argo.change_filter($name); argo.percepts(open); !!watch.")
+        val phase = inSpace(spaces.first(), "phase")
+        if (filter == ScenarioFilter.CHANGED) appendLine("+$phase(1) <- argo.change_filter(rated); +phase_seen(1).")
         appendLine("+!watch <- .wait(150); !watch.")
-        if (!isFiltered) appendLine("+${inSpace(spaces.last(), "number(N)")} : N mod 3 == 0 <- -+seen(N).")
+        if (filter == ScenarioFilter.NONE) appendLine("+${inSpace(spaces.last(), "number(N)")} : N mod 3 == 0 <- -+seen(N).")
         appendLine("+${decoy.percept("V")} : V > 1000 <- ${acting("never")}.")
-        appendLine("+${inSpace(spaces.first(), "phase(N)")} <- +phase_seen(N).")
+        appendLine("+$phase(N) <- +phase_seen(N).")
         commands.forEach { appendLine(it.plans) }
     }
 
@@ -78,7 +127,7 @@ internal class WhyScenario(seed: Int) {
         var value = random.nextInt(0, 200)
         val values = List(phases) { value.also { if (random.nextInt(3) > 0) value = random.nextInt(0, 200) } }
         val functor = listOf("dist", "light", "temp").random(random)
-        return ScenarioSensor(spaces.random(random), "$functor$number", listOf("front", "left", "back").random(random), values)
+        return ScenarioSensor(spaces.random(random), "$functor$number", listOf("front", "left", "back").random(random), values, filter)
     }
 
     private fun known(number: Int): KnownCommand {
@@ -89,7 +138,10 @@ internal class WhyScenario(seed: Int) {
         val isAtOnce = first.values[0] < limit // so that what another board shows is not there yet, or is
         val second = (sensors - decoy).filter { it.space == first.space || it.isConstant && !isAtOnce }.random(random)
         fun isLow(phase: Int) = first.values[phase] < limit
-        fun isHigh(phase: Int) = second.values[phase] > other
+        fun isHigh(phase: Int) = second.perceived(phase, first.isHeld(phase)) > other
+
+        /** The frame of what the second sensor is perceived to show when an event of the first one comes in [phase]. */
+        fun aside(phase: Int) = second.cause(if (second.isHeld(phase) && !first.isHeld(phase)) phase - 1 else phase)
         val both = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) && isHigh(it) }
         val alone = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) }
         val event = first.percept("V")
@@ -104,7 +156,7 @@ internal class WhyScenario(seed: Int) {
             0 -> of("+$event : V < $limit & $once <- +done$number; $send.", alone)
             1 -> of(
                 "+$event : V < $limit & $isOtherHigh & $once <- +done$number; .wait(${random.nextInt(1, 90)}); $send.",
-                both, both?.let(second::cause),
+                both, both?.let(::aside),
             )
             2 -> of(
                 "+$event : V < $limit & $once <- +done$number; !react$number(V).\n" +
@@ -119,12 +171,12 @@ internal class WhyScenario(seed: Int) {
             5 -> of(
                 "+$event : near$number(V) & $isOtherHigh & $once <- +done$number; $send.\n" +
                     "near$number(V) :- V < $limit.",
-                both, both?.let(second::cause),
+                both, both?.let(::aside),
             )
             6 -> of(
                 "+$event : V < $limit & $once <- +done$number; ?${second.percept("W")}; " +
                     "if (W > $other) { $send; } else { ${acting("other$number")}; }.",
-                alone?.takeIf(::isHigh), alone?.let(second::cause),
+                alone?.takeIf(::isHigh), alone?.let(::aside),
             )
             else -> polled(number, first, limit)
         }
@@ -176,6 +228,9 @@ internal class WhyScenario(seed: Int) {
 
 private const val MOST_COMMANDS = 3
 
+/** How long a short phase is: some frames, and shorter than a sensor is held back. */
+private const val SHORT_MS = 300
+
 /** What a command takes on the line, at most. */
 private val LINE = 40.milliseconds
 
@@ -183,4 +238,7 @@ private val LINE = 40.milliseconds
 internal fun inSpace(space: String?, text: String) = if (space == null) text else "$space::$text"
 
 /** The phase of this frame. */
-internal val Frame.phase: Int get() = texts.first { it.startsWith("phase(") }.removeSurrounding("phase(", ")").toInt()
+internal val Frame.phase: Int get() = phaseOf(texts)
+
+/** The phase in which a board has shown [texts]. */
+internal fun phaseOf(texts: List<String>): Int = texts.first { it.startsWith("phase(") }.removeSurrounding("phase(", ")").toInt()
