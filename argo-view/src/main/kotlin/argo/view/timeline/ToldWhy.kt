@@ -7,20 +7,32 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.file.Path
+import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Responds to why a command was sent, in the sentences of the tool `why`. One question is answered at a time.
+ * Responds to why a command was sent, in the sentences of the tool `why`. One question is answered at a time, and others are refused
+ * meanwhile: they would keep threads that respond to pages. Any thread may ask.
  *
  * @param reading calls its argument with the file that the agents are recorded in, or returns null: there is none
  */
 internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
     private val program = WhyProgram(PATIENCE_S)
+    private val isBusy = AtomicBoolean()
 
     /** The response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`. Waits for the answer. */
     fun respond(parameters: Map<String, String>): HttpResponse {
         val agent = parameters["agent"]
         val number = parameters["command"]?.toLongOrNull()
         if (agent == null || number == null || number < 1) return HttpResponse.message(400, "ask for why?agent=robot&command=17")
+        if (isBusy.getAndSet(true)) return HttpResponse.message(409, "another question is being answered; ask again in some seconds")
+        return try {
+            answer(agent, number)
+        } finally {
+            isBusy.set(false)
+        }
+    }
+
+    private fun answer(agent: String, number: Long): HttpResponse {
         val told = try {
             reading { file -> program.ask(file, agent, number) }
                 ?: return HttpResponse.message(404, "agent $agent is not recorded any more")
