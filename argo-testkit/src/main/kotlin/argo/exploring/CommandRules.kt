@@ -12,6 +12,12 @@ import kotlin.time.Duration.Companion.seconds
  */
 fun losesNoCommand(within: Duration = 5.seconds): Rule = LosesNoCommand(within)
 
+/**
+ * A failed one of [commands] is sent again, or another of them, within [within] of when its board is perceived again, as long as the agent
+ * perceives of it what it had perceived when it sent the command: whoever believes that it has stopped, and has not, drives on.
+ */
+fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule = SendsAgain(commands, within)
+
 /** The plans of an agent send at most [most] commands in any second. */
 fun neverFloods(most: Int = 20): Rule = NeverFloods(most)
 
@@ -54,6 +60,34 @@ private class LosesNoCommand(private val within: Duration) : ReadyRule("loses no
                 if (isNoticed) null
                 else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and nothing came of that")
             }
+}
+
+private class SendsAgain(private val commands: List<String>, private val within: Duration) :
+    ReadyRule("sends ${commands.joinToString(" or ")} again", commands, within) {
+    override fun breachIn(run: Run, agent: String): Breach? {
+        val entries = run.of(agent)
+        val sent = entries.filterIsInstance<Issued>().filter { commands.hasCommand(it.command) }
+        return entries.filterIsInstance<Ended>().filter { it.error != null && it.error !in FINAL }.mapNotNull { lost ->
+            val command = sent.find { it.number == lost.number } ?: return@mapNotNull null
+            val limit = wantedUntil(entries.filterIsInstance<Perceived>().filter { it.port == command.port }, command, lost)
+            if (limit == null || limit > run.ended || sent.any { it.number > command.number && it.at <= limit }) null
+            else Breach(limit, "${command.command} of $agent failed with ${lost.error} at ${inMs(lost.at)}, and is not sent again")
+        }.minByOrNull { it.at }
+    }
+
+    /** Until when [command] should have been sent again; null: its reason has gone, or its board. */
+    private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended): Duration? {
+        val reason = perceived.lastOrNull { it.at <= command.at } ?: return null
+        val again = perceived.firstOrNull { it.received > lost.at } ?: return null
+        val limit = again.at + within
+        val meanwhile = perceived.filter { it.at > command.at && it.at <= limit }
+        return limit.takeIf { meanwhile.all { it.percepts.toSet() == reason.percepts.toSet() } }
+    }
+
+    private companion object {
+        /** The errors of commands that it makes no sense to send again. */
+        val FINAL = setOf("act_replaced", "act_refused")
+    }
 }
 
 private class NeverFloods(private val most: Int) : ReadyRule("never floods", most) {

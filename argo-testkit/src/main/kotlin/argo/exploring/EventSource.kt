@@ -25,6 +25,36 @@ internal class EventSource(private val exploration: Exploration, private val age
         }
     }
 
+    /**
+     * The [events] and one more fault of the board that a command is for which was sent in [run], the one that they drove: a moment before
+     * it was issued, while it was on the line, or when its outcome was. Null: no command was sent, or none of these faults is played.
+     *
+     * A command is on its way for so short a time that faults drawn from a seed alone seldom hit it.
+     */
+    fun atCommand(run: Run, events: List<WorldEvent>, seed: Long): List<WorldEvent>? {
+        val random = Random(seed.inv())
+        val kinds = hits(random).takeIf { it.isNotEmpty() } ?: return null
+        val sent = run.trace.filterIsInstance<Issued>().filter { it.port in exploration.boards && it.at <= exploration.eventful }
+        val equal = sent.groupBy { it.command }.values.toList().takeIf { it.isNotEmpty() } ?: return null
+        val command = equal[random.nextInt(equal.size)].let { it[random.nextInt(it.size)] } // one that is seldom sent as likely as any
+        val ended = run.of(command.agent).filterIsInstance<Ended>().find { it.number == command.number }?.at ?: command.at
+        val from = (command.at.inWholeMilliseconds - AROUND_MS).coerceAtLeast(1)
+        val until = minOf(ended, command.at + LONGEST).inWholeMilliseconds + AROUND_MS
+        val at = random.nextLong(from, until + 1).milliseconds
+        return (events + kinds[random.nextInt(kinds.size)](at, command.port)).sortedBy { it.at }
+    }
+
+    /** What can hit a command. */
+    private fun hits(random: Random): List<(Duration, String) -> WorldEvent> = exploration.played.mapNotNull { fault ->
+        when (fault) {
+            Fault.CABLES -> { at, port -> Unplugged(at, port, lasts(random)) }
+            Fault.SILENCE -> { at, port -> Hangs(at, port, lasts(random)) }
+            Fault.RESTARTS -> { at, port -> Restarts(at, port, random.nextInt(10, 2000).milliseconds) }
+            Fault.NOISE -> { at, port -> Garbles(at, port, random.nextInt(3, 20), lasts(random)) }
+            Fault.SLOWNESS, Fault.FLOODS, Fault.FLICKER, Fault.LATE_MESSAGES -> null
+        }
+    }
+
     /** The time to the next event: often so short that the agent is still at the last one. */
     private fun pause(random: Random): Duration = when (random.nextInt(4)) {
         0 -> random.nextInt(1, 60)
@@ -85,6 +115,12 @@ internal class EventSource(private val exploration: Exploration, private val age
 
         /** The longest of each sort of trouble, in ms: from a loose contact to a board that is gone. */
         val LENGTHS = listOf(40, 200, 800, 2000, 5000)
+
+        /** How long before a command is issued a fault that hits it begins at most, and how long after its end, in ms. */
+        const val AROUND_MS = 3L
+
+        /** How long after a command has been issued a fault begins at most that hits it. */
+        val LONGEST = 200.milliseconds
 
         /** A sensor flickers by at most this part of its range. */
         const val NEAR = 20

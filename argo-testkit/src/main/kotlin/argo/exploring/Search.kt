@@ -58,15 +58,28 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     private fun among(source: EventSource, end: TimeMark): Outcome {
+        var left = exploration.runs
         for (seed in exploration.seed until exploration.seed + exploration.runs) {
-            if (end.hasPassedNow()) break
+            if (left-- <= 0 || end.hasPassedNow()) break
             val events = source.events(seed)
             val run = play(events)
-            val (rule, _) = scenario.breachIn(run) ?: continue
-            run.differenceFrom(play(events))?.let { return NotDeterministic(runs, played, events, it) }
-            return found(seed, rule, events)
+            outcome(seed, events, run)?.let { return it }
+            val hit = if (isHit(seed) && left > 0) source.atCommand(run, events, seed) else null
+            if (hit == null) continue
+            left--
+            outcome(seed, hit, play(hit))?.let { return it }
         }
         return NothingFound(runs, played)
+    }
+
+    /** Whether the list of [seed] is played once more with a fault that hits a command. Most faults are found without, and shorter. */
+    private fun isHit(seed: Long) = seed - exploration.seed >= HIT_FROM && seed % HIT_EACH == 0L
+
+    /** What came of [run], which [events] drove; null: it keeps the rules. */
+    private fun outcome(seed: Long, events: List<WorldEvent>, run: Run): Outcome? {
+        val (rule, _) = scenario.breachIn(run) ?: return null
+        run.differenceFrom(play(events))?.let { return NotDeterministic(runs, played, events, it) }
+        return found(seed, rule, events)
     }
 
     private fun found(seed: Long?, rule: Rule, drawn: List<WorldEvent>): Found {
@@ -86,6 +99,10 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     private companion object {
+        /** Behind so many lists one in so many is played once more. */
+        const val HIT_FROM = 20L
+        const val HIT_EACH = 3L
+
         /** How many runs shrinking takes at most. */
         const val MOST_SHRINKING = 400
     }

@@ -5,6 +5,7 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeInstanceOf
@@ -36,6 +37,37 @@ class ExploreSpec : FunSpec({
         }
         repeated.message shouldContain found.breach.how
         shouldKeepRules("${ages.write(folder, isMended = true)}", *found.events.toTypedArray()) { ages.describe(this) }
+    }
+
+    /** Believes that it has stopped before it has, unless it is mended. */
+    fun stopping(isMended: Boolean) = program(
+        """
+        !start.
+        +!start <- argo.port(ttyACM0); argo.percepts(open); !go.
+        -!start <- .wait(500); !start.
+        +!go <- -+moving(yes); argo.act(front).
+        -!go <- -+moving(no).
+        +dist(front,D) : D < 30 & moving(yes) <- !halt.
+        +dist(front,D) : D >= 30 & moving(no) <- !go.
+        +!halt <- ${if (isMended) "argo.act(stop); -+moving(no)" else "-+moving(no); argo.act(stop)"}.
+        -!halt <- .print("not stopped")${if (isMended) "; .wait(200); !halt" else ""}.
+        +port(_,_).
+        """.trimIndent(),
+    )
+
+    test("a command that is lost on its way, and that the agent believes to have been carried out") {
+        val describe: Exploration.() -> Unit = {
+            board("ttyACM0") {
+                version2()
+                sensor("dist(front,%d)", 5..200)
+            }
+            rules(sendsAgain(listOf("stop")))
+            runs = 150
+        }
+        val found = outcomeOf(stopping(isMended = false), describe).shouldBeInstanceOf<Found>()
+        found.breach.how shouldContain "stop of agent failed with"
+        found.events.size shouldBeLessThan 4
+        shouldKeepRules(stopping(isMended = true), *found.events.toTypedArray()) { describe() }
     }
 
     test("an agent that keeps the rules passes, and what was played is said") {

@@ -24,6 +24,7 @@ class RulesSpec : FunSpec({
     class Case(val rule: Rule, val kept: Run, val broken: Run, val at: Int)
 
     val lost = sends(1000, "lamp")
+    val halt = sends(1000, "stop")
     val near = "dist(front,10)"
     listOf(
         Case(
@@ -45,6 +46,16 @@ class RulesSpec : FunSpec({
             run(listOf(lost, fails(lost, 1200, "port_gone"))), 3200,
         ),
         Case(losesNoCommand(2.seconds), run(listOf(lost, fails(lost, 2900, null))), run(listOf(lost)), 3000),
+        Case(
+            sendsAgain(listOf("stop"), 2.seconds),
+            run(steady(9000, near) + halt + fails(halt, 1200, "port_gone") + sends(3100, "stop")),
+            run(steady(9000, near) + halt + fails(halt, 1200, "port_gone") + sends(3400, "stop")), 3300,
+        ),
+        Case(
+            sendsAgain(listOf("stop"), 2.seconds),
+            run(steady(2000, near) + halt + fails(halt, 1200, "port_gone") + perceives(2100, "dist(front,90)")),
+            run(steady(1100, near) + halt + fails(halt, 1200, "port_gone") + perceives(5000, near) + perceives(6000, near)), 7000,
+        ),
         Case(
             neverActsOnStalePercepts(1.seconds, listOf("stop")),
             run(perceives(0, near) + sends(1000, "go") + sends(5000, "stop")), run(perceives(0, near) + sends(1001, "go")), 1001,

@@ -12,6 +12,7 @@ import argo.exploring.neverSends
 import argo.exploring.neverWaitsForever
 import argo.exploring.perceivesAgain
 import argo.exploring.reactsTo
+import argo.exploring.sendsAgain
 import argo.exploring.sendsOnly
 import argo.exploring.staysAlive
 import argo.exploring.staysSmall
@@ -62,6 +63,7 @@ private val RULES: Map<String, RuleText> = listOf(
     RuleText("neverSends([front],\"dist(front,D) & D < 20\")") {
         pair(it) { commands, percept -> neverSends(words(commands) ?: return@pair null, word(percept)) }
     },
+    RuleText("sendsAgain([stop])") { terms -> terms.singleOrNull()?.let(::words)?.let { sendsAgain(it) } },
     RuleText("sendsOnly([front,\"speed/1\"])") { terms -> terms.singleOrNull()?.let(::words)?.let(::sendsOnly) },
 ).associateBy { it.usage.substringBefore('(') }
 
