@@ -201,7 +201,8 @@ internal class Ports(
             lost.add(ports)
         }
         port.close()
-        ports.forEach { states.set(it.term, PortStatus.OFF, trouble.message) { it in lost } }
+        val reason = "${trouble.message}; it is opened again when its device is back"
+        ports.forEach { states.set(it.term, PortStatus.OFF, reason) { it in lost } }
         ports.forEach(lost::lookFor)
     }
 

@@ -15,6 +15,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldEndWith
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeSameInstanceAs
 import jason.asSyntax.ASSyntax
@@ -41,7 +42,11 @@ private val QUICKLY = eventuallyConfig {
 private class PortsBench : AutoCloseable {
     val told = ConcurrentLinkedQueue<String>()
     val time = TestTime()
-    private val states = PortStates { port, status, _ -> told += "$port ${status.word}" }
+    val reasons = ConcurrentLinkedQueue<String>()
+    private val states = PortStates { port, status, reason ->
+        told += "$port ${status.word}"
+        reason?.let(reasons::add)
+    }
     private val listener = object : SensingListener {
         override val intervalMs get() = 50
         override fun isSensed(port: OpenPort) = false
@@ -104,6 +109,7 @@ class PortsSpec : FunSpec({
             board.unplug()
             awaitBelief("port(\"sim:robot\",off)")
             ports.all().shouldBeEmpty()
+            reasons.single() shouldEndWith "; it is opened again when its device is back"
             repeat(5) { time.step() }
             board.replug()
             passUntil("port(\"sim:robot\",on)")

@@ -97,15 +97,28 @@ internal class ExperimentCommand : Callable<Int> {
         return Archive(out).use { make(it, conditions) }
     }
 
-    /** Asks the robot on [port] for its percepts, before a person moves it: a wrong port is refused at once. */
+    /** Asks the robot on [port] for its percepts, before a person moves it: a wrong port or robot is refused at once. */
     private fun tryRobot(port: String) {
         val answer = try {
-            Link.open(port, LinkSettings.defaults(), "the experiment").use { it.request(PerceptsRequest.ALL, ANSWER_LIMIT_MS).text() }
+            Link.open(port, LinkSettings.defaults(), "the experiment").use(::firstSight)
         } catch (silent: PortException) {
             spec.refuse("--port: ${silent.message}")
         }
+        if (FRONT !in answer) {
+            spec.refuse("--port: the agent stops by the front distance, and the robot on $port shows no $FRONT…); it answers: $answer")
+        }
         println("the robot on $port answers: $answer")
-        if (FRONT !in answer) println("it shows no $FRONT…), the front distance that the agent stops by, in its first message")
+    }
+
+    /** The robot's first answer with the front distance, which a sensor may need some time for; the last one if none has it. */
+    private fun firstSight(robot: Link): String {
+        var answer = ""
+        for (attempt in 1..MAX_REQUESTS) {
+            answer = robot.request(PerceptsRequest.ALL, ANSWER_LIMIT_MS).text()
+            if (FRONT in answer) break
+            Thread.sleep(BETWEEN_REQUESTS_MS)
+        }
+        return answer
     }
 
     private fun make(archive: Archive, conditions: List<Condition>): Int {
@@ -189,6 +202,8 @@ internal class ExperimentCommand : Callable<Int> {
     private companion object {
         const val FRONT = "dist(f,"
         const val ANSWER_LIMIT_MS = 500
+        const val MAX_REQUESTS = 5
+        const val BETWEEN_REQUESTS_MS = 200L
         const val INTERRUPTED = 130
         const val MAX_JOBS = 256
         const val MAX_SLOWDOWN = 1000.0

@@ -2,6 +2,7 @@ package samples.experiment
 
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.engine.spec.tempfile
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.doubles.shouldBeLessThan
@@ -44,6 +45,14 @@ class ExperimentSpec : FunSpec({
             it.result.distance shouldBeLessThan it.trial.limit.toDouble()
             it.result.frames shouldBeGreaterThan 2
         }
+    }
+
+    test("a robot without the front distance is refused before anybody moves it") {
+        val board = tempfile("lamp", ".rec")
+        board.writeText("javino-recording 1\n0\tout\tgetPercepts\n20\tin\tlight(left,200);\n")
+        val (status, printed) = Program.run("experiment", "--port", "replay:$board")
+        printed shouldContain "the robot on replay:$board shows no dist(f,…); it answers: light(left,200);"
+        status shouldBe 2
     }
 
     listOf(

@@ -55,8 +55,14 @@ internal class SendCommand : MessageCommand() {
     override fun exchange(link: Link) {
         link.sendAndAwait(message, line.timeoutMs)
         val acted = link.protocol() == Protocol.V2
-        if (!json) return out.println(if (acted) "the board has acted" else "sent; a board of version 1 does not report whether it acted")
+        if (!json) return out.println(if (acted) "the board has acted" else UNCONFIRMED)
         val outcome = if (acted) true else null
         out.println(jsonOf("port" to link.port(), "sent" to message, "acted" to outcome, "protocol" to versionSpoken(link.protocol())))
+    }
+
+    private companion object {
+        /** A silent port and a board of version 1 look the same to who sends. */
+        const val UNCONFIRMED = "sent; no board of version 2 has answered, and one of version 1 does not report whether it acted. " +
+            "\"request PORT getPercepts\" shows whether there is one"
     }
 }
