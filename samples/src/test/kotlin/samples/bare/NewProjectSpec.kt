@@ -65,7 +65,7 @@ class NewProjectSpec : FunSpec({
                         JarProgram.run(project, "-cp", path(libraries + listOf(test)), "io.kotest.engine.launcher.MainKt", "--specs", spec)
                     withClue(run.printed) {
                         run.status shouldBe 0
-                        run.printed shouldContain Regex("[23] passed")
+                        run.printed shouldContain Regex("[234] passed")
                         run.printed shouldNotContain "INFO: "
                     }
                 }

@@ -1,5 +1,6 @@
 package samples.documents
 
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -18,6 +19,7 @@ import javax.tools.ToolProvider
 import kotlin.io.path.createDirectories
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
+import kotlin.time.Duration.Companion.seconds
 
 /** The boards that the page on boards shows are compiled, registered as it says, and asked and commanded by the tools. */
 class BoardsPageSpec : FunSpec({
@@ -74,9 +76,11 @@ class BoardsPageSpec : FunSpec({
         val board = ProcessBuilder("python3", "$program").inheritIO().start()
         try {
             val monitor = arrayOf("monitor", "tcp://localhost:$port", "--count", "2", "--boot", "20000")
-            val asked = JarProgram.run(program.parent, "-jar", "$argo", *monitor)
-            // the wall comes nearer with each request, and a busy computer repeats one
-            withClue(asked.printed) { Regex("""s +\S+ +dist\(front,(90|8\d)\)""").findAll(asked.printed).count() shouldBe 2 }
+            eventually(60.seconds) { // the board may begin to listen later than the monitor asks
+                val asked = JarProgram.run(program.parent, "-jar", "$argo", *monitor)
+                // the wall comes nearer with each request, and a busy computer repeats one
+                withClue(asked.printed) { Regex("""s +\S+ +dist\(front,(90|8\d)\)""").findAll(asked.printed).count() shouldBe 2 }
+            }
         } finally {
             board.destroy()
         }

@@ -120,7 +120,7 @@ class DocumentsSpec : FunSpec({
 
 /**
  * `text` is text to read or a program's output, `console` commands with their output. CommandsSpec tries the commands, FirmwareSnippetsSpec
- * `cpp` and `c`, JaCaMoSpec `jcm`, BoardsPageSpec `java` and `python`, javino-python/tests/programs.py
+ * `cpp` and `c`, JaCaMoSpec `jcm`, BoardsPageSpec and JavaPageSpec `java`, BoardsPageSpec `python`, javino-python/tests/programs.py
  * programs in `python` that import `javino`, RosDocumentSpec `yaml`.
  */
 private val LANGUAGES = setOf(

@@ -11,6 +11,13 @@ class RobotSpec : FunSpec({
         }
     }
 
+    test("it turns the LED off when nothing is in sight any more") {
+        agent("robot.asl").use { robot ->
+            robot.perceives("dist(front,30)").shouldSend("ledOn")
+            robot.perceives("dist(left,90)").shouldSend("ledOff")
+        }
+    }
+
     test("what is beside it does not reach its beliefs") {
         agent("robot.asl").use { robot ->
             robot.perceives("dist(front,90)", "dist(left,20)").shouldBelieve("dist(front,90)").shouldNotBelieve("dist(left,_)")

@@ -24,5 +24,10 @@ board("replay:recordings/drive.rec").
     argo.act(ledOff);
     .print("the way is free").
 
+// Nothing is in sight any more.
+-dist(front, _) : led(on) & not dist(front, _) <-
+    -+led(off);
+    argo.act(ledOff).
+
 // ARGO reopens a port whose board is back.
 +port(Port, off) <- .print("there is no board at ", Port).

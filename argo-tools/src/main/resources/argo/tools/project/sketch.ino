@@ -1,9 +1,14 @@
-// The board of @NAME@: an LED, and a distance sensor that gives its voltage to A0.
+// The board of @NAME@: an LED, a distance sensor HC-SR04 (Trig to pin 7, Echo to pin 8) and a light sensor at A1.
 //
 //   actions   ledOn, ledOff
-//   percepts  dist(front,Cm), light(left,Value)
+//   percepts  dist(front,Cm) while something is in sight, light(left,Value)
 
 #include <Javino.h>
+
+const uint8_t TRIGGER = 7;
+const uint8_t ECHO_PIN = 8;
+const unsigned long ECHO_LIMIT_US = 25000;
+const unsigned long US_PER_CM = 58;  // there and back
 
 Javino javino;
 
@@ -15,17 +20,24 @@ void ledOff() {
   digitalWrite(LED_BUILTIN, LOW);
 }
 
-// A sonar of the MaxSonar kind: Vcc/512 an inch. For another sensor, another formula.
-int centimetres() {
-  return analogRead(A0) / 2 * 2.54;
+// The distance to what is in front, in cm; 0: the sensor sees nothing within 4 m, or there is none.
+unsigned long centimetres() {
+  digitalWrite(TRIGGER, HIGH);
+  delayMicroseconds(10);
+  digitalWrite(TRIGGER, LOW);
+  return (pulseIn(ECHO_PIN, HIGH, ECHO_LIMIT_US) + US_PER_CM / 2) / US_PER_CM;
 }
 
 void look() {
-  javino.percept("dist", "front", centimetres());
+  unsigned long cm = centimetres();
+  if (cm > 0)
+    javino.percept("dist", "front", cm);
   javino.percept("light", "left", analogRead(A1));
 }
 
 void setup() {
+  pinMode(TRIGGER, OUTPUT);
+  pinMode(ECHO_PIN, INPUT_PULLUP);  // without a sensor the pin would float, and see things
   pinMode(LED_BUILTIN, OUTPUT);
   javino.act["ledOn"] = ledOn;
   javino.act["ledOff"] = ledOff;

@@ -18,6 +18,15 @@ class RobotSpec : FunSpec({
         }
     }
 
+    test("it turns the LED off when nothing is in sight any more") {
+        agent("robot.asl").use { robot ->
+            robot.eyes().shows("dist(front,30)")
+            robot.shouldSend("ledOn")
+            robot.eyes().shows("dist(left,90)")
+            robot.shouldSend("ledOff")
+        }
+    }
+
     test("what is beside it does not reach its beliefs") {
         agent("robot.asl").use { robot ->
             robot.eyes().shows("dist(front,90)", "dist(left,20)")

@@ -24,5 +24,10 @@ boards([port("replay:recordings/drive.rec",[as(eyes)]), port("replay:recordings/
     argo.act(lamp::ledOff);
     .print("the way is free").
 
+// Nothing is in sight any more.
+-eyes::dist(front, _) : led(on) & not eyes::dist(front, _) <-
+    -+led(off);
+    argo.act(lamp::ledOff).
+
 // ARGO reopens a port whose board is back.
 +port(Port, off) <- .print("there is no board at ", Port).
