@@ -1,5 +1,6 @@
 package argo.build
 
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -10,11 +11,14 @@ import io.kotest.matchers.string.shouldStartWith
 import java.nio.file.attribute.FileTime
 import java.security.MessageDigest
 import java.time.Instant
+import java.util.concurrent.TimeUnit
 import kotlin.io.path.createDirectories
 import kotlin.io.path.deleteExisting
+import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeText
+import kotlin.time.Duration.Companion.seconds
 
 /** What `./argo` prints itself. */
 class FrontDoorSpec : FunSpec({
@@ -36,6 +40,17 @@ class FrontDoorSpec : FunSpec({
             for round in {1..60}; do ${building("earlier")} >'$log'; maven '$log'; done
         """
         bash("-c", rounds).second shouldNotContain "earlier"
+    }
+
+    test("a build ends with the command that waits for it") {
+        val logs = tempdir().toPath()
+        val begun = logs.resolve("begun")
+        val command = ". ../argo; logs='$logs'; mvn() { touch '$begun'; exec sleep 100; }; maven '$logs/build.log'"
+        val process = ProcessBuilder("bash", "-c", command).redirectErrorStream(true).start()
+        eventually(30.seconds) { begun.exists() shouldBe true }
+        process.destroy()
+        process.waitFor(30, TimeUnit.SECONDS) shouldBe true
+        process.exitValue() shouldBe SIGTERM_STATUS
     }
 
     test("what one command has built, with other modules, the next one does not build again until it changes") {
@@ -106,3 +121,5 @@ class FrontDoorSpec : FunSpec({
         }
     }
 })
+
+private const val SIGTERM_STATUS = 143
