@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
 import io.kotest.property.checkAll
 
 class GroundTermSpec : StringSpec({
@@ -28,6 +29,15 @@ class GroundTermSpec : StringSpec({
             "0x10" to "not a value", "a+b" to "not a value", "[a|T]" to "not a value", "\"x" to "not a value",
         )) {
             shouldThrow<IllegalArgumentException> { GroundTerm.of(written) }.message shouldContain words
+        }
+    }
+
+    "for a variable an atom is proposed, if that is what it becomes in lower case" {
+        fun refusal(written: String) = shouldThrow<IllegalArgumentException> { GroundTerm.of(written) }.message
+        refusal("Front") shouldBe "'Front' is a variable to Jason; an atom starts with a lower-case letter (front) or stands in quotes"
+        refusal("Pos(1,2)") shouldContain "letter (pos(1,2)) or"
+        for (written in listOf("_", "_1", "Pos(X)", "Front Left!", "Links+1", "Ölstand_über")) {
+            refusal(written) shouldNotContain Regex("letter \\(")
         }
     }
 
