@@ -4,6 +4,7 @@ import argo.recording.replay.Recording
 import argo.recording.replay.Replay
 import javino.sim.SimulatedBoards
 import javino.sim.Sketch
+import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
@@ -15,8 +16,8 @@ internal const val REPLAY = "replay-recordings"
 /**
  * What a recording costs an agent that perceives twelve percepts 50 times a second, which all change, and answers each time with a command:
  * drives without a recording and with one, in turn. Prints the processor time of the agent's thread for a message, in all cycles about it,
- * since a recorded agent has other cycles; that of a cycle; the size of the recordings, and how fast they are replayed. Returns whether all
- * is within its bounds.
+ * since a recorded agent has other cycles; that of a cycle; besides, that of the thread that writes the recording, which no cycle waits
+ * for; the size of the recordings, and how fast they are replayed. Returns whether all is within its bounds.
  */
 internal fun recorded(): Boolean {
     println("machine: ${machine()}")
@@ -27,7 +28,8 @@ internal fun recorded(): Boolean {
     println("without a recording: $without")
     println("with a recording:    $with")
     val cost = with.messageNs / without.messageNs - 1
-    println("the recording costs %.1f %% of the time for a message, median of $DRIVES drives, at most $MOST_COST".format(cost * 100))
+    println("it costs %.1f %% of the agent's time for a message, median of $DRIVES drives, at most $MOST_COST".format(cost * 100))
+    println("besides, the thread that writes it takes %.0f µs for a message".format(with.writingNs / 1e3))
     val minute = folder.resolve("minute.mcap")
     val messages = drive(minute, MINUTE_S).messages / MINUTE_S.toDouble()
     val megabytes = Files.size(minute) / 1e6 / (LOADING_S + MINUTE_S) * 60
@@ -64,8 +66,15 @@ private fun pace(file: Path): Double {
     }
 }
 
-/** The processor times of an agent's cycles in ns, and the [messages] of its board in them. */
-private class Drive(val cycles: List<Long>, val messages: Int)
+/** The processor times of an agent's cycles in ns, the [messages] of its board in them, and the processor time of the writing thread. */
+private class Drive(val cycles: List<Long>, val messages: Int, val writingNs: Long)
+
+/** The processor time of the thread that writes a recording; 0: there is none. */
+private fun writingNs(): Long {
+    val threads = ManagementFactory.getThreadMXBean()
+    return threads.getThreadInfo(threads.allThreadIds).filterNotNull().filter { it.threadName.startsWith(WRITER) }
+        .sumOf { threads.getThreadCpuTime(it.threadId) }
+}
 
 /**
  * The agent asks its board each [intervalMs], for [LOADING_S] and then for [seconds] that are measured, and is recorded to [file]; null: it
@@ -75,6 +84,7 @@ private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVA
     val times = ArrayList<Long>()
     val board = Changing()
     var before = 0
+    var writing = 0L
     SimulatedBoards.plugIn(BOARD, board)
     try {
         Agents().use { agents ->
@@ -82,14 +92,16 @@ private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVA
             agents.start("driver", program(intervalMs), TimedArch::class.java.name, options)
             Thread.sleep(LOADING_S * 1_000L)
             before = board.messages
+            writing = -writingNs()
             TimedArch.times = times
             Thread.sleep(seconds * 1_000L)
+            writing += writingNs()
         }
     } finally {
         SimulatedBoards.unplug(BOARD)
         TimedArch.times = null
     }
-    return Drive(times, board.messages - before)
+    return Drive(times, board.messages - before, writing)
 }
 
 /** A board whose twelve percepts are others each time. */
@@ -110,6 +122,9 @@ private class Cycles(drives: List<Drive>) {
     /** Of the drive in the middle. */
     val messageNs = drives.map { it.cycles.sum().toDouble() / it.messages }.sorted()[drives.size / 2]
 
+    /** Likewise. */
+    val writingNs = drives.map { it.writingNs.toDouble() / it.messages }.sorted()[drives.size / 2]
+
     override fun toString() = "%.0f µs for a message, in %.1f cycles; a cycle has a median of %.0f µs and a mean of %.0f µs, of %d"
         .format(messageNs / 1e3, cyclesOfMessage, sorted[sorted.size / 2] / 1e3, sorted.average() / 1e3, sorted.size)
 }
@@ -123,6 +138,7 @@ private fun program(intervalMs: Int) =
     """.trimIndent()
 
 private const val BOARD = "bench-record"
+private const val WRITER = "argo-recording-" // the name of its file behind it
 private const val INTERVAL_MS = 20
 private const val WARM_UP_MS = 1
 private const val DRIVES = 3
