@@ -38,6 +38,9 @@ public:
       actions_.addCalled(name_, reinterpret_cast<Function>(function), callWithBoard<void>);
     }
 
+    /** Explains, at compile time, what to write for any other function. */
+    template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
+
     /** Carries the action out, if there is one of that name. */
     void operator()() const { actions_.carryOut(name_, static_cast<uint8_t>(strlen(name_)), true); }
 
@@ -52,6 +55,7 @@ public:
     NamedPlace(JavinoActions &actions, const String &name) : actions_(actions), name_(name) {}
     void operator=(Function function) { Place(actions_, strdup(name_.c_str())) = function; }
     template <typename = void> void operator=(BoardFunction function) { Place(actions_, strdup(name_.c_str())) = function; }
+    template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
     void operator()() const { Place(actions_, name_.c_str())(); }
 
   private:
@@ -65,6 +69,7 @@ public:
     FlashPlace(JavinoActions &actions, const __FlashStringHelper *name) : actions_(actions), name_(name) {}
     void operator=(Function function) { set(function); }
     template <typename = void> void operator=(BoardFunction function) { set(function); }
+    template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
     void operator()() const;
 
   private:
@@ -113,6 +118,15 @@ private:
     UNKNOWN,  /* there is no such action, or it takes another number of arguments */
     UNCERTAIN /* a longer text that begins with this one could be for another action */
   };
+
+  /** Does not compile, and says what does. */
+  template <typename Other> static bool explain(Other function) {
+    static_assert(sizeof(function) == 0,
+                  "the function does not fit. act[\"name\"] = function takes void function() or void function(JavinoBoard &). "
+                  "onAction(\"name\", function) takes void or bool function(const JavinoArguments &arguments), for an action with "
+                  "arguments, and bool function(), which refuses the action by returning false");
+    return false;
+  }
 
   JavinoActions(const JavinoActions &);
   JavinoActions &operator=(const JavinoActions &);

@@ -153,6 +153,10 @@ public:
   bool onAction(const char *name, bool (*function)(JavinoBoard &)) {
     return act.addCalled(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoard<bool>);
   }
+  /** Explains, at compile time, what to write for any other function. */
+  template <typename Result, typename... Given> bool onAction(const char *, Result (*function)(Given...), uint8_t = JavinoActions::ANY) {
+    return JavinoActions::explain(function);
+  }
 
   template <typename Kind, typename... Arguments> bool onAction(const __FlashStringHelper *name, Kind function, Arguments... arguments) {
     const char *kept = act.keep(name);

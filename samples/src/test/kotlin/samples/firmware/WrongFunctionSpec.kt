@@ -1,0 +1,57 @@
+package samples.firmware
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
+import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.File
+
+/** A sketch whose function does not fit an action does not compile, and the compiler says what to write. */
+class WrongFunctionSpec : FunSpec({
+    val library = File("../javino-arduino").canonicalFile
+    val folder = tempdir()
+    val compiler: EnabledOrReasonIf = {
+        if (onPath("c++")) Enabled.enabled else Enabled.disabled("there is no c++: install g++ with your package manager")
+    }
+
+    fun compile(function: String, registration: String): Pair<Int, String> {
+        val sketch = folder.resolve("Sketch.cpp")
+        sketch.writeText("#include <Javino.h>\nJavino javino;\n$function\nvoid setup() { $registration; }\nvoid loop() {}\n")
+        val process = ProcessBuilder("c++", "-std=c++11", "-Itests/stub", "-Isrc", "-fsyntax-only", "$sketch")
+            .directory(library).redirectErrorStream(true).start()
+        val said = process.inputStream.bufferedReader().readText()
+        return process.waitFor() to said
+    }
+
+    mapOf(
+        "void turn(int degrees) { (void)degrees; }" to
+            listOf("act[\"turn\"] = turn", "act[F(\"turn\")] = turn", "onAction(\"turn\", turn)"),
+        "void turn(JavinoArguments arguments) { (void)arguments; }" to listOf("act[\"turn\"] = turn", "onAction(\"turn\", turn, 1)"),
+        "bool turn() { return true; }" to listOf("act[\"turn\"] = turn", "act[String(\"turn\")] = turn"),
+    ).forEach { (function, registrations) ->
+        registrations.forEach { registration ->
+            test("$registration with $function").config(enabledOrReasonIf = compiler) {
+                val (status, said) = compile(function, "javino.$registration")
+                status shouldBe 1
+                said shouldContain "the function does not fit"
+                said shouldContain "onAction(\"name\", function)"
+            }
+        }
+    }
+
+    mapOf(
+        "void turn() {}" to "act[\"turn\"] = turn",
+        "void turn(JavinoBoard &board) { (void)board; }" to "act[F(\"turn\")] = turn",
+        "bool turn() { return true; }" to "onAction(\"turn\", turn)",
+        "void turn(const JavinoArguments &arguments) { (void)arguments; }" to "onAction(\"turn\", turn, 1)",
+        "bool turn(JavinoBoard &, const JavinoArguments &) { return true; }" to "onAction(F(\"turn\"), turn)",
+    ).forEach { (function, registration) ->
+        test("$registration with $function compiles").config(enabledOrReasonIf = compiler) {
+            val (status, said) = compile(function, "javino.$registration")
+            withClue(said) { status shouldBe 0 }
+        }
+    }
+})
