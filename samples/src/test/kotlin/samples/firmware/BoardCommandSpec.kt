@@ -78,6 +78,14 @@ class BoardCommandSpec : FunSpec({
         }
     }
 
+    test("a sketch for another board is told what the simulated one has").config(enabledOrReasonIf = compiles) {
+        Console("bash", "../argo", "board", "../javino-arduino/examples/ServoArm").use { board ->
+            board.await("Servo.h")
+            board.await("of libraries Javino and SoftwareSerial")
+            board.status() shouldBe 1
+        }
+    }
+
     test("a machine without the AVR tools is told the packages") {
         val few = folder.resolve("few").createDirectory()
         listOf("bash", "dirname", "uname", "basename").forEach { name ->
