@@ -43,6 +43,16 @@ class JavaPageSpec : FunSpec({
         lines.forEach { it shouldMatch "backed off at 7\\d cm" }
     }
 
+    test("the program goes on where a board says nothing of what is in front") {
+        val wall = shown("docs/boards.md").single()
+        val saysLess = wall.replace("return List.of(\"dist", "if (cm-- % 3 == 0) return List.of();\n        return List.of(\"dist")
+        (saysLess == wall) shouldBe false
+        val classes = compile("BackOff" to backOff, "Wall" to saysLess)
+        classes.resolve("META-INF/services").createDirectories().resolve("javino.sim.SimulatedBoard").writeText("Wall\n")
+        val run = JarProgram.run(classes, "-cp", "$libraries${File.pathSeparator}$classes", "BackOff", "sim:wall")
+        withClue(run.printed) { run.status shouldBe 0 }
+    }
+
     test("the classic interface compiles") {
         compile("Classic" to "import javino.Javino;\nclass Classic {\nvoid show() {\n$classic\n}\n}\n")
     }
