@@ -111,16 +111,15 @@ sealed interface GroundTerm {
                 trimmed.isEmpty() -> "the value is missing"
                 WORDS.matches(trimmed) -> "'$trimmed' is not a value that Jason can read; a text stands in quotes (\"$trimmed\")"
                 trimmed[0] in 'A'..'Z' || trimmed[0] == '_' && Syntax.isWordCharacter(trimmed.last()) ->
-                    "'$trimmed' is a variable to Jason; an atom starts with a lower-case letter${inLowerCase(trimmed)} or stands in quotes"
+                    "'$trimmed' is a variable to Jason; an atom starts with a lower-case letter" +
+                        "${inLowerCase(trimmed)?.let { " ($it)" }.orEmpty()} or stands in quotes"
                 else -> "'$trimmed' is not a value that Jason can read: " +
                     "an atom (front), a number (-3.5), a string (\"text\"), a structure (pos(1,2)) or a list ([a,b])"
             }
         }
 
-        /** In brackets what the text is with such a letter, if Jason reads a word or a structure from it; otherwise nothing. */
-        private fun inLowerCase(text: String): String {
-            val lower = text.trimStart('_').replaceFirstChar(Char::lowercase)
-            return if (ofOrNull(lower) is Structure) " ($lower)" else ""
-        }
+        /** What [text], which begins as a variable, is with a lower-case letter in front; null: Jason reads no word or structure from that. */
+        internal fun inLowerCase(text: String): String? =
+            text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { ofOrNull(it) is Structure }
     }
 }

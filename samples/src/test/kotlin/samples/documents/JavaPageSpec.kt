@@ -34,12 +34,17 @@ class JavaPageSpec : FunSpec({
         return folder
     }
 
-    test("the program backs off ten times") {
-        val classes = compile("BackOff" to backOff, "Wall" to shown("docs/boards.md").single())
+    /** Runs the program with the board [wall] until it ends well; returns what it prints. */
+    fun backOffFrom(wall: String): String {
+        val classes = compile("BackOff" to backOff, "Wall" to wall)
         classes.resolve("META-INF/services").createDirectories().resolve("javino.sim.SimulatedBoard").writeText("Wall\n")
         val run = JarProgram.run(classes, "-cp", "$libraries${File.pathSeparator}$classes", "BackOff", "sim:wall")
         withClue(run.printed) { run.status shouldBe 0 }
-        val lines = run.printed.lines().filter(String::isNotBlank) shouldHaveSize 10
+        return run.printed
+    }
+
+    test("the program backs off ten times") {
+        val lines = backOffFrom(shown("docs/boards.md").single()).lines().filter(String::isNotBlank) shouldHaveSize 10
         lines.forEach { it shouldMatch "backed off at 7\\d cm" }
     }
 
@@ -47,10 +52,7 @@ class JavaPageSpec : FunSpec({
         val wall = shown("docs/boards.md").single()
         val saysLess = wall.replace("return List.of(\"dist", "if (cm-- % 3 == 0) return List.of();\n        return List.of(\"dist")
         (saysLess == wall) shouldBe false
-        val classes = compile("BackOff" to backOff, "Wall" to saysLess)
-        classes.resolve("META-INF/services").createDirectories().resolve("javino.sim.SimulatedBoard").writeText("Wall\n")
-        val run = JarProgram.run(classes, "-cp", "$libraries${File.pathSeparator}$classes", "BackOff", "sim:wall")
-        withClue(run.printed) { run.status shouldBe 0 }
+        backOffFrom(saysLess)
     }
 
     test("the classic interface compiles") {

@@ -32,8 +32,6 @@ private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
 private val FOREIGN = Regex("""[\p{L}&&[^A-Za-z]]""")
 
 /** The text with a name that is none of a variable, or what to write where that does not make it readable. */
-private fun readableName(text: String): String =
-    text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { GroundTerm.ofOrNull(it) is GroundTerm.Structure }
-        ?: "a name that begins with one of a to z"
+private fun readableName(text: String): String = GroundTerm.inLowerCase(text) ?: "a name that begins with one of a to z"
 
 private fun foreignLetter(text: String): String? = FOREIGN.find(QUOTED.replace(text, "0"))?.value
