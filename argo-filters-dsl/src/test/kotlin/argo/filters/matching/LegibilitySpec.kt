@@ -30,4 +30,8 @@ class LegibilitySpec : FunSpec({
     ).forEach { (percept, why) ->
         test("\"$percept\" cannot be read, with what to write") { whyUnreadable(percept).orEmpty() shouldContain why }
     }
+
+    listOf("1(\"${"a".repeat(60_000)}\")", "1(\"${"\\\\".repeat(30_000)}\")", "1('${"a".repeat(60_000)}')").forEach {
+        test("${it.take(6)}… of ${it.length} characters is told of too") { whyUnreadable(it).orEmpty() shouldContain "it is no literal" }
+    }
 })
