@@ -21,7 +21,6 @@
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
     memset(link, 0, sizeof *link);
-    link->version = 1;
     javino_decoder_init(&link->decoder, (uint8_t *)bytes, size, 100);
     link->encoder.write = write;
     link->encoder.context = context;
@@ -91,7 +90,8 @@ static JAVINO_NOINLINE void welcome(javino_link *l)
     send(l, JAVINO_WELCOME, &l->session, 4);
 }
 
-static void begin_session(javino_link *l, uint8_t nonce)
+/* A nonce of 0 ends the session that there was. */
+static JAVINO_NOINLINE void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
     l->due = l->flags = l->known = l->shapes = l->rules = 0;
@@ -183,7 +183,6 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
         begin_session(l, number);
         welcome(l);
     } else if (!l->session) {
-        l->version = 1;
         welcome(l);
     } else if (kind == JAVINO_DESCRIBE) {
         describe(l, number, first);
@@ -211,19 +210,19 @@ static javino_event meaning(javino_link *l, const uint8_t *frame)
 #ifndef JAVINO_VERSION_2_ONLY
     const uint8_t n = REQUEST_LENGTH;
 #endif
-    l->version = 1;
     l->answered = false;
     l->heard = true;
     l->frames++;
 #ifndef JAVINO_VERSION_1_ONLY
-    if (*frame == JAVINO_START) {
-        l->version = 2;
+    if (*frame == JAVINO_START)
         return meaning2(l, frame);
-    }
 #endif
 #ifdef JAVINO_VERSION_2_ONLY
     return JAVINO_NOTHING;
 #else
+#ifndef JAVINO_VERSION_1_ONLY
+    begin_session(l, 0); /* Who speaks version 1 has begun no session. */
+#endif
     l->text = (const char *)frame + JAVINO_PAYLOAD_AT_1;
     l->length = (uint8_t)(l->decoder.taken - JAVINO_PAYLOAD_AT_1);
     if (l->length < n || memcmp(l->text, "getPercepts", n) != 0 || (l->length > n && l->text[n] != '('))
@@ -245,7 +244,6 @@ JAVINO_NOINLINE void javino_link_finish(javino_link *link, bool done)
     if (action && JAVINO_IS_2(link))
         settle(link, done);
     link->request = 0;
-    link->version = link->session ? 2 : 1;
 #endif
 }
 

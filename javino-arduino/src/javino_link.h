@@ -45,13 +45,12 @@ typedef struct {
 typedef uint8_t javino_later;
 
 /**
- * The board's end of a line. The members are private but for event, text, length and version, which may be read, and
+ * The board's end of a line. The members are private but for event, text, length and session, which may be read, and
  * actions, action_size and action_count, which may be set.
  */
 typedef struct {
     javino_event event; /**< The message in hand: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
     uint8_t length;     /**< Bytes of its text. */
-    uint8_t version;    /**< 1 or 2: the message's; without one, 2 in a session. */
     const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
     const void *actions;  /**< A row of javino_action, which are numbered from the last. */
     uint8_t action_size;  /**< Bytes from one to the next. */
@@ -62,7 +61,7 @@ typedef struct {
     bool lost;
     uint8_t frames; /**< Intact ones that have arrived, modulo 256. May be read. */
 #ifndef JAVINO_VERSION_1_ONLY
-    uint8_t session;    /* its nonce; 0: there is none. This and the next three are the payload of WELCOME */
+    uint8_t session;    /**< Its nonce; 0: there is none, and version 1 is spoken. With the next three the payload of WELCOME. */
     uint8_t credit;
     uint8_t longest;    /* bytes of payload that a frame may have */
     uint8_t rules_max;  /* how many the board holds */
@@ -81,13 +80,13 @@ typedef struct {
     uint32_t drained_ms;
 } javino_link;
 
-/** Whether the message in hand is, or what is sent without one will be, of version 2. */
+/** Whether the message in hand is, or what is sent without one will be, of version 2: one of version 1 ends the session. */
 #if defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_IS_2(link) false
 #elif defined(JAVINO_VERSION_2_ONLY)
 #define JAVINO_IS_2(link) true
 #else
-#define JAVINO_IS_2(link) ((link)->version == 2)
+#define JAVINO_IS_2(link) ((link)->session != 0)
 #endif
 
 /**

@@ -206,7 +206,7 @@ static uint16_t bytes_of(const struct javino_rules *r, uint8_t number)
 bool javino_rules_is(const javino_board *board)
 {
     const javino_link *l = &board->link;
-    return board->rules && l->event == JAVINO_ACTION && l->version == 2 && l->length && *l->text == MARK;
+    return board->rules && l->event == JAVINO_ACTION && JAVINO_IS_2(l) && l->length && *l->text == MARK;
 }
 
 static void forget(struct javino_rules *r)
@@ -347,16 +347,13 @@ static void send_next(javino_board *b)
     javino_link *l = &b->link;
     bool last;
     bool answered = l->answered;
-    uint8_t version = l->version;
     uint8_t request = l->request;
-    l->version = 2;
     b->length = b->whole;
     javino_items_code(b);
     l->request = b->answering;
     last = b->whole <= JAVINO_SHORT_PART;
     javino_board_send_text(b, last, last ? b->whole : JAVINO_SHORT_PART);
     l->answered = answered;
-    l->version = version;
     l->request = request;
     if (last)
         javino_board_clear(b);
@@ -379,7 +376,7 @@ static void make_room(javino_board *b)
 static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;
-    if (l->event == JAVINO_REQUEST && l->version == 2 && l->rules && b->length > JAVINO_SHORT_PART) {
+    if (l->event == JAVINO_REQUEST && JAVINO_IS_2(l) && l->rules && b->length > JAVINO_SHORT_PART) {
         b->answering = l->request;
         b->rules->session = l->session;
         l->request = 0;

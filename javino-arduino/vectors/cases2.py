@@ -1,6 +1,6 @@
 """The cases of javino2-vectors.json: what goes in is written here, what comes out is what the reference makes of it."""
 from javino2 import commands, parts, rules, vocabulary
-from javino2.board import Board
+from javino2.device import Device
 from javino2.frames import FROM_BOARD, TO_BOARD, Frame, Receiver, encode
 from javino2.line import Line
 from javino2.percepts import MAX_SHAPES, Reader, Writer
@@ -29,7 +29,7 @@ ABOUT = [
     " are carried out. Frames are CC SS payload; of the payload of WELCOME compare the first byte alone. A step has what goes to the"
     " board (to), what it sends (from) and what its program carries out (carried). percepts sets the texts of now, look has the rules"
     " compared, unasked has percepts sent unasked, report gives the outcome of the action whose outcome was open, restart switches the"
-    " board off and on.",
+    " board off and on. messages are of version 1 and go to the board before all else, each behind a silence; answers are those it sends.",
 ]
 
 
@@ -453,26 +453,29 @@ def conversations():
     return [converse(*c) for c in CONVERSATIONS]
 
 
-def converse(name, board, *steps):
+def converse(name, has, *steps):
     description = {"actions": [["front", 0], ["left", 0], ["speed", 1], ["bump", 0], ["grip", 0]], "refuses": ["bump"],
-         "later": ["grip"]} | board
+         "later": ["grip"]} | has
     program = Program([(raw(n), a) for n, a in description["actions"]], map(raw, description["refuses"]), map(raw, description["later"]))
-    device, shown = Board(program), []
+    device, shown = Device(program, 0), []
     for step in steps:
         step, out = dict(step), []
         program.carried_out.clear()
         if "percepts" in step:
             program.texts = [raw(t) for t in step["percepts"]]
         if step.get("restart"):
-            device = Board(program)
+            device = Device(program, 0)
+        if "messages" in step:
+            step["answers"] = [text(a) for m in step["messages"] for a in device.message(raw(m))]
+        board = device.board
         for frame in step.get("to", []):
-            out += device.receive(read_frame(frame))
+            out += board.receive(read_frame(frame))
         if "report" in step:
-            out += device.report(step["report"])
+            out += board.report(step["report"])
         if step.get("look"):
-            out += device.look()
+            out += board.look()
         if step.get("unasked"):
-            out += device.percepts_unasked()
+            out += board.percepts_unasked()
         step["from"] = [show(f) for f in out]
         if program.carried_out:
             step["carried"] = [text(t) for t in program.carried_out]
@@ -574,6 +577,15 @@ CONVERSATIONS = [
     ("with rules set an answer goes in parts of twelve bytes", {}, HELLO,
      {"percepts": ["dist(f,123);", "light(f,95);"], "to": [row(0, b"\x01\x01a\x00"), f(0x20, 1, b"\x00")]}, to(f(0x20, 2, b"\x02")),
           to(row(1, b"\x01"), f(0x20, 3, b"\x00"))),
+    ("a request of version 1 ends the session", {}, HELLO, to(row(0, FRONT, LEFT)),
+     {"percepts": ["dist(f,1);"], "messages": ["getPercepts"]}, to(row(2, FRONT)), to(f(0x20, 1, b"\x00")), {"unasked": True},
+     to(f(0x10, 8)), to(row(0, LEFT))),
+    ("a command of version 1 ends the session", {}, HELLO, to(row(0, BUMP)), {"messages": ["front", "speed(5)", "fly"]},
+     to(row(1, LEFT)), HELLO, to(row(0, LEFT))),
+    ("version 1 ends BUSY: the outcome of then counts no more", {}, HELLO, to(row(0, GRIP)), {"messages": ["left"]}, {"report": "done"},
+     HELLO, to(row(0, FRONT))),
+    ("version 1 forgets rules", {}, HELLO, to(row(0, SET_RULE)), {"messages": ["left"]}, {"percepts": ["dist(f,3);"], "look": True},
+     HELLO, {"look": True}),
 ]
 
 

@@ -13,10 +13,10 @@ class Decoder:
     """A receiver by the protocol's rules.
 
     Where version 2 shares the line, `other` is the byte with which its frames begin. `anywhere` says whether a frame may begin at any byte,
-    or only at one in front of which `quiet` was set.
+    or only at one in front of which `quiet` was set. Messages are given to `deliver`, or kept in `messages`.
     """
 
-    def __init__(self, timeout=100, other=None):
+    def __init__(self, timeout=100, other=None, deliver=None):
         self.timeout = timeout
         self.other = other
         self.anywhere = self.quiet = True
@@ -24,6 +24,7 @@ class Decoder:
         self.delivered = 0  # bytes at the window's start that are a frame which has been delivered
         self.last = 0
         self.messages = []
+        self.deliver = self.messages.append if deliver is None else deliver
 
     def receive(self, data, now):
         """Takes bytes that arrive together."""
@@ -90,8 +91,8 @@ class Decoder:
             end = 6 + int(self.window[4:6], 16)
             if len(self.window) < end:
                 break
-            self.messages.append(self.window[6:end])
             self.delivered = end
+            self.deliver(self.window[6:end])
             self.quiet = self.anywhere
         return b""
 

@@ -434,8 +434,10 @@ class Board:
     # ---- frames, as the receiver finds them ----
 
     def take1(self, payload):
-        """Takes a message of version 1."""
+        """Takes a message of version 1. Who sends one has begun no session, so that of an earlier program ends."""
         self._note_valid()
+        if self._session:
+            self._begin(0)
         text = to_text(payload)
         if text.startswith(_REQUEST) and text[len(_REQUEST):len(_REQUEST) + 1] in ("", "("):
             self._answer(0, text[len(_REQUEST):], 1)

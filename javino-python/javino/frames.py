@@ -80,7 +80,7 @@ class Receiver:
 
     def __init__(self, sink, timeout=100, longest=MAX_PAYLOAD):
         self.session = False
-        """Whether the board has a session; set in `take2`."""
+        """Whether the board has a session; set in `take1` and `take2`."""
         self._sink = sink
         self._timeout = timeout
         self._longest = longest
@@ -154,8 +154,8 @@ class Receiver:
             if end - at < length:
                 break
             self._held = length
-            self._quiet = anywhere
             self._sink.take1(window[at + _HEADER:at + length])
+            self._quiet = anywhere = not self.session
         self._window = window[at:]
         return b""
 

@@ -152,6 +152,13 @@ class Program:
     def take(self, step):
         self.carried = []
         self.texts = step.get("percepts", self.texts)
+        for message in step.get("messages", []):
+            self.now += 200
+            self.board.run()
+            self.line.inbox = frame1(to_bytes(message))
+            self.board.run()
+        self.answers = [to_hex(frame) for frame in self.line.sent if frame[:1] == b"f"]
+        self.line.sent = [frame for frame in self.line.sent if frame[:1] != b"f"]
         for each in step.get("to", []):
             payload = unhex(each)
             self.line.inbox = frame2(payload[0], payload[1], payload[2:])
@@ -180,6 +187,8 @@ def conversations(vectors):
             expect(case, "what it sends", [f[:6] if f[:2] == "80" else f for f in found],
                    [f[:6] if f[:2] == "80" else f for f in expected])
             expect(case, "what it carries out", program.carried, step.get("carried", []))
+            expect(case, "what it answers in version 1", program.answers,
+                   [to_hex(frame1(to_bytes(text))) for text in step.get("answers", [])])
     for case in vectors["vocabulary"]:
         if case["room"] != 252:
             continue

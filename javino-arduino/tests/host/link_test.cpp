@@ -3,6 +3,7 @@
 #include <random>
 
 #include "conversation.h"
+#include "javino_rules.h"
 
 TEST_CASE("a request of version 1 is answered in version 1, in a session too") {
   Conversation c;
@@ -287,15 +288,48 @@ TEST_CASE("in a session a frame of version 1 counts behind a silence of a quarte
   Conversation c;
   c.begin();
   CHECK(c.hear(frame1("ledOn")) == JAVINO_NOTHING);
-  c.now += 26;
-  CHECK(c.hear(frame1("ledOn") + frame1("ledOff")) == JAVINO_ACTION);
-  CHECK(c.text() == "ledOn");
-  CHECK(c.poll() == JAVINO_NOTHING);
   c.now += 101;
   CHECK(c.hear("noise") == JAVINO_NOTHING);
   CHECK(c.hear(frame1("ledOff")) == JAVINO_NOTHING);
-  c.now += 101;
+  c.now += 26;
   CHECK(c.hear(frame1("ledOff")) == JAVINO_ACTION);
+  CHECK(c.text() == "ledOff");
+}
+
+TEST_CASE("a program that speaks version 1 ends the session of an earlier one") {
+  for (const std::string &first : {frame1("ledOn"), frame1("getPercepts")}) {
+    Conversation c;
+    c.begin();
+    c.now += 26;
+    CHECK(c.hear(first + frame1("ledOff")) != JAVINO_NOTHING);
+    CHECK(c.poll() == JAVINO_ACTION);
+    CHECK(c.text() == "ledOff");
+    CHECK(c.hear("noise" + frame1("ledOn")) == JAVINO_ACTION);
+    c.sent();
+    CHECK(c.hear(ask(1)) == JAVINO_NOTHING);
+    CHECK(frames2(c.sent()).at(0).payload.at(0) == 0);
+  }
+}
+
+TEST_CASE("an answer that goes out in parts ends with the session") {
+  Conversation c;
+  REQUIRE(javino_rules_init(&c.board, 250, [](void *, const char *, uint8_t) { return true; }, nullptr));
+  c.begin();
+  CHECK(c.hear(command(0, std::string("\x01\x01" "a\x00", 4))) == JAVINO_ACTION);
+  REQUIRE(javino_rules_set(&c.board));
+  c.finish();
+  CHECK(c.hear(ask(1)) == JAVINO_REQUEST);
+  c.percept("dist(front,123)");
+  c.percept("light(front,95)");
+  javino_board_answer(&c.board);
+  c.now += 26;
+  CHECK(c.hear(frame1("getPercepts")) == JAVINO_REQUEST);
+  CHECK(frames2(c.sent()).back().kind == 0x83); // a part that was to go before the request was found
+  c.percept("one");
+  javino_board_answer(&c.board);
+  CHECK(payloads1(c.sent()) == std::vector<std::string>{"one;"});
+  c.poll();
+  CHECK(c.sent().empty());
 }
 
 TEST_CASE("a lost link is reported once, and again only after something valid has arrived") {

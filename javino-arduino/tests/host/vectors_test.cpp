@@ -48,6 +48,7 @@ bool endsPercepts(const json &texts) {
 struct Program : Conversation {
   std::set<std::string> refuses, reports_later;
   std::vector<std::string> texts;
+  std::vector<std::string> answers; /* to messages of version 1 */
   json carried = json::array();
   javino_later pending = 0;
 
@@ -125,6 +126,12 @@ struct Program : Conversation {
       for (const json &text : step["percepts"])
         texts.push_back(latin1(text));
     }
+    for (const json &message : step.value("messages", json::array())) {
+      now = static_cast<uint16_t>(now + 200);
+      receive(frame1(latin1(message)));
+      run();
+    }
+    answers = payloads1(sent());
     for (const json &hex : step.value("to", json::array())) {
       receive(frameOf(hex));
       run();
@@ -135,7 +142,7 @@ struct Program : Conversation {
     }
     if (step.contains("report"))
       javino_link_done(&board.link, pending, step["report"] == "done");
-    if (step.value("unasked", false) && board.link.version == 2)
+    if (step.value("unasked", false) && board.link.session != 0)
       answer();
   }
 };
@@ -257,6 +264,7 @@ TEST_CASE("conversations with a board run as in the vectors") {
         CHECK(found[i].substr(0, compared) == expected[i].substr(0, compared));
       }
       CHECK(program->carried == step.value("carried", json::array()));
+      CHECK(program->answers == step.value("answers", std::vector<std::string>()));
     }
   }
   CHECK(cases > 35);

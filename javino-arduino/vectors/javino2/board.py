@@ -47,6 +47,10 @@ class Board:
         self._commands(frame)
         return [self._say(ACK)]
 
+    def end(self):
+        """A message of version 1 has come: who sends it knows of no session."""
+        self._begin(0)
+
     def _say(self, kind, payload=b""):
         flags = (REFUSED if self.refused else 0) | (BUSY if self.busy else 0)
         return Frame(kind | flags, self.due, payload)

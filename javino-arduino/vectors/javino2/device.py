@@ -34,12 +34,14 @@ class Device:
     def _take(self, message):
         if isinstance(message, Frame):
             self.sending += b"".join(map(encode, self.board.receive(message)))
-            self.line.session = bool(self.board.session)
         else:
-            self.sending += self._version1(message)
+            self.sending += b"".join(map(version1.frame, self.message(message)))
+        self.line.session = bool(self.board.session)
 
-    def _version1(self, message):
+    def message(self, message):
+        """The messages that answer this one of version 1."""
+        self.board.end()
         if message[:len(REQUEST)] == REQUEST and message[len(REQUEST):len(REQUEST) + 1] in (b"", b"("):
-            return version1.frame(b"".join(self.program.percepts(message[len(REQUEST):])))
+            return [b"".join(self.program.percepts(message[len(REQUEST):]))]
         self.program.carry_out(message)
-        return b""
+        return []

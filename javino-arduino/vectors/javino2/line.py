@@ -14,7 +14,7 @@ class Line:
         self.deliver = deliver
         self.timeout = timeout
         self.session = False
-        self.version1 = version1.Decoder(timeout, START)
+        self.version1 = version1.Decoder(timeout, START, self._deliver1)
         self.version2 = Receiver(TO_BOARD, timeout, longest)
         self.last = now
 
@@ -42,11 +42,12 @@ class Line:
             self.version1.anywhere = not self.session
             self._again(self.version1.put(byte))
 
+    def _deliver1(self, message):
+        self.deliver(message)
+        self.version1.anywhere = not self.session
+
     def _again(self, rest):
-        """Hands out what version 1 has found; the bytes that it leaves begin with a frame of version 2."""
-        messages, self.version1.messages = self.version1.messages, []
-        for message in messages:
-            self.deliver(message)
+        """Takes the bytes that version 1 leaves, which begin with a frame of version 2."""
         if rest:
             self._put2(rest[0])
         for byte in rest[1:]:

@@ -85,7 +85,7 @@ static void act(void)
         return;
     }
     print_command(link->text, link->length);
-    if (begins(link, "later") && link->version == 2)
+    if (begins(link, "later") && link->session)
         later = javino_link_later(link);
 }
 

@@ -19,7 +19,7 @@ final class Inbox {
         void received(int bytes, long now);
     }
 
-    /** Takes what comes in version 2, while the monitor's lock is held. */
+    /** Takes what comes in version 2, and what concerns it, while the monitor's lock is held. */
     interface FrameListener {
         void received(WireFrame frame, long now);
 
@@ -28,6 +28,9 @@ final class Inbox {
 
         /** A frame's checksum was wrong. */
         void damaged();
+
+        /** A frame of version 1 goes out. */
+        void sendsVersion1();
     }
 
     private static final int BUFFER = 1024;
@@ -45,6 +48,9 @@ final class Inbox {
 
         @Override
         public void damaged() {}
+
+        @Override
+        public void sendsVersion1() {}
     };
 
     private final Monitor monitor;
@@ -171,7 +177,10 @@ final class Inbox {
 
     /** Records that a frame of version 1 is about to go out, which is no message if the line brings it back. */
     void sends(Frame frame) {
-        monitor.change(() -> localEchoes.sends(frame));
+        monitor.change(() -> {
+            localEchoes.sends(frame);
+            frames.sendsVersion1();
+        });
     }
 
     /** What has come since the last message, of either version, and is none so far. */

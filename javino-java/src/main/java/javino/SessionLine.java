@@ -312,11 +312,21 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     @Override
-    public void began(Welcome welcome) {
+    public void sendsVersion1() {
+        session.sendsVersion1();
+    }
+
+    @Override
+    public void found() {
         protocol = Protocol.V2;
         hasLapsed = false;
-        rules = welcome.rules();
         inbox.read(Protocol.V2);
+    }
+
+    @Override
+    public void began(Welcome welcome) {
+        found();
+        rules = welcome.rules();
         notify(called -> called.sessionBegan(welcome.rules()));
     }
 

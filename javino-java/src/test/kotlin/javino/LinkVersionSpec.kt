@@ -1,6 +1,7 @@
 package javino
 
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -178,6 +179,30 @@ class LinkVersionSpec : FunSpec({
                 bench.link.request(REQUEST, 1_000).text().trimEnd(';').toInt() shouldBeInRange handled..board.handled.size
             }
         }
+    }
+
+    test("a request of version 1 that a slow version 2 board answers late costs no command") {
+        for (takes in 10..600 step 10) {
+            val board = VirtualBoard2().apply { this.takes = takes.toDouble() }
+            bench(board).use { bench ->
+                bench.link.request(REQUEST, 1_000)
+                withClue("$takes ms") { for (text in listOf("a", "b", "c")) bench.link.sendAndAwait(text, 5_000) }
+                board.handled.filter { REQUEST !in it } shouldContainExactly listOf("2:a", "2:b", "2:c")
+            }
+        }
+    }
+
+    test("a program that speaks version 1 is understood by a board in the session of an earlier one") {
+        val board = VirtualBoard2()
+        bench(board).use { it.link.sendAndAwait("earlier", 500) }
+        val settings = LinkSettings.defaults().withBootMillis(0).withBaud(115_200).withSpacingMillis(0)
+        VirtualBench(settings, board, Protocol.V1).use { bench ->
+            bench.awayFor(100)
+            for (i in 1..50) bench.link.sendAndAwait("c$i", 500)
+            bench.awayFor(5)
+            bench.link.request(REQUEST, 500).text() shouldBe "1;"
+        }
+        board.handled shouldContainExactly listOf("2:earlier") + (1..50).map { "1:c$it" } + "1:$REQUEST"
     }
 
     test("a board that speaks unasked in version 1 is asked for its version once before an action, and for nothing else") {

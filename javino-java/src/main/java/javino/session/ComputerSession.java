@@ -48,6 +48,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private State state = State.CLOSED;
     private int nonce; // 0: none was chosen
+    private boolean isEnded; // as far as a board has begun a session with it
     private int hellos;
     private long helloAt;
     private Welcome welcome = Welcome.NO_SESSION;
@@ -104,10 +105,20 @@ public final class ComputerSession<C extends SessionCommand> {
 
     /** A HELLO that may begin a session, for who does not know whether the board speaks version 2. */
     public WireFrame hello() {
-        if (nonce == 0) {
-            nonce = nonces.next();
+        if (nonce == 0 || isEnded) {
+            renew();
         }
         return Nonces.hello(nonce);
+    }
+
+    private void renew() {
+        nonce = nonces.next();
+        isEnded = false;
+    }
+
+    /** Records that a frame of version 1 goes out: it ends the session that the board may have begun with a {@link #hello}. */
+    public void sendsVersion1() {
+        isEnded = state == State.CLOSED;
     }
 
     /** The actions of the board in the order of their numbers; empty while they are not known. */
@@ -142,17 +153,27 @@ public final class ComputerSession<C extends SessionCommand> {
                 end(State.OPENING, now);
                 return;
             }
-            if (state != State.OPEN && nonce != 0 && said.nonce() == nonce) {
-                welcome = said;
-                state = State.OPEN;
-                heard(now);
-                listener.began(said);
+            if (state != State.OPEN && nonce != 0) {
+                welcomed(said, now);
             }
         }
         if (state == State.OPEN) {
             heard(now);
             acknowledge(frame, now);
             handle(frame, now);
+        }
+    }
+
+    /** Takes a WELCOME while there is no session: one that belongs to none of now shows at least that the board speaks version 2. */
+    private void welcomed(Welcome said, long now) {
+        if (said.nonce() == nonce && !isEnded) {
+            welcome = said;
+            state = State.OPEN;
+            heard(now);
+            listener.began(said);
+        } else if (state == State.CLOSED) {
+            begin(State.OPENING, now);
+            listener.found();
         }
     }
 
@@ -243,7 +264,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private void begin(State next, long now) {
         state = next;
-        nonce = nonces.next();
+        renew();
         hellos = 0;
         helloAt = now;
     }

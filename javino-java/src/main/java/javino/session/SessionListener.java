@@ -5,6 +5,9 @@ import javino.wire.Welcome;
 
 /** What a session reports, while one of its methods runs; it is not called back from here. */
 public interface SessionListener<C> {
+    /** The board speaks version 2, and a session with it is being begun. */
+    void found();
+
     /** A session has begun: the board knows no rules. */
     void began(Welcome welcome);
 

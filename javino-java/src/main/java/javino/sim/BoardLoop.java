@@ -80,9 +80,13 @@ public final class BoardLoop {
                 arrived::add);
     }
 
-    /** Whether the bytes that arrive now belong to a session, one that has yet to be begun included. */
+    /** Whether the bytes that arrive now belong to a session, once the messages before them have been handled. */
     private boolean hasSession() {
-        return session.isOpen() || arrived.stream().anyMatch(BoardReceiver.Found::isHello);
+        return arrived.stream()
+                .map(BoardReceiver.Found::isInSession)
+                .flatMap(Optional::stream)
+                .reduce((earlier, later) -> later)
+                .orElseGet(session::isOpen);
     }
 
     /**
@@ -165,6 +169,7 @@ public final class BoardLoop {
 
     private void handle(Frame frame) throws PortException, InterruptedException {
         version = 1;
+        session.end();
         if (!PerceptsRequest.isIn(frame.text())) {
             program.carryOut(frame.text());
             return;

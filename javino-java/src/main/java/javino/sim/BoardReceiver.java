@@ -1,5 +1,6 @@
 package javino.sim;
 
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javino.Frame;
@@ -15,8 +16,12 @@ import javino.wire.WireFrame;
 final class BoardReceiver {
     /** What was found: one of both. */
     record Found(Frame version1, WireFrame version2) {
-        boolean isHello() {
-            return version2 != null && version2.kind() == FrameKind.HELLO;
+        /** Whether there is a session behind it; empty: it neither begins nor ends one. */
+        Optional<Boolean> isInSession() {
+            if (version2 == null) {
+                return Optional.of(false);
+            }
+            return version2.kind() == FrameKind.HELLO ? Optional.of(version2.number() != 0) : Optional.empty();
         }
     }
 
@@ -39,8 +44,14 @@ final class BoardReceiver {
         this.timeoutNanos = timeoutNanos;
         this.hasSession = hasSession;
         version2 = new WireDecoder(false, timeoutNanos, longestPayload, frame -> found.accept(new Found(null, frame)));
-        version1 = new Version1Window(
-                reads == Protocol.V1 ? -1 : WireFrame.START, frame -> found.accept(new Found(frame, null)));
+        version1 = new Version1Window(reads == Protocol.V1 ? -1 : WireFrame.START, frame -> {
+            found.accept(new Found(frame, null));
+            setAnywhere();
+        });
+    }
+
+    private void setAnywhere() {
+        version1.anywhere(!hasSession.getAsBoolean());
     }
 
     /**
@@ -78,7 +89,7 @@ final class BoardReceiver {
         if (reads == Protocol.V2 || version2.isInFrame()) {
             put2(octet);
         } else {
-            version1.anywhere(!hasSession.getAsBoolean());
+            setAnywhere();
             readAgain(version1.put(octet));
         }
     }

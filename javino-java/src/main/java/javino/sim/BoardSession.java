@@ -98,6 +98,11 @@ public final class BoardSession {
         }
     }
 
+    /** Ends the session, if there is one: a frame of version 1 has come, and who sends it knows of none. */
+    public void end() {
+        begin(0);
+    }
+
     private synchronized void begin(int value) {
         nonce = value;
         due = 0;

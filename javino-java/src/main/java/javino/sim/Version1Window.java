@@ -27,7 +27,7 @@ final class Version1Window {
 
     /**
      * @param other the byte with which frames of version 2 begin, outside of payloads of version 1; -1: there are none
-     * @param found is given each frame
+     * @param found is given each frame, and may call {@link #anywhere}
      */
     Version1Window(int other, Consumer<Frame> found) {
         this.other = other;
@@ -111,8 +111,8 @@ final class Version1Window {
             return false;
         }
         delivered = length;
-        isQuiet = isAnywhere;
         found.accept(Frame.of(window.substring(Frame.HEADER_LENGTH, length).getBytes(StandardCharsets.ISO_8859_1)));
+        isQuiet = isAnywhere;
         return true;
     }
 

@@ -49,6 +49,36 @@ class ComputerSessionSpec : FunSpec({
         probe.after(1_000).next().shouldBeNull()
     }
 
+    test("a WELCOME behind a frame of version 1, which ends the session, shows the version alone, and HELLO follows with another nonce") {
+        val probe = SessionProbe()
+        val board = board()
+        val welcome = board.received(probe.session.hello())
+        probe.session.sendsVersion1()
+        probe.receive(welcome)
+        probe.boards shouldBe 1
+        probe.session.isOpen shouldBe false
+        val hello = checkNotNull(probe.next())
+        hello.kind() shouldBe FrameKind.HELLO
+        probe.receive(welcome)
+        probe.session.isOpen shouldBe false
+        probe.receive(board.received(hello))
+        probe.session.isOpen shouldBe true
+        probe.sessions shouldBe 1
+    }
+
+    test("HELLO behind a frame of version 1 has another nonce, so that its WELCOME is no earlier one") {
+        val probe = SessionProbe()
+        val first = probe.session.hello()
+        probe.session.hello() shouldBe first
+        probe.session.sendsVersion1()
+        val second = probe.session.hello()
+        second shouldNotBe first
+        probe.session.hello() shouldBe second
+        probe.receive(board().received(second))
+        probe.session.isOpen shouldBe true
+        probe.boards shouldBe 0
+    }
+
     test("waiting commands go out together, as many as 32 bytes and the window hold, and are done when they are acknowledged") {
         val board = board()
         val probe = opened(board)

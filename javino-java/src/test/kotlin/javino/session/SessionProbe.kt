@@ -20,6 +20,7 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
     val answers = mutableListOf<String>()
     val heard = mutableListOf<String>()
     val reports = mutableListOf<CriticalReport>()
+    var boards = 0
     var sessions = 0
     var lapses = 0
     var dropped = 0
@@ -48,6 +49,10 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
 
     override fun begin() {
         waiting.removeFirst()
+    }
+
+    override fun found() {
+        boards++
     }
 
     override fun began(welcome: Welcome) {

@@ -62,15 +62,25 @@ private class VectorBoard(board: JsonObject) {
         board["refuses"].texts(),
         board["later"].texts(),
     )
+    var answers = emptyList<String>()
     private var session = newSession()
 
     private fun newSession() = BoardSession(program, BoardSession.Capacity(60, 255, 4, 126)) { sent += it }
+
+    /** The answer to a message of version 1. */
+    private fun handle(message: String): String? {
+        session.end()
+        if (PerceptsRequest.isIn(message)) return program.percepts(message)
+        program.carryOut(message)
+        return null
+    }
 
     fun step(step: JsonObject) {
         sent.clear()
         program.carried.clear()
         step["percepts"]?.let { program.percepts = it.texts() }
         if (step["restart"].isTrue()) session = newSession()
+        answers = step["messages"]?.texts()?.mapNotNull(::handle) ?: emptyList()
         step["to"]?.texts()?.forEach { session.receive(frameOf(it)) }
         step["report"]?.let { session.report(session.openAction(), it.text() == "done") }
         if (step["look"].isTrue()) session.look(program.percepts(PerceptsRequest.ALL))
@@ -94,6 +104,7 @@ class BoardVectorsSpec : FunSpec({
                 board.step(step)
                 board.sent.map(::comparable) shouldBe step["from"].texts().map { comparable(frameOf(it)) }
                 board.program.carried shouldBe (step["carried"]?.texts() ?: emptyList())
+                board.answers shouldBe (step["answers"]?.texts() ?: emptyList())
             }
         }
     }

@@ -123,10 +123,11 @@ class FakeBoardVersion2Spec : FunSpec({
         }
     }
 
-    test("it goes on answering version 1 to who leaves a pause") {
+    test("who leaves a pause and speaks version 1 ends the session") {
         withBoard({ whenAsked("getPercepts").answer("dist(9);") }) { _, computer ->
             computer.hello().askInVersion1() shouldBe "dist(9);"
-            computer.ask() shouldBe "dist(9);"
+            computer.command("late") shouldBe WireFrame.of(FrameKind.WELCOME, 0, Welcome(0, 255, 255, 0).payload())
+            computer.hello().ask() shouldBe "dist(9);"
         }
     }
 

@@ -102,10 +102,13 @@ private class SessionBoard(rules: Int = 0) {
 
     private fun handle(found: BoardReceiver.Found) {
         val text = found.version1()?.text()
-        if (text == null) session.receive(found.version2())
-        else if (PerceptsRequest.isIn(text)) named += "${Frame.of(program.percepts(text))}"
-        else program.carryOut(text)
+        if (text == null) session.receive(found.version2()) else handle(text)
         if (session.openAction() != 0L) open = session.openAction()
+    }
+
+    private fun handle(message: String) {
+        session.end()
+        if (PerceptsRequest.isIn(message)) named += "${Frame.of(program.percepts(message))}" else program.carryOut(message)
     }
 }
 

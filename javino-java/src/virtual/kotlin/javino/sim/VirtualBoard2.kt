@@ -113,6 +113,7 @@ internal class VirtualBoard2(
     fun sees(percepts: String) = session.look(percepts)
 
     private fun handleVersion1(text: String) {
+        session.end()
         onHandled("1:$text")
         if (text.startsWith("getPercepts")) post(Frame.of(answer(++answers)).toBytes())
     }
