@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit;
 /**
  * Finds out which version a board speaks: HELLO, HELLO again, then a request in version 1, and while the board may be starting both again
  * until one is answered. A board of version 1 drops HELLO. One of version 2 that was starting may have answered the request in version 1,
- * so it is sent HELLO once more.
+ * so it is sent HELLO once more, and several times where bytes came that are no message: a damaged WELCOME may be among them.
  *
  * <p>A frame of version 1 follows HELLO only when WELCOME would have come: a board in a session takes no frame of version 1 for one that
  * follows other bytes closely. One thread at a time.
@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 final class Negotiation {
     private static final long HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
     private static final int HELLO_BYTES = 20;
+    private static final int HELLOS_BEHIND_NOISE = 5;
     private static final long REPEAT_NANOS = TimeUnit.MILLISECONDS.toNanos(Version1Requests.REPEAT_MILLIS);
 
     private final SessionLine line;
@@ -22,6 +23,7 @@ final class Negotiation {
     private final BoardStart start;
     private final LineClock clock;
     private final long helloNanos;
+    private boolean hasNoise; // bytes came in place of WELCOME
 
     Negotiation(
             SessionLine line,
@@ -49,6 +51,7 @@ final class Negotiation {
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         boolean mayBeStarting = start.nanosLeft() > 0;
         long giveUp = clock.nanos() + Math.max(start.nanosLeft(), timeoutNanos);
+        hasNoise = false;
         if (sayHello(timeoutMillis)) {
             return null;
         }
@@ -62,7 +65,7 @@ final class Negotiation {
             Reply first = answers.by(sent, sent + wait, Math.max(giveUp, sent + timeoutNanos));
             if (first != null) {
                 Reply answer = version1.completed(first, timeoutMillis);
-                if (mayBeStarting && isWelcomed(timeoutMillis)) {
+                if (isWelcomedAfterAll(mayBeStarting, timeoutMillis)) {
                     return null;
                 }
                 line.agreeOnVersion1();
@@ -82,6 +85,18 @@ final class Negotiation {
     /** Says HELLO, and waits for WELCOME. */
     private boolean isWelcomed(int timeoutMillis) throws PortException {
         long left = writer.write(FrameWriter.Kind.ACTION, line.hello(), timeoutMillis, () -> {});
-        return line.await(line::isVersion2, left + helloNanos, true);
+        boolean isWelcomed = line.await(line::isVersion2, left + helloNanos, true);
+        hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
+        return isWelcomed;
+    }
+
+    /** Says HELLO to a board that has answered in version 1. */
+    private boolean isWelcomedAfterAll(boolean mayBeStarting, int timeoutMillis) throws PortException {
+        int hellos = hasNoise ? HELLOS_BEHIND_NOISE : mayBeStarting ? 1 : 0;
+        boolean isWelcomed = false;
+        for (int i = 0; i < hellos && !isWelcomed; i++) {
+            isWelcomed = isWelcomed(timeoutMillis);
+        }
+        return isWelcomed;
     }
 }

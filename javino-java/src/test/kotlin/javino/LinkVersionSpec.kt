@@ -181,6 +181,18 @@ class LinkVersionSpec : FunSpec({
         }
     }
 
+    for (damaged in 1..6) test("a version 2 board whose first WELCOMEs, $damaged of them, are damaged on the line is found to be one") {
+        var welcomes = 0
+        val board = VirtualBoard2 { bytes ->
+            val isWelcome = bytes.size > 2 && bytes[2] == 0x80.toByte()
+            if (isWelcome && welcomes++ < damaged) bytes.clone().apply { this[lastIndex] = (this[lastIndex] + 1).toByte() } else bytes
+        }
+        bench(board).use { bench ->
+            bench.link.request(REQUEST, 500)
+            bench.link.protocol() shouldBe Protocol.V2
+        }
+    }
+
     test("a request of version 1 that a slow version 2 board answers late costs no command") {
         for (takes in 10..600 step 10) {
             val board = VirtualBoard2().apply { this.takes = takes.toDouble() }
