@@ -69,6 +69,17 @@ def a_repeated_command_is_carried_out_once():
         equal(session.ask(), "count(2);")
 
 
+def a_program_of_version_1_is_understood_behind_one_of_version_2():
+    with Board("Echo") as board:
+        board.line.ready()
+        Session(board.line).send("speed(100)")
+        time.sleep(0.2)
+        for i in range(50):
+            board.line.write(frame1(f"speed({100 + i})".encode()))
+            time.sleep(0.02)  # shorter than the pause that a session wants
+        equal(board.line.ask(), "count(51);")
+
+
 def analogue_inputs_become_percepts(robot="Robot4WD"):
     with Board(robot) as board:
         board.command("mux A4 2 4")
@@ -602,6 +613,7 @@ CASES = [
     an_led_follows_actions_in_both_versions,
     a_command_and_a_request_in_one_burst_are_both_handled,
     a_repeated_command_is_carried_out_once,
+    a_program_of_version_1_is_understood_behind_one_of_version_2,
     analogue_inputs_become_percepts,
     motors_stop_when_the_far_end_falls_silent,
     motors_stop_when_the_far_end_closes_the_line,
@@ -632,6 +644,7 @@ MACHINE_CASES = [
     an_led_follows_actions_in_both_versions,
     a_command_and_a_request_in_one_burst_are_both_handled,
     a_repeated_command_is_carried_out_once,
+    a_program_of_version_1_is_understood_behind_one_of_version_2,
     analogue_inputs_become_percepts,
     a_robot_without_arduino_does_the_same,
     motors_stop_when_the_far_end_falls_silent,
