@@ -11,6 +11,7 @@ import com.google.re2j.Pattern
 fun whyUnreadable(percept: String): String? {
     val text = percept.trim()
     val word = text.take(Syntax.wordEnd(text, 0, text.length))
+    val foreign = FOREIGN.find(withoutQuoted(text))?.value
     return when {
         GroundTerm.ofOrNull(text) is GroundTerm.Structure -> null
         text.isEmpty() -> "it is empty"
@@ -18,8 +19,8 @@ fun whyUnreadable(percept: String): String? {
         text[0] == '_' -> "its name begins with _, so it is a variable; write ${readableName(text)}"
         hasBreakInQuotes(text) -> "there is a line break in quotes; write \\n"
         !isBalanced(text) -> "a bracket or a quote is not closed"
-        foreignLetter(text) != null ->
-            "${foreignLetter(text)} is no letter of a word, which a to z are; put the word in quotes"
+        foreign != null ->
+            "$foreign is no letter of a word, which a to z are; put the word in quotes"
         VARIABLE.containsMatchIn(withoutQuoted(text)) ->
             "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes"
         Syntax.isReserved(word, 0, word.length) -> "$word is a word of AgentSpeak, which cannot be a percept's name"
@@ -43,5 +44,3 @@ private val FOREIGN = Regex("""[\p{L}&&[^A-Za-z]]""")
 
 /** The text with a name that is none of a variable, or what to write where that does not make it readable. */
 private fun readableName(text: String): String = GroundTerm.inLowerCase(text) ?: "a name that begins with one of a to z"
-
-private fun foreignLetter(text: String): String? = FOREIGN.find(withoutQuoted(text))?.value

@@ -10,13 +10,12 @@ import kotlin.math.abs
  * The commands of one agent of [recording], whoever sent them.
  *
  * @param cycles all cycles of the agent
- * @param firstNs when the recording began, in ns of the agents' clock
  */
 internal class Commands(
     private val recording: Recording,
     private val agent: String,
     private val cycles: List<Cycle>,
-    private val firstNs: Long,
+    private val clock: RecordingClock,
 ) {
     private val reflexOf = HashMap<RecordedCommand, ReflexEnd>()
 
@@ -36,7 +35,7 @@ internal class Commands(
     fun reflex(command: RecordedCommand): ReflexEnd? = reflexOf[command]
 
     private fun ofPlans(): List<Pair<RecordedCommand, ReflexEnd?>> = cycles.flatMap { cycle ->
-        val seconds = secondsOf(cycle.ns)
+        val seconds = clock.seconds(cycle.ns)
         val toBoards = cycle.input.calls.flatMap { it.commands }
             .map { RecordedCommand(agent, 0, it.text, it.port, seconds, cycle.index, sent = it.number) }
         toBoards + listOfNotNull(cycle.course.action?.let { RecordedCommand(agent, 0, it, null, seconds, cycle.index) })
@@ -45,15 +44,13 @@ internal class Commands(
     private fun sent(end: CommandEnd, reflex: ReflexEnd?): RecordedCommand {
         val ns = end.issuedNs ?: end.ns
         val by = if (reflex == null) Sender.OUTSIDE else Sender.REFLEX
-        return RecordedCommand(agent, 0, end.text.orEmpty(), end.port, secondsOf(ns), cycleAt(ns), by, end.number)
+        return RecordedCommand(agent, 0, end.text.orEmpty(), end.port, clock.seconds(ns), cycleAt(ns), by, end.number)
     }
 
     private fun reported(reflex: ReflexEnd) =
-        RecordedCommand(agent, 0, reflex.command, null, secondsOf(reflex.ns), cycleAt(reflex.ns), Sender.REFLEX)
+        RecordedCommand(agent, 0, reflex.command, null, clock.seconds(reflex.ns), cycleAt(reflex.ns), Sender.REFLEX)
 
     private fun cycleAt(ns: Long) = cycles.lastOrNull { it.ns <= ns }?.index ?: 0
-
-    private fun secondsOf(ns: Long) = (ns - firstNs) / NANOS
 
     /** Takes the reflex of the computer out that [end] tells of, which is known at about the same time. */
     private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =
@@ -61,7 +58,6 @@ internal class Commands(
             ?.also { remove(it) }
 
     private companion object {
-        const val NANOS = 1e9
         const val SAME_NS = 100_000_000L
     }
 }

@@ -8,9 +8,8 @@ import argo.recording.ReflexEnd
  *
  * @param cycles those that are replayed, by which frames are counted
  * @param filters the filters at their beginning
- * @param firstNs when the recording began, in ns of the agent's clock
  */
-internal class ReflexFrames(private val cycles: List<Cycle>, private val filters: RecordedFilters, private val firstNs: Long) {
+internal class ReflexFrames(private val cycles: List<Cycle>, private val filters: RecordedFilters, private val clock: RecordingClock) {
     /** Why [reflex] was carried out, whose [command] went to a port that may be known. */
     fun cause(command: RecordedCommand, reflex: ReflexEnd): ReflexCause {
         val all = percepts(command, reflex)
@@ -21,7 +20,7 @@ internal class ReflexFrames(private val cycles: List<Cycle>, private val filters
 
     /** The percepts that met the rule of [reflex], in their order. */
     private fun percepts(command: RecordedCommand, reflex: ReflexEnd): List<PerceptCause> {
-        val frames = Frames(::secondsOf)
+        val frames = Frames(clock::seconds)
         return cycles.flatMap { cycle ->
             val found = cycle.input.snapshots.mapNotNull { snapshot ->
                 val frame = frames.of(snapshot, cycle.number)
@@ -37,10 +36,7 @@ internal class ReflexFrames(private val cycles: List<Cycle>, private val filters
         }
     }
 
-    private fun secondsOf(ns: Long) = (ns - firstNs) / NANOS
-
     private companion object {
-        const val NANOS = 1e9
         const val LATE_S = 0.5
     }
 }

@@ -29,13 +29,12 @@ import java.util.WeakHashMap
  * Follows an agent while it is replayed: what its events came of, which plans were chosen and under which conditions, and what its steps
  * note and send. It stands around the [inputs] of the agent, and only asks.
  *
- * @param firstNs when the recording began, in ns of the agent's clock
  * @param filters the filters that the recording has
  * @param taken is called when an event has been taken from the queue, before a plan is looked for
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
-    private val firstNs: Long,
+    private val clock: RecordingClock,
     private val filters: RecordedFilters = RecordedFilters(emptyMap()),
     private val taken: (Trace, Event) -> Unit = { _, _ -> },
 ) : Boundary by inputs {
@@ -48,7 +47,7 @@ internal class Trace(
     class Issued(val cycle: Cycle, val port: String?, val text: String, val cause: StepCause?)
 
     /** What the boards have sent. */
-    val percepts = PerceptOrigins(::secondsOf) { port, text -> filters.explain(port, text)?.toString() }
+    val percepts = PerceptOrigins(clock::seconds) { port, text -> filters.explain(port, text)?.toString() }
 
     /** All commands so far. */
     val issued = ArrayList<Issued>()
@@ -94,7 +93,7 @@ internal class Trace(
         option = ts.c.selectedOption
         selected = ts.c.selectedIntention
         step = null
-        cycle.input.mail.mapTo(mail) { MessageCause(it.sender.orEmpty(), it.performative, it.content, secondsOf(cycle.ns)) }
+        cycle.input.mail.mapTo(mail) { MessageCause(it.sender.orEmpty(), it.performative, it.content, clock.seconds(cycle.ns)) }
     }
 
     override fun perceive(live: () -> Perception): Perception = inputs.perceive(live).also { perception ->
@@ -152,9 +151,6 @@ internal class Trace(
         issued += Issued(cycle, port, text, step)
     }
 
-    /** The seconds from the beginning of the recording to [ns]. */
-    fun secondsOf(ns: Long): Double = (ns - firstNs) / NANOS
-
     /** Why [plan], which is relevant under [un], is not applicable now: the parts of its context up to the first one that fails. */
     fun failing(plan: Plan, un: Unifier): List<Condition> =
         plan.context?.let { context -> inputs.asking { conditions.failing(context, un) } }.orEmpty()
@@ -175,7 +171,7 @@ internal class Trace(
         val place = placeOf(option.plan)
         val again = (above as? StepCause)?.plan?.takeIf { it.place == place && (intention == null || isTail(intention, option.plan)) }
         val cause = PlanCause(
-            place, shown(event), secondsOf(cycle.ns), cycle.number, context.map { it.within(MAX_ASIDE) },
+            place, shown(event), clock.seconds(cycle.ns), cycle.number, context.map { it.within(MAX_ASIDE) },
             (again?.event ?: above).within(MAX_DEPTH), again?.let { it.again + 1 } ?: 0,
         )
         chosen = cause
@@ -207,14 +203,14 @@ internal class Trace(
     private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
         val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
         val cause = UnknownCause(trigger, BEFORE)
-        val plan = PlanCause(placeOf(means.plan), trigger, secondsOf(begin.ns), begin.number, emptyList(), cause, 0)
+        val plan = PlanCause(placeOf(means.plan), trigger, clock.seconds(begin.ns), begin.number, emptyList(), cause, 0)
         Adopted(plan).also { adopted[means] = it }
     }
 
     private fun stepOf(means: IntendedMeans, adopted: Adopted): StepCause? {
         val body = means.currentStep ?: return null
         val tests = adopted.tests.values.map { it.within(MAX_ASIDE) }
-        return StepCause(textOf(body), body.srcInfo?.srcLine, secondsOf(cycle.ns), adopted.plan, tests)
+        return StepCause(textOf(body), body.srcInfo?.srcLine, clock.seconds(cycle.ns), adopted.plan, tests)
     }
 
     private fun test(means: IntendedMeans, body: PlanBody, adopted: Adopted) {
@@ -269,7 +265,7 @@ internal class Trace(
         BeginningCause(keyOf(literal), literal.srcInfo?.srcFile?.let(::fileName), literal.srcInfo?.srcLine?.takeIf { it > 0 })
 
     /** When the cycle began that is under way, in seconds since the beginning. */
-    val now: Double get() = secondsOf(cycle.ns)
+    val now: Double get() = clock.seconds(cycle.ns)
 
     /** What [event] came of, which was taken in this cycle; null: that is not known. */
     fun causeOf(event: Event): Cause? {
@@ -282,7 +278,6 @@ internal class Trace(
         event.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
 
     companion object {
-        private const val NANOS = 1e9
         private const val BEFORE = "that was before the replay begins, which this recording has lost"
         private const val MAX_NOTES = 10_000
 

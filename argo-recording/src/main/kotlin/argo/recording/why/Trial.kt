@@ -17,7 +17,7 @@ internal class Trial(
     private val agent: RecordedAgent,
     private val programs: ProgramFiles,
     private val cycles: List<Cycle>,
-    private val firstNs: Long,
+    private val clock: RecordingClock,
 ) {
     /**
      * Runs it on what was recorded, up to the cycle [last], watched by what [traceOf] makes; [ran] is called behind each cycle. Returns
@@ -58,7 +58,7 @@ internal class Trial(
             val before = recording.start(agent.name)?.begun ?: 0
             AlteredInputs(begun, before, { if (isChanging) changed(it) else it }) { trace.issue(null, it) }.also { inputs = it }
         }
-        val watched = { inputs: ReplayedInputs -> begun(Trace(inputs, firstNs)).also { trace = it } }
+        val watched = { inputs: ReplayedInputs -> begun(Trace(inputs, clock)).also { trace = it } }
         ReplayedAgent(recording, agent, programs, inputsOf = altered, boundaryOf = watched).use { replayed ->
             var earlier = 0
             val wanted = cycles.takeWhile { it.index <= last }

@@ -16,9 +16,9 @@ import jason.asSyntax.Literal
 class Why(private val recording: Recording) : AutoCloseable {
     private val programs = ProgramFiles(recording)
     private val cycles = recording.agents.keys.associateWith { recording.cycles(it).toList() }
-    private val firstNs = recording.firstNs ?: 0
+    private val clock = RecordingClock(recording.firstNs ?: 0)
 
-    private val commandsOf = cycles.mapValues { (agent, cycles) -> Commands(recording, agent, cycles, firstNs) }
+    private val commandsOf = cycles.mapValues { (agent, cycles) -> Commands(recording, agent, cycles, clock) }
 
     /** All commands of the agents, in the order of their times. */
     val commands: List<RecordedCommand> = commandsOf.values.flatMap { it.all }.sortedBy { it.seconds }
@@ -42,7 +42,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun reflexAnswer(command: RecordedCommand): Answer {
         val end = commandsOf[command.agent]?.reflex(command) ?: return Answer(command)
         val cycles = replayable(command.agent, cyclesOf(command.agent))
-        val reflex = ReflexFrames(cycles, filtersOf(command.agent), firstNs).cause(command, end)
+        val reflex = ReflexFrames(cycles, filtersOf(command.agent), clock).cause(command, end)
         return Answer(command, null, reflex, reflex.percept?.frame, reflex.frames())
     }
 
@@ -68,23 +68,23 @@ class Why(private val recording: Recording) : AutoCloseable {
      */
     fun not(agent: String, question: Question): NotAnswer {
         val cycles = cyclesOf(agent)
-        val until = question.seconds?.let { firstNs + (it * NANOS).toLong() } ?: Long.MAX_VALUE
+        val until = question.seconds?.let(clock::nanos) ?: Long.MAX_VALUE
         val last = cycles.lastOrNull { it.ns <= until } ?: throw RecordingException("agent $agent had no cycle before $question")
         requireReplayed(agent, last.index)
         val filters = filtersOf(agent)
         val unchosen = Unchosen(question) { port, text -> filters.explain(port, text)?.toString() }
         lateinit var trace: Trace
         trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs ->
-            Trace(inputs, firstNs, filters, unchosen::taken).also { trace = it }
+            Trace(inputs, clock, filters, unchosen::taken).also { trace = it }
         }
-        return NotAnswer(agent, question.text, (last.ns - firstNs) / NANOS, unchosen.plans(trace))
+        return NotAnswer(agent, question.text, clock.seconds(last.ns), unchosen.plans(trace))
     }
 
     private fun causeOf(command: RecordedCommand): Pair<StepCause?, List<Beginning>> {
         val cycles = cyclesOf(command.agent)
         requireReplayed(command.agent, command.cycle)
         val filters = filtersOf(command.agent)
-        val (trace, begun) = trial(command.agent, cycles).asRecorded(command.cycle) { Trace(it, firstNs, filters) }
+        val (trace, begun) = trial(command.agent, cycles).asRecorded(command.cycle) { Trace(it, clock, filters) }
         return trace.issued.getOrNull(replayedBefore(command))?.cause to begun
     }
 
@@ -99,12 +99,12 @@ class Why(private val recording: Recording) : AutoCloseable {
         val now = issued.map { it.text }
         val times = before.count { it.text == command.text }
         return Had(
-            keyOf(percept), of?.belief, (from.ns - firstNs) / NANOS, command.seconds,
+            keyOf(percept), of?.belief, clock.seconds(from.ns), command.seconds,
             now.count { it == command.text } >= times, now, before.map { it.text }, isDropped,
         )
     }
 
-    private fun PerceptCause.isIn(cycle: Cycle) = seconds == (cycle.ns - firstNs) / NANOS
+    private fun PerceptCause.isIn(cycle: Cycle) = seconds == clock.seconds(cycle.ns)
 
     /** Whether the filter of the board on [port] drops [percept] after the cycles [before]. */
     private fun isDropped(agent: String, percept: Literal, port: String?, before: List<Cycle>): Boolean {
@@ -139,7 +139,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         cycles[agent] ?: throw RecordingException("there is no agent $agent; those that there are: ${cycles.keys.joinToString()}")
 
     private fun trial(agent: String, cycles: List<Cycle>) =
-        Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), firstNs)
+        Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), clock)
 
     /** How many commands plans of the agent send in its replay before [command]. */
     private fun replayedBefore(command: RecordedCommand): Int {
@@ -158,15 +158,11 @@ class Why(private val recording: Recording) : AutoCloseable {
         if (cycle > start.index) return
         throw RecordingException(
             "what agent $agent believed then is not known: the beginning of its recording is missing, and it can be replayed from " +
-                "%.3f s on".format((start.ns - firstNs) / NANOS),
+                "%.3f s on".format(clock.seconds(start.ns)),
         )
     }
 
     override fun close() = programs.close()
-
-    private companion object {
-        const val NANOS = 1e9
-    }
 }
 
 /** Whether [one] and [other] differ in numbers alone, or not at all. */
