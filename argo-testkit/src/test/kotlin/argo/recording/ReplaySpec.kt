@@ -51,6 +51,10 @@ class ReplaySpec : FunSpec({
         )
     }
 
+    test("agents whose cycles overlapped, so that one counted intentions before the other read the counters of Jason") {
+        shouldReplay(Path.of("src/test/resources/recordings/overlapping-cycles.mcap"))
+    }
+
     test("loops, whose steps hold a Java object") {
         shouldReplay(
             recorded(

@@ -60,6 +60,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     private val known = HashMap<String, Literal>()
     private var sent: MutableList<Mail> = ArrayList()
     private var sleep = ArrayDeque<Char>()
+    private var counters: List<Int> = emptyList() // behind the agent's last cycle
     private var underWay: Call? = null
     private var isAsking = false
 
@@ -98,7 +99,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     /** The next cycle is [cycle]. */
     fun next(cycle: Cycle) {
         this.cycle = cycle
-        cycle.counters?.let(Counters::write)
+        Counters.write(cycle.counters ?: counters) // another agent may have been replayed since
         calls = cycle.input.calls.toMutableList()
         taken.clear()
         sent = cycle.course.mail.toMutableList()
@@ -294,6 +295,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
 
     override fun cycleFinished() {
         Keeper.current = null
+        counters = Counters.read()
         calls.firstOrNull()?.let { found("call", described(it), null, null) }
     }
 
