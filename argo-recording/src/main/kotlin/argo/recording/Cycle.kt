@@ -17,6 +17,8 @@ data class Cycle(
     val input: Input = Input(),
     @Holds("what came of it")
     val course: Course = Course(),
+    @Holds("whether the agent was being stopped: Jason may have ended the cycle anywhere")
+    val isEnding: Boolean = false,
 )
 
 /** What entered an agent in a cycle. */

@@ -43,6 +43,9 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         (if (belief in beliefs) belief else beliefs.toString()) shouldBe belief
     }
 
+    /** Returns when agent [name] runs no longer. */
+    suspend fun awaitEnd(name: String) = eventually(LIMIT) { (mas.getAg(name)?.isRunning ?: false) shouldBe false }
+
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own
         try {

@@ -73,6 +73,18 @@ class RealTimeReplaySpec : FunSpec({
         shouldReplay(file)
     }
 
+    test("an agent that is stopped in the middle of a cycle") {
+        val file = recordingFile()
+        LiveMas(file).use { mas ->
+            mas.agent("robot", "!start. +!start <- +begun; !go. +!go : argo.recording.stopping <- .print(never).")
+            runBlocking { mas.awaitEnd("robot") }
+        }
+        val last = Recording(file).use { it.cycles("robot").last() }
+        last.isEnding shouldBe true
+        last.course.run { event to step } shouldBe ("+!go[source(self)]" to null)
+        shouldReplay(file)
+    }
+
     /** A robot whose sensors, silence and cable are of chance, which stays unplugged now and then. */
     class FaultyRobot(seed: Long) : Sketch {
         private val chance = Random(seed)

@@ -20,6 +20,17 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
         ?: differing("number of beliefs") { beliefs }
 }
 
+/** What came of a cycle in a replay, without what is not in that of the recording, where Jason ended the cycle before. */
+internal fun Course.asFarAs(recorded: Course) = copy(
+    event = event.takeIf { recorded.event != null },
+    plan = plan.takeIf { recorded.plan != null },
+    step = step.takeIf { recorded.step != null },
+    action = action.takeIf { recorded.action != null },
+    mail = mail.take(recorded.mail.size),
+    printed = printed.take(recorded.printed.size),
+    beliefs = recorded.beliefs,
+)
+
 private fun described(place: Place) = normal("@${place.label} (${place.file}:${place.line})")
 
 private fun described(step: Step) =

@@ -38,7 +38,8 @@ internal class ReplayedAgent(
         recording.requireNext(recorded.name, cycle, lastIndex)
         lastIndex = cycle.index
         reason(cycle)
-        difference(cycle.course, inputs.course.end())?.let { (what, before, now) -> report(what, before, now, null) }
+        val now = inputs.course.end().let { if (cycle.isEnding) it.asFarAs(cycle.course) else it }
+        difference(cycle.course, now)?.let { (what, before, after) -> report(what, before, after, null) }
     }
 
     /** Runs [cycle], which is not of the recording. */

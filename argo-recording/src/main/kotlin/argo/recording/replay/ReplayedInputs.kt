@@ -179,7 +179,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         val recorded = take(call.name, call.args.map(::textOf))
         if (recorded == null) {
             if (isAsking) return false
-            found("call", calls.firstOrNull()?.let(::described), normal("$call"), null)
+            if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), normal("$call"), null)
             return if (code == WatchedKind.OUTSIDE) unrecorded(call) else live(call.un)
         }
         if (isAsking) return if (recorded.failure != null || call.suspend != null) false else answer(recorded, call)
@@ -227,7 +227,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
         val recorded = take(name, args.map(::textOf))?.value
         if (recorded == null) {
-            if (!isAsking) found("call", calls.firstOrNull()?.let(::described), "$name(${args.joinToString(",")})", null)
+            if (!isAsking && !cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), "$name(${args.joinToString(",")})", null)
             return live()
         }
         if (isOfProject && !isAsking) {

@@ -87,7 +87,9 @@ class WhatIf(
         for (cycle in recording.replayable(recorded.name)) {
             recording.requireNext(recorded.name, cycle, last?.index ?: recording.start(recorded.name)?.index ?: 0)
             if (last != null && !inputs.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
-            before += cycle.sent()
+            val sent = cycle.sent()
+            if (cycle.isEnding && sent.isEmpty()) break // the agent might have gone on
+            before += sent
             run(cycle, cycle.ns)
             last = cycle
             endNs = cycle.ns
