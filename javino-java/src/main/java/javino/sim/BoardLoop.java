@@ -2,6 +2,7 @@ package javino.sim;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Iterator;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
@@ -82,11 +83,14 @@ public final class BoardLoop {
 
     /** Whether the bytes that arrive now belong to a session, once the messages before them have been handled. */
     private boolean hasSession() {
-        return arrived.stream()
-                .map(BoardReceiver.Found::isInSession)
-                .flatMap(Optional::stream)
-                .reduce((earlier, later) -> later)
-                .orElseGet(session::isOpen);
+        Iterator<BoardReceiver.Found> newestFirst = arrived.descendingIterator();
+        while (newestFirst.hasNext()) {
+            Optional<Boolean> isInSession = newestFirst.next().isInSession();
+            if (isInSession.isPresent()) {
+                return isInSession.get();
+            }
+        }
+        return session.isOpen();
     }
 
     /**
