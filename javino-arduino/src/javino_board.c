@@ -382,6 +382,7 @@ void javino_board_answer(javino_board *board)
 #ifdef JAVINO_VERSION_2_ONLY
     if (!b->link.session) {
         javino_board_clear(b);
+        b->part = 0;
         return;
     }
 #endif
@@ -415,6 +416,10 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
         }
     }
     javino_link_poll(&b->link, now_ms);
+#ifdef SPLITS
+    if (!JAVINO_IS_2(&b->link))
+        b->part = 0; /* An answer ends with its session. */
+#endif
 #if JAVINO_TEXT_MAX > 255
     /* What has waited for version 2 may be too long for version 1. */
     if (b->length == 0 || (!JAVINO_IS_2(&b->link) && b->room > JAVINO_MAX_PAYLOAD + HEADER))

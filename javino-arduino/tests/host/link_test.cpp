@@ -312,24 +312,26 @@ TEST_CASE("a program that speaks version 1 ends the session of an earlier one") 
 }
 
 TEST_CASE("an answer that goes out in parts ends with the session") {
-  Conversation c;
-  REQUIRE(javino_rules_init(&c.board, 250, [](void *, const char *, uint8_t) { return true; }, nullptr));
-  c.begin();
-  CHECK(c.hear(command(0, std::string("\x01\x01" "a\x00", 4))) == JAVINO_ACTION);
-  REQUIRE(javino_rules_set(&c.board));
-  c.finish();
-  CHECK(c.hear(ask(1)) == JAVINO_REQUEST);
-  c.percept("dist(front,123)");
-  c.percept("light(front,95)");
-  javino_board_answer(&c.board);
-  c.now += 26;
-  CHECK(c.hear(frame1("getPercepts")) == JAVINO_REQUEST);
-  CHECK(frames2(c.sent()).back().kind == 0x83); // a part that was to go before the request was found
-  c.percept("one");
-  javino_board_answer(&c.board);
-  CHECK(payloads1(c.sent()) == std::vector<std::string>{"one;"});
-  c.poll();
-  CHECK(c.sent().empty());
+  for (uint16_t bytes : {JAVINO_MEMORY + 255, 8192}) {
+    Conversation c(bytes);
+    REQUIRE(javino_rules_init(&c.board, 250, [](void *, const char *, uint8_t) { return true; }, nullptr));
+    c.begin();
+    CHECK(c.hear(command(0, std::string("\x01\x01" "a\x00", 4))) == JAVINO_ACTION);
+    REQUIRE(javino_rules_set(&c.board));
+    c.finish();
+    CHECK(c.hear(ask(1)) == JAVINO_REQUEST);
+    c.percept("dist(front,123)");
+    c.percept("light(front,95)");
+    javino_board_answer(&c.board);
+    c.now += 26;
+    CHECK(c.hear(frame1("getPercepts")) == JAVINO_REQUEST);
+    CHECK(frames2(c.sent()).back().kind == 0x83); // a part that was to go before the request was found
+    c.percept("one");
+    javino_board_answer(&c.board);
+    CHECK(payloads1(c.sent()) == std::vector<std::string>{"one;"});
+    c.poll();
+    CHECK(c.sent().empty());
+  }
 }
 
 TEST_CASE("a lost link is reported once, and again only after something valid has arrived") {

@@ -208,7 +208,7 @@ final class CommandLoop {
         if (line.isVersion2() || line.hasLapsed()) {
             return;
         }
-        Command command = writer.awaitCommand(deadline);
+        Command command = writer.awaitCommand(deadline, line::isVersion2);
         if (command != null) {
             movedNanos = clock.nanos();
             end(command, () -> oneWay.awaitLeft(command, oneWay.write(command)));

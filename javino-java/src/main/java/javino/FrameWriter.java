@@ -27,6 +27,11 @@ final class FrameWriter implements WaitingCommands<Command> {
         void run() throws PortException;
     }
 
+    /** Makes a frame when its turn has come, right before it is written; null: nothing is to be written any more. */
+    interface Content {
+        byte[] make() throws PortException;
+    }
+
     private final Monitor monitor;
     private final CommandQueue commands = new CommandQueue();
     private final Transport transport;
@@ -123,12 +128,15 @@ final class FrameWriter implements WaitingCommands<Command> {
      * Waits for the turn of the next command, which is under way from then on until {@link #finish}, and must be written with
      * {@link #writeNow}.
      *
+     * @param isElsewhere ends the wait too, without a command
      * @return null if its turn has not come by {@code deadline}, or there is none, or another thread has it
      */
-    Command awaitCommand(long deadline) throws PortException {
+    Command awaitCommand(long deadline, BooleanSupplier isElsewhere) throws PortException {
         return monitor.getInterruptibly(() -> {
-            awaitZero(() -> next() == null ? 0 : Math.min(nanosUntilNext(), deadline - clock.nanos()));
-            return beginNext();
+            awaitZero(() -> next() == null || isElsewhere.getAsBoolean()
+                    ? 0
+                    : Math.min(nanosUntilNext(), deadline - clock.nanos()));
+            return isElsewhere.getAsBoolean() ? null : beginNext();
         });
     }
 
@@ -223,17 +231,18 @@ final class FrameWriter implements WaitingCommands<Command> {
     /**
      * Waits for a turn of its own, before the commands that wait, and writes a frame.
      *
+     * @param bytes of the frame
      * @param timeoutMillis milliseconds to wait at most for the turn, beside those for which the pacer holds a frame back on a free line,
      *     and again for the driver
      * @return when its last byte leaves the line, by the clock
      * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
      */
-    long write(Kind kind, byte[] frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
+    long write(Kind kind, int bytes, int timeoutMillis, Content content) throws PortException {
         monitor.getInterruptibly(() -> {
-            awaitTurn(kind, frame.length, timeoutMillis);
+            awaitTurn(kind, bytes, timeoutMillis);
             return null;
         });
-        return writeNow(kind, frame, timeoutMillis, beforeWrite);
+        return writeNow(kind, timeoutMillis, content);
     }
 
     private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
@@ -267,8 +276,18 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /** Writes a frame whose turn has come; as {@link #write}. */
     long writeNow(Kind kind, byte[] frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
-        try {
+        return writeNow(kind, timeoutMillis, () -> {
             beforeWrite.run();
+            return frame;
+        });
+    }
+
+    private long writeNow(Kind kind, int timeoutMillis, Content content) throws PortException {
+        try {
+            byte[] frame = content.make();
+            if (frame == null) {
+                return clock.nanos();
+            }
             return hand(
                     frame,
                     timeoutMillis,

@@ -30,7 +30,7 @@ final class Inbox {
         void damaged();
 
         /** A frame of version 1 goes out. */
-        void sendsVersion1();
+        void sendsVersion1(long now);
     }
 
     private static final int BUFFER = 1024;
@@ -50,7 +50,7 @@ final class Inbox {
         public void damaged() {}
 
         @Override
-        public void sendsVersion1() {}
+        public void sendsVersion1(long now) {}
     };
 
     private final Monitor monitor;
@@ -179,7 +179,7 @@ final class Inbox {
     void sends(Frame frame) {
         monitor.change(() -> {
             localEchoes.sends(frame);
-            frames.sendsVersion1();
+            frames.sendsVersion1(clock.nanos());
         });
     }
 

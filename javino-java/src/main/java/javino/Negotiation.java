@@ -1,6 +1,7 @@
 package javino;
 
 import java.util.concurrent.TimeUnit;
+import javino.wire.WireFrame;
 
 /**
  * Finds out which version a board speaks: HELLO, HELLO again, then a request in version 1, and while the board may be starting both again
@@ -84,7 +85,11 @@ final class Negotiation {
 
     /** Says HELLO, and waits for WELCOME. */
     private boolean isWelcomed(int timeoutMillis) throws PortException {
-        long left = writer.write(FrameWriter.Kind.ACTION, line.hello(), timeoutMillis, () -> {});
+        long left = writer.write(
+                FrameWriter.Kind.ACTION,
+                WireFrame.OVERHEAD,
+                timeoutMillis,
+                () -> line.isVersion2() ? null : line.hello()); // behind one of a session it would end that
         boolean isWelcomed = line.await(line::isVersion2, left + helloNanos, true);
         hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
         return isWelcomed;

@@ -73,30 +73,32 @@ final class RequestChannel {
      * is damaged. Returns null as well if the board turns out to speak version 2, in which nothing but percepts is asked for.
      */
     Reply request(Frame request, int timeoutMillis) throws PortException {
-        if (line.protocol() == Protocol.AUTO) {
-            Reply answer = negotiation.run(request, timeoutMillis);
-            hasSaidHello = true;
-            if (answer != null || line.protocol() == Protocol.AUTO) {
-                return answer;
-            }
+        if (line.isVersion2()) {
+            return requestInVersion2(request, timeoutMillis);
         }
-        return line.isVersion2()
-                ? requestInVersion2(request, timeoutMillis)
-                : requestInVersion1(request, timeoutMillis);
+        Reply answer = null;
+        if (line.protocol() == Protocol.AUTO) {
+            answer = negotiation.run(request, timeoutMillis);
+            hasSaidHello = true;
+        }
+        if (answer == null && line.protocol() == Protocol.V1) {
+            answer = version1.request(request, timeoutMillis);
+        }
+        return answer == null && line.isVersion2() ? requestInFoundVersion2(request, timeoutMillis) : answer;
     }
 
-    private Reply requestInVersion1(Frame request, int timeoutMillis) throws PortException {
-        Reply answer = version1.request(request, timeoutMillis);
-        return answer == null && line.isVersion2() ? requestInVersion2(request, timeoutMillis) : answer;
+    /** Asks a board that has just been found to speak version 2: its session has a request's time to begin, where it has yet to. */
+    private Reply requestInFoundVersion2(Frame request, int timeoutMillis) throws PortException {
+        return requestInVersion2(request, line.isOpen() ? timeoutMillis : 2L * timeoutMillis);
     }
 
-    private Reply requestInVersion2(Frame request, int timeoutMillis) throws PortException {
+    private Reply requestInVersion2(Frame request, long waitMillis) throws PortException {
         if (!PerceptsRequest.isIn(request.text())) {
             return null;
         }
         long wait = Math.max(
                 line.isOpen() ? 0 : start.nanosLeft(),
-                TimeUnit.MILLISECONDS.toNanos(timeoutMillis) + REQUEST_BYTES * byteNanos);
+                TimeUnit.MILLISECONDS.toNanos(waitMillis) + REQUEST_BYTES * byteNanos);
         Reply answer = line.request(request.text().substring(PerceptsRequest.ALL.length()), clock.nanos() + wait);
         if (answer != null) {
             start.answered();

@@ -312,8 +312,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     @Override
-    public void sendsVersion1() {
-        session.sendsVersion1();
+    public void sendsVersion1(long now) {
+        session.sendsVersion1(now);
     }
 
     @Override

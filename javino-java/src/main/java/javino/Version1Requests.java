@@ -54,15 +54,21 @@ final class Version1Requests {
         return answer == null ? null : completed(answer, timeoutMillis);
     }
 
-    /** Writes a request, and returns when its last byte leaves. */
+    /** Writes a request, unless the board speaks version 2 after all, and returns when its last byte leaves. */
     long ask(Frame request, int timeoutMillis) throws PortException {
-        long sent = writer.write(FrameWriter.Kind.REQUEST, request.toBytes(), timeoutMillis, () -> {
+        long sent = writer.write(FrameWriter.Kind.REQUEST, request.length(), timeoutMillis, () -> {
             if (!(isForAction && isListening)) {
                 inbox.clear();
             }
+            if (!inbox.isReadingVersion1()) { // it would end the session that WELCOME has begun meanwhile
+                return null;
+            }
             inbox.sends(request);
+            return request.toBytes();
         });
-        answers.asked(sent);
+        if (inbox.isReadingVersion1()) {
+            answers.asked(sent);
+        }
         return sent;
     }
 

@@ -43,7 +43,7 @@ class CommandInterleavingsSpec : FunSpec({
             writer.submit(command)
             var isWithdrawn = false
             var written: Command? = null
-            concurrently({ isWithdrawn = writer.withdraw(command) }, { written = writer.awaitCommand(1_000_000_000) })
+            concurrently({ isWithdrawn = writer.withdraw(command) }, { written = writer.awaitCommand(1_000_000_000) { false } })
             check(isWithdrawn == (written == null)) { "withdrawn: $isWithdrawn, written: ${written != null}" }
         }
     }
@@ -54,14 +54,14 @@ class CommandInterleavingsSpec : FunSpec({
             writer.submit(command("on"))
             val taken = ConcurrentLinkedQueue<String>()
             val write = {
-                writer.awaitCommand(1_000_000_000)?.let { taken += it.frame().text() }
+                writer.awaitCommand(1_000_000_000) { false }?.let { taken += it.frame().text() }
                 Unit
             }
             concurrently({ writer.submit(command("stop", urgent = true)) }, write, write)
             check(taken.size == 1) { "under way: $taken" }
             writer.writeNow(FrameWriter.Kind.ACTION, Frame.of("x").toBytes(), 1000) { }
             writer.finish()
-            val next = writer.awaitCommand(10_000_000_000)?.frame()?.text()
+            val next = writer.awaitCommand(10_000_000_000) { false }?.frame()?.text()
             check(setOf(taken.single(), next) == setOf("on", "stop")) { "taken: $taken, then $next" }
         }
     }

@@ -204,6 +204,16 @@ class LinkVersionSpec : FunSpec({
         }
     }
 
+    test("a request of version 1 whose turn comes when WELCOME has just come costs no command") {
+        for (starts in 300..1_500 step 40) for (takes in 480..600 step 5) {
+            val board = VirtualBoard2(starts.toDouble()).apply { this.takes = takes / 10.0 }
+            bench(board).use { bench ->
+                withClue("starts at $starts ms, takes ${takes / 10.0} ms") { bench.link.sendAndAwait("a", 5_000) }
+                board.handled.filter { REQUEST !in it }.map { it.drop(2) } shouldContainExactly listOf("a")
+            }
+        }
+    }
+
     test("a program that speaks version 1 is understood by a board in the session of an earlier one") {
         val board = VirtualBoard2()
         bench(board).use { it.link.sendAndAwait("earlier", 500) }

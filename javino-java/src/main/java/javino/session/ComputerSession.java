@@ -116,9 +116,13 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out: it ends the session that the board may have begun with a {@link #hello}. */
-    public void sendsVersion1() {
-        isEnded = state == State.CLOSED;
+    /** Records that a frame of version 1 goes out: it ends the session that the board may have begun, so another is begun behind it. */
+    public void sendsVersion1(long now) {
+        if (state == State.CLOSED) {
+            isEnded = true;
+        } else { // WELCOME came when this frame's turn had come
+            end(State.OPENING, now);
+        }
     }
 
     /** The actions of the board in the order of their numbers; empty while they are not known. */

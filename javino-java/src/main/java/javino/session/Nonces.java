@@ -11,7 +11,7 @@ final class Nonces {
     private static final List<Integer> USABLE = usable();
 
     private final RandomGenerator random;
-    private int last;
+    private int last = -1; // its place among the usable ones; -1: there was none
 
     Nonces(RandomGenerator random) {
         this.random = random;
@@ -36,13 +36,9 @@ final class Nonces {
         return WireFrame.of(FrameKind.HELLO, nonce, "");
     }
 
-    /** A nonce that differs from the one before. */
+    /** A nonce that differs from those before, as long as there are others: a late WELCOME with one of these is none with it. */
     int next() {
-        int next = last;
-        while (next == last) {
-            next = USABLE.get(random.nextInt(USABLE.size()));
-        }
-        last = next;
-        return next;
+        last = (last < 0 ? random.nextInt(USABLE.size()) : last + 1) % USABLE.size();
+        return USABLE.get(last);
     }
 }

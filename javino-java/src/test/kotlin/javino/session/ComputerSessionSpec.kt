@@ -53,7 +53,7 @@ class ComputerSessionSpec : FunSpec({
         val probe = SessionProbe()
         val board = board()
         val welcome = board.received(probe.session.hello())
-        probe.session.sendsVersion1()
+        probe.session.sendsVersion1(0)
         probe.receive(welcome)
         probe.boards shouldBe 1
         probe.session.isOpen shouldBe false
@@ -70,7 +70,7 @@ class ComputerSessionSpec : FunSpec({
         val probe = SessionProbe()
         val first = probe.session.hello()
         probe.session.hello() shouldBe first
-        probe.session.sendsVersion1()
+        probe.session.sendsVersion1(0)
         val second = probe.session.hello()
         second shouldNotBe first
         probe.session.hello() shouldBe second
