@@ -61,7 +61,7 @@ internal class JarVersion : IVersionProvider {
 @Command(
     name = "completion",
     description = [
-        "Prints a completion script for bash and zsh:",
+        "Prints a completion script for bash and zsh.",
         "  alias argo='java -jar /path/to/argo.jar'; source <(argo completion)",
     ],
 )

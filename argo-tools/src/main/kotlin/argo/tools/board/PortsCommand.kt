@@ -19,8 +19,7 @@ import java.util.OptionalInt
 @Command(
     name = "ports",
     description = [
-        "Lists the serial ports with their devices and owners, with --probe whether a Javino board answers there, and with --describe",
-        "what it can do.",
+        "Lists the serial ports with their devices and owners; with --probe whether a board answers there, with --describe what it can do.",
     ],
 )
 internal class PortsCommand : DataCommand() {

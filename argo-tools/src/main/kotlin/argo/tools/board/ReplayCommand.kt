@@ -34,9 +34,10 @@ import java.util.concurrent.TimeUnit
 @Command(
     name = "replay",
     description = [
-        "Serves a recording of a board as a board on a pseudo-terminal until Ctrl-C; prints its name and the received commands.",
+        "Runs the agents of a recording (FILE.mcap) again, or serves a recording of a board (FILE.rec) as a board.",
+        "As a board: on a pseudo-terminal until Ctrl-C; prints its name and the received commands.",
         "An agent, and these tools, can also open the port replay:FILE, without this command.",
-        "Of a recording of agents (FILE.mcap), runs the agents again on what was recorded, and reports whether they do the same.",
+        "Of agents: runs them on what was recorded, and reports whether they do the same.",
     ],
 )
 internal class ReplayCommand : ToolCommand() {

@@ -40,8 +40,11 @@ internal fun medianInterval(values: List<Double>): Interval? {
     return Interval(sorted[rank], sorted[sorted.size - 1 - rank])
 }
 
-/** The shares of an analysis with their intervals; [sources] and [error] are null where there is one replication, which has no error. */
-internal class ShareIntervals private constructor(private val sources: Map<Source, Interval>?, val error: Interval?) {
+/**
+ * The intervals of the shares of factors and interactions; [sources] is null where there is one replication, which has no error. That of
+ * the error has none: an experiment with errors drawn anew has them twice, in the means of its cells too, so too much of it is effects.
+ */
+internal class ShareIntervals private constructor(private val sources: Map<Source, Interval>?) {
     operator fun get(source: Source): Interval? = sources?.get(source)
 
     companion object {
@@ -50,12 +53,9 @@ internal class ShareIntervals private constructor(private val sources: Map<Sourc
          * from those of all runs: A. C. Davison and D. V. Hinkley, Bootstrap Methods and their Application, Cambridge 1997, section 6.2.
          */
         fun of(analysis: Factorial, random: Random): ShareIntervals {
-            if (analysis.errorFreedom == 0) return ShareIntervals(null, null)
+            if (analysis.errorFreedom == 0) return ShareIntervals(null)
             val resamples = List(RESAMPLES) { analysis.resampled(random) }
-            return ShareIntervals(
-                Source.entries.associateWith { source -> percentiles(resamples.map { it.share(source) }) },
-                percentiles(resamples.map { it.errorShare }),
-            )
+            return ShareIntervals(Source.entries.associateWith { source -> percentiles(resamples.map { it.share(source) }) })
         }
 
         private fun percentiles(values: List<Double>): Interval {

@@ -12,6 +12,8 @@ import samples.experiment.exchangeNanos
 import samples.experiment.leastStopNanos
 import samples.experiment.leavesTime
 import samples.experiment.limitNanos
+import java.math.BigDecimal
+import java.math.MathContext
 import java.util.Locale
 
 /** Whether something that was published, or is promised, is found in these runs. */
@@ -158,3 +160,6 @@ internal fun whole(value: Double): String = rounded(value, 0)
 internal fun one(value: Double): String = rounded(value, 1)
 internal fun two(value: Double): String = rounded(value, 2)
 internal fun three(value: Double): String = rounded(value, 3)
+
+/** [value] with two digits that count. */
+internal fun twoDigits(value: Double): String = BigDecimal(value).round(MathContext(2)).toPlainString()

@@ -7,6 +7,7 @@ import samples.experiment.Finished
 import samples.experiment.RealLaboratory
 import samples.experiment.Settings
 import samples.experiment.exchangeNanos
+import java.time.temporal.ChronoUnit
 
 /**
  * How the experiment with [settings] was made, as items of a list in HTML.
@@ -64,7 +65,7 @@ private fun real(port: String): List<Pair<String, String>> = listOf(
 
 private fun common(settings: Settings, failed: List<Finished>, made: Provenance): List<Pair<String, String>> = listOf(
     "Order" to "random, all conditions mixed, seed ${settings.seed}: the same seed gives the same order. ${escaped(made.machine)}",
-    "Program" to "ARGO ${escaped(made.build)}. The report is of ${made.at}.",
+    "Program" to "ARGO ${escaped(made.build)}. The report is of ${made.at.truncatedTo(ChronoUnit.SECONDS)}.",
     "Records" to "<code>runs.csv</code>, a line for each run, and <code>runs/*.jsonl</code>, one file a run: " +
         "${if (settings.port == null) "each frame, each command and " else ""}each change of the believed front distance with its time." +
         if (failed.isEmpty()) "" else " Failed and left out (${failed.size} in all): " +

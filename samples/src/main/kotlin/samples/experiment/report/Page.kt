@@ -31,7 +31,8 @@ th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align:
 td.n, th.n { text-align: right; } td { white-space: nowrap; } thead th { background: var(--tint); } tbody th { font-weight: inherit; }
 .found { color: var(--yes); font-weight: 600; } .in-part { color: var(--partly); font-weight: 600; }
 .not-found { color: var(--no); font-weight: 600; } .not-tested { color: var(--soft); font-weight: 600; }
-caption { caption-side: top; text-align: left; color: var(--soft); font-size: .9rem; padding-bottom: .3rem; }
+caption { caption-side: top; text-align: left; color: var(--soft); font-size: .9rem; padding-bottom: .3rem;
+  position: sticky; left: 0; max-width: calc(100vw - 2rem); }
 section.claim { border-left: 3px solid var(--line); padding: .1rem 0 .1rem 1rem; margin: 1rem 0; } section.claim p { margin: .3rem 0; }
 details { margin: .8rem 0; } summary { cursor: pointer; } code { background: var(--tint); padding: .1rem .3rem; overflow-wrap: anywhere; }
 </style>

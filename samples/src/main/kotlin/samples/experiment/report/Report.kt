@@ -153,7 +153,8 @@ ${leftOut()}$counts"""
 variation of a response, as sums of squares
 of the effects over the total one. Their 95 % intervals are percentiles of experiments in which each response is the mean of its
 combination and an error drawn from those of all runs (A. C. Davison and D. V. Hinkley, <em>Bootstrap Methods and their Application</em>,
-1997, section 6.2). A figure has no more digits than its interval leaves a meaning.</p>
+1997, section 6.2). Errors have part in every share, so one of an effect that is none lies above 0; whether an effect differs from 0 is told
+by the tables of effects. The share of the error has no interval. A share has no more digits than its interval leaves a meaning.</p>
 """ + shares(Response.TIME, published = true) +
             figure("shares", "The shares of Table $tables.", "A bar chart of the table above.") { sharesFigure(time, it) } +
             shares(Response.LEAST_TIME, published = true) + shares(Response.DISTANCE, published = false) + effects(time)
@@ -167,10 +168,10 @@ combination and an error drawn from those of all runs (A. C. Davison and D. V. H
                 columns.keys.map { percent(columns.getValue(it).share(source), intervals.getValue(it)[source]) }
         } + listOf(
             listOf("error") + (if (published) listOf("${Published.ERROR_PERCENT}") else emptyList()) +
-                columns.keys.map { percent(columns.getValue(it).errorShare, intervals.getValue(it).error) },
+                columns.keys.map { percent(columns.getValue(it).errorShare) },
         )
         val deviation = listOf(
-            listOf("variance") + (if (published) listOf("–") else emptyList()) + columns.values.map { three(it.total / (it.count - 1)) },
+            listOf("variance") + (if (published) listOf("–") else emptyList()) + columns.values.map { twoDigits(it.total / (it.count - 1)) },
         )
         return "<h3>${response.title.replaceFirstChar(Char::uppercase)}</h3>\n<p>In percent. A robot that ran into the wall enters " +
             "${escaped(response.collisions)}. " +
@@ -210,6 +211,8 @@ combination and an error drawn from those of all runs (A. C. Davison and D. V. H
         val decimals = minOf(percents.decimals, SHARE_DECIMALS)
         return "${rounded(100 * share, decimals)} (${rounded(percents.low, decimals)} to ${rounded(percents.high, decimals)})"
     }
+
+    private fun percent(share: Double) = rounded(100 * share, 0)
 
     private fun level(source: Source, level: Int) = when (source) {
         Source.A -> "${plan.limits[level]} cm"
