@@ -1,6 +1,7 @@
 package argo.recording
 
 import argo.recording.replay.Recording
+import argo.recording.replay.Replay
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -53,6 +54,12 @@ class ReplaySpec : FunSpec({
 
     test("agents whose cycles overlapped, so that one counted intentions before the other read the counters of Jason") {
         shouldReplay(Path.of("src/test/resources/recordings/overlapping-cycles.mcap"))
+    }
+
+    test("what is believed in a replay is without the beliefs that Jason hides itself") {
+        val file = recorded("height(12). tall :- height(M) & M > 10. !start. +!start <- +begun.") { after(1.seconds) }
+        val beliefs = Recording(file).use { recording -> Replay(recording).use { it.run().beliefs("agent") } }
+        beliefs.filterNot { "port(" in it }.sorted() shouldBe listOf("begun[source(self)]", "height(12)[source(self)]")
     }
 
     test("loops, whose steps hold a Java object") {

@@ -173,7 +173,8 @@ function draw() {
   recording.agents.forEach((agent, place) => drawFrame(pen, colour, agent, place, width));
   for (const part of parts) drawPart(pen, colour, part, width);
   drawLinks(pen, colour);
-  $('range').textContent = `${clock(Math.max(0, from))} to ${clock(until)} of ${recording.seconds.toFixed(1)} s`;
+  $('range').textContent =
+    `${clock(Math.max(0, from))} to ${clock(Math.min(until, recording.seconds))} of ${clock(recording.seconds)}`;
 }
 
 /** A distance between marks of the axis: 1, 2 or 5 times a power of ten, at least [pixels] wide. */

@@ -82,7 +82,8 @@ class ReportSpec : FunSpec({
         val lines = directory.resolve("runs.csv").readText().split("\r\n").dropLast(1)
         lines.size shouldBe 1 + runs.size
         lines.first() shouldStartWith "run,condition,filter,limit_cm,interval_ms,replication,"
-        lines.single { it.startsWith("b-none-40-20-1,") } shouldBe "b-none-40-20-1,b,none,40,20,1,9600,12,stopped,410.0,35.0,2,4,0.0,"
+        lines.single { it.startsWith("b-none-40-20-1,") } shouldBe
+            "b-none-40-20-1,b,none,40,20,1,9600,12,stopped,410.000,35.000,2,4,0.000,,3,\"0.1.0, commit abc\""
         lines.single { "failed" in it } shouldContain ",\"port \"\"x\"\", gone\""
     }
 

@@ -1,6 +1,7 @@
 package argo.recording.replay
 
 import argo.recording.Cycle
+import argo.recording.agent.shownBeliefs
 
 /**
  * Runs the agents of [recording] again, by Jason itself, on what was recorded: cycle by cycle, in the order of their times, without boards,
@@ -71,8 +72,8 @@ class Replay(private val recording: Recording) : AutoCloseable {
         if (cycles.hasNext()) next[agent] = cycles.next() else next -= agent
     }
 
-    /** What [agent] believes now, without its rules, as Jason writes it. */
-    fun beliefs(agent: String): List<String> = agents.getValue(agent).ts.ag.bb.filterNot { it.isRule }.map { "$it" }
+    /** What [agent] believes now, without its rules and what Jason hides itself, as Jason writes it. */
+    fun beliefs(agent: String): List<String> = shownBeliefs(agents.getValue(agent).ts.ag.bb)
 
     private fun found(cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) {
         differing += Difference(underWay, cycle.number, cycle.ns, what, recorded, now, cause)

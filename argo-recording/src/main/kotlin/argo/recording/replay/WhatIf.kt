@@ -3,6 +3,7 @@ package argo.recording.replay
 import argo.filters.PerceptionFilter
 import argo.recording.Cycle
 import argo.recording.KeyFrame
+import argo.recording.agent.shownBeliefs
 import jason.asSemantics.TransitionSystem
 import java.nio.file.Path
 import java.time.Duration
@@ -120,8 +121,8 @@ class WhatIf(
      */
     fun difference(within: Duration): CommandDifference? = CommandDifference.first(commands, commandsNow, within, endNs)
 
-    /** What the agent believes now, without its rules, as Jason writes it. */
-    val beliefs: List<String> get() = ts.ag.bb.filterNot { it.isRule }.map { "$it" }
+    /** What the agent believes now, without its rules and what Jason hides itself, as Jason writes it. */
+    val beliefs: List<String> get() = shownBeliefs(ts.ag.bb)
 
     override fun close() {
         inputs.close()

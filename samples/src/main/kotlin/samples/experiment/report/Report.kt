@@ -30,7 +30,7 @@ import kotlin.random.Random
  */
 internal fun writeReport(directory: Path, settings: Settings, finished: List<Finished>, made: Provenance): Path {
     Files.createDirectories(directory.resolve("figures"))
-    Files.writeString(directory.resolve("runs.csv"), csv(finished))
+    Files.writeString(directory.resolve("runs.csv"), csv(finished, settings.seed, made.build))
     val page = directory.resolve("report.html")
     Files.writeString(page, page("The collision experiment", Report(directory.resolve("figures"), settings, finished, made).body()))
     return page

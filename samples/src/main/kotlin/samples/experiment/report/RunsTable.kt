@@ -2,17 +2,24 @@ package samples.experiment.report
 
 import samples.experiment.Finished
 
-/** All of [runs] as comma-separated values (RFC 4180), a line for each and the names of the columns in the first. */
-internal fun csv(runs: List<Finished>): String {
+/**
+ * All of [runs] as comma-separated values (RFC 4180), a line for each and the names of the columns in the first.
+ *
+ * @param seed of the order of the runs
+ * @param build the version and the commit of ARGO, in words
+ */
+internal fun csv(runs: List<Finished>, seed: Long, build: String): String {
     val heads = "run,condition,filter,limit_cm,interval_ms,replication,baud,sensors,outcome,response_ms,distance_cm,commands,frames," +
-        "late_ms,reason"
-    return (listOf(heads) + runs.sortedBy { it.trial.id }.map(::line)).joinToString("") { "$it\r\n" }
+        "late_ms,reason,seed,argo"
+    val lines = runs.sortedBy { it.trial.id }.map { "${line(it)},$seed,${quoted(build)}" }
+    return (listOf(heads) + lines).joinToString("") { "$it\r\n" }
 }
 
 private fun line(run: Finished): String = run.let { (trial, result) ->
     listOf(
         trial.id, trial.condition.letter, trial.view.word, trial.limit, trial.interval, trial.replication, trial.baud, trial.sensors,
-        result.outcome.name.lowercase(), result.responseMs, result.distance, result.commands, result.frames, result.lateMs,
+        result.outcome.name.lowercase(), three(result.responseMs), three(result.distance), result.commands, result.frames,
+        three(result.lateMs),
         quoted(result.reason.orEmpty()),
     ).joinToString(",")
 }
