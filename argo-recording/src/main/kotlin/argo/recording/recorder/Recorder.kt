@@ -229,7 +229,8 @@ internal class Recorder(
         val now = agent.now
         agent.events = agent.ts.c.events.size
         if (now.isNothing() && !now.isAtWork && course.event == null && course.step == null) return
-        val cycle = Cycle(++agent.cycles, agent.ts.agArch.cycleNumber, now.ns, now.counters, now.input(), course, isEnding = !agent.ts.agArch.isRunning)
+        val arch = agent.ts.agArch
+        val cycle = Cycle(++agent.cycles, arch.cycleNumber, now.ns, now.counters, now.input(), course, isEnding = !arch.isRunning)
         track.cycle(cycle, now.percepts)
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read()
         takeKeyFrame(agent, cycle)

@@ -170,9 +170,8 @@ by the tables of effects. The share of the error has no interval. A share has no
             listOf("error") + (if (published) listOf("${Published.ERROR_PERCENT}") else emptyList()) +
                 columns.keys.map { percent(columns.getValue(it).errorShare) },
         )
-        val deviation = listOf(
-            listOf("variance") + (if (published) listOf("–") else emptyList()) + columns.values.map { twoDigits(it.total / (it.count - 1)) },
-        )
+        val variances = columns.values.map { twoDigits(it.total / (it.count - 1)) }
+        val deviation = listOf(listOf("variance") + (if (published) listOf("–") else emptyList()) + variances)
         return "<h3>${response.title.replaceFirstChar(Char::uppercase)}</h3>\n<p>In percent. A robot that ran into the wall enters " +
             "${escaped(response.collisions)}. " +
             "The last row is the variance of what is divided up, in ${response.unit}².</p>\n" +
