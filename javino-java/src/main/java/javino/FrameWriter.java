@@ -22,11 +22,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         REQUEST
     }
 
-    /** What is done after a frame's turn has come and right before it is written. */
-    interface BeforeWrite {
-        void run() throws PortException;
-    }
-
     /** Makes a frame when its turn has come, right before it is written; null: nothing is to be written any more. */
     interface Content {
         byte[] make() throws PortException;
@@ -275,14 +270,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /** Writes a frame whose turn has come; as {@link #write}. */
-    long writeNow(Kind kind, byte[] frame, int timeoutMillis, BeforeWrite beforeWrite) throws PortException {
-        return writeNow(kind, timeoutMillis, () -> {
-            beforeWrite.run();
-            return frame;
-        });
-    }
-
-    private long writeNow(Kind kind, int timeoutMillis, Content content) throws PortException {
+    long writeNow(Kind kind, int timeoutMillis, Content content) throws PortException {
         try {
             byte[] frame = content.make();
             if (frame == null) {

@@ -66,7 +66,7 @@ final class Negotiation {
             Reply first = answers.by(sent, sent + wait, Math.max(giveUp, sent + timeoutNanos));
             if (first != null) {
                 Reply answer = version1.completed(first, timeoutMillis);
-                if (isWelcomedAfterAll(mayBeStarting, timeoutMillis)) {
+                if (isWelcomed(hasNoise ? HELLOS_BEHIND_NOISE : mayBeStarting ? 1 : 0, timeoutMillis)) {
                     return null;
                 }
                 line.agreeOnVersion1();
@@ -80,7 +80,17 @@ final class Negotiation {
 
     /** Says HELLO, and once more if no WELCOME comes; returns whether it has come. */
     boolean sayHello(int timeoutMillis) throws PortException {
-        return isWelcomed(timeoutMillis) || isWelcomed(timeoutMillis);
+        return isWelcomed(2, timeoutMillis);
+    }
+
+    /** Says HELLO until WELCOME comes, at most so many times. */
+    private boolean isWelcomed(int hellos, int timeoutMillis) throws PortException {
+        for (int i = 0; i < hellos; i++) {
+            if (isWelcomed(timeoutMillis)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Says HELLO, and waits for WELCOME. */
@@ -92,16 +102,6 @@ final class Negotiation {
                 () -> line.isVersion2() ? null : line.hello()); // behind one of a session it would end that
         boolean isWelcomed = line.await(line::isVersion2, left + helloNanos, true);
         hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
-        return isWelcomed;
-    }
-
-    /** Says HELLO to a board that has answered in version 1. */
-    private boolean isWelcomedAfterAll(boolean mayBeStarting, int timeoutMillis) throws PortException {
-        int hellos = hasNoise ? HELLOS_BEHIND_NOISE : mayBeStarting ? 1 : 0;
-        boolean isWelcomed = false;
-        for (int i = 0; i < hellos && !isWelcomed; i++) {
-            isWelcomed = isWelcomed(timeoutMillis);
-        }
         return isWelcomed;
     }
 }

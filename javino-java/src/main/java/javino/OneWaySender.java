@@ -25,12 +25,13 @@ final class OneWaySender {
     /** Writes the command whose turn has come; returns when its last byte leaves. */
     long write(Command command) throws PortException {
         Frame frame = command.frame();
-        return writer.writeNow(FrameWriter.Kind.ACTION, frame.toBytes(), MAX_WRITE_MILLIS, () -> {
+        return writer.writeNow(FrameWriter.Kind.ACTION, MAX_WRITE_MILLIS, () -> {
             if (BoardRule.isIn(command.text())) {
                 throw new ActionRefusedException(
                         port, "the board at port " + port + " speaks version 1, in which it takes no rules");
             }
             inbox.sends(frame);
+            return frame.toBytes();
         });
     }
 

@@ -59,7 +59,7 @@ class CommandInterleavingsSpec : FunSpec({
             }
             concurrently({ writer.submit(command("stop", urgent = true)) }, write, write)
             check(taken.size == 1) { "under way: $taken" }
-            writer.writeNow(FrameWriter.Kind.ACTION, Frame.of("x").toBytes(), 1000) { }
+            writer.writeNow(FrameWriter.Kind.ACTION, 1000) { Frame.of("x").toBytes() }
             writer.finish()
             val next = writer.awaitCommand(10_000_000_000) { false }?.frame()?.text()
             check(setOf(taken.single(), next) == setOf("on", "stop")) { "taken: $taken, then $next" }
@@ -99,7 +99,7 @@ class CommandInterleavingsSpec : FunSpec({
             var leaving: Command? = null
             val write = {
                 try {
-                    writer.leaves(writer.writeNow(FrameWriter.Kind.ACTION, command.frame().toBytes(), 1000) { })
+                    writer.leaves(writer.writeNow(FrameWriter.Kind.ACTION, 1000) { command.frame().toBytes() })
                 } catch (_: PortGoneException) {
                     hasFailed = true
                 }

@@ -8,10 +8,10 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import samples.experiment.analysis.Factorial
 import samples.experiment.analysis.Interval
-import samples.experiment.analysis.ShareIntervals
 import samples.experiment.analysis.Source
 import samples.experiment.analysis.medianInterval
 import samples.experiment.analysis.proportionInterval
+import samples.experiment.analysis.shareIntervals
 import kotlin.random.Random
 
 class IntervalsSpec : FunSpec({
@@ -40,10 +40,10 @@ class IntervalsSpec : FunSpec({
     }
 
     test("a share without errors is sure, and errors widen its interval") {
-        val sure = ShareIntervals.of(experiment(0.0), Random(1))[Source.A].shouldNotBeNull()
+        val sure = shareIntervals(experiment(0.0), Random(1))[Source.A].shouldNotBeNull()
         sure shouldBe Interval(1.0, 1.0)
         val analysis = experiment(4.0)
-        val intervals = ShareIntervals.of(analysis, Random(1))
+        val intervals = shareIntervals(analysis, Random(1))
         val unsure = intervals[Source.A].shouldNotBeNull()
         analysis.share(Source.A).shouldBeBetween(unsure.low, unsure.high, 0.0)
         (unsure.high - unsure.low) shouldBeGreaterThan 0.02
@@ -51,8 +51,8 @@ class IntervalsSpec : FunSpec({
 
     test("the same seed gives the same intervals, and one replication gives none") {
         val analysis = experiment(4.0)
-        ShareIntervals.of(analysis, Random(3))[Source.A] shouldBe ShareIntervals.of(analysis, Random(3))[Source.A]
-        ShareIntervals.of(experiment(4.0, replications = 1), Random(3))[Source.A] shouldBe null
+        shareIntervals(analysis, Random(3))[Source.A] shouldBe shareIntervals(analysis, Random(3))[Source.A]
+        shareIntervals(experiment(4.0, replications = 1), Random(3))[Source.A] shouldBe null
     }
 
     test("errors that are drawn anew have the variance of the responses") {

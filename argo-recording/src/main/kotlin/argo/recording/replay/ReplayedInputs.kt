@@ -179,7 +179,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         val recorded = take(call.name, call.args.map(::textOf))
         if (recorded == null) {
             if (isAsking) return false
-            if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), normal("$call"), null)
+            foundCall(normal("$call"))
             return if (code == WatchedKind.OUTSIDE) unrecorded(call) else live(call.un)
         }
         if (isAsking) return if (recorded.failure != null || call.suspend != null) false else answer(recorded, call)
@@ -227,7 +227,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
         val recorded = take(name, args.map(::textOf))?.value
         if (recorded == null) {
-            if (!isAsking && !cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), "$name(${args.joinToString(",")})", null)
+            if (!isAsking) foundCall("$name(${args.joinToString(",")})")
             return live()
         }
         if (isOfProject && !isAsking) {
@@ -236,6 +236,11 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
             if (now != recorded) found("${Difference.RESULT}$name", recorded, now, notRecorded(name, "function"))
         }
         return recorded.toDouble()
+    }
+
+    /** The agent makes a call [now] that was not recorded; where Jason ended the cycle it might have followed. */
+    private fun foundCall(now: String) {
+        if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), now, null)
     }
 
     private fun notRecorded(name: String, kind: String) =

@@ -41,29 +41,21 @@ internal fun medianInterval(values: List<Double>): Interval? {
 }
 
 /**
- * The intervals of the shares of factors and interactions; [sources] is null where there is one replication, which has no error. That of
- * the error has none: an experiment with errors drawn anew has them twice, in the means of its cells too, so too much of it is effects.
+ * The intervals of the shares of factors and interactions in [analysis], by percentiles of [RESAMPLES] experiments in which each response is
+ * the mean of its cell and an error drawn from those of all runs: A. C. Davison and D. V. Hinkley, Bootstrap Methods and their Application,
+ * Cambridge 1997, section 6.2. There are none where there is one replication, which has no error. The share of the error has none: an
+ * experiment with errors drawn anew has them twice, in the means of its cells too, so too much of it is effects.
  */
-internal class ShareIntervals private constructor(private val sources: Map<Source, Interval>?) {
-    operator fun get(source: Source): Interval? = sources?.get(source)
-
-    companion object {
-        /**
-         * Those of [analysis], by percentiles of [RESAMPLES] experiments in which each response is the mean of its cell and an error drawn
-         * from those of all runs: A. C. Davison and D. V. Hinkley, Bootstrap Methods and their Application, Cambridge 1997, section 6.2.
-         */
-        fun of(analysis: Factorial, random: Random): ShareIntervals {
-            if (analysis.errorFreedom == 0) return ShareIntervals(null)
-            val resamples = List(RESAMPLES) { analysis.resampled(random) }
-            return ShareIntervals(Source.entries.associateWith { source -> percentiles(resamples.map { it.share(source) }) })
-        }
-
-        private fun percentiles(values: List<Double>): Interval {
-            val sorted = values.sorted()
-            val outside = (sorted.size * (1 - CONFIDENCE) / 2).toInt()
-            return Interval(sorted[outside], sorted[sorted.size - 1 - outside])
-        }
-
-        private const val RESAMPLES = 1000
-    }
+internal fun shareIntervals(analysis: Factorial, random: Random): Map<Source, Interval> {
+    if (analysis.errorFreedom == 0) return emptyMap()
+    val resamples = List(RESAMPLES) { analysis.resampled(random) }
+    return Source.entries.associateWith { source -> percentiles(resamples.map { it.share(source) }) }
 }
+
+private fun percentiles(values: List<Double>): Interval {
+    val sorted = values.sorted()
+    val outside = (sorted.size * (1 - CONFIDENCE) / 2).toInt()
+    return Interval(sorted[outside], sorted[sorted.size - 1 - outside])
+}
+
+private const val RESAMPLES = 1000

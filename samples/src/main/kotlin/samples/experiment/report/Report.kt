@@ -12,11 +12,11 @@ import samples.experiment.analysis.Factorial
 import samples.experiment.analysis.Interval
 import samples.experiment.analysis.Published
 import samples.experiment.analysis.Response
-import samples.experiment.analysis.ShareIntervals
 import samples.experiment.analysis.Source
 import samples.experiment.analysis.analysis
 import samples.experiment.analysis.medianInterval
 import samples.experiment.analysis.proportionInterval
+import samples.experiment.analysis.shareIntervals
 import samples.experiment.analysis.words
 import java.nio.file.Files
 import java.nio.file.Path
@@ -162,13 +162,13 @@ by the tables of effects. The share of the error has no interval. A share has no
 
     private fun shares(response: Response, published: Boolean): String {
         val columns = analyses.getValue(response)
-        val intervals = columns.mapValues { (_, analysis) -> ShareIntervals.of(analysis, Random(settings.seed)) }
+        val intervals = columns.mapValues { (_, analysis) -> shareIntervals(analysis, Random(settings.seed)) }
         val rows = Source.entries.map { source ->
             listOf(words(source)) + (if (published) listOf("${Published.percent[source]}") else emptyList()) +
                 columns.keys.map { percent(columns.getValue(it).share(source), intervals.getValue(it)[source]) }
         } + listOf(
             listOf("error") + (if (published) listOf("${Published.ERROR_PERCENT}") else emptyList()) +
-                columns.keys.map { percent(columns.getValue(it).errorShare) },
+                columns.values.map { whole(100 * it.errorShare) },
         )
         val variances = columns.values.map { twoDigits(it.total / (it.count - 1)) }
         val deviation = listOf(listOf("variance") + (if (published) listOf("–") else emptyList()) + variances)
@@ -210,8 +210,6 @@ by the tables of effects. The share of the error has no interval. A share has no
         val decimals = minOf(percents.decimals, SHARE_DECIMALS)
         return "${rounded(100 * share, decimals)} (${rounded(percents.low, decimals)} to ${rounded(percents.high, decimals)})"
     }
-
-    private fun percent(share: Double) = rounded(100 * share, 0)
 
     private fun level(source: Source, level: Int) = when (source) {
         Source.A -> "${plan.limits[level]} cm"
