@@ -112,6 +112,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal fun wake(seen: () -> Boolean) = waker.wake(seen)
 
     override fun reasoningCycleStarting() {
+        waker.cycleStarts()
         boundary.cycleStarting(ts)
         super.reasoningCycleStarting()
     }
@@ -158,6 +159,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun reasoningCycleFinished() {
         boundary.cycleFinished()
         observing.cycleFinished()
+        waker.cycleEnds()
         if (ts.c.isAtomicIntentionSuspended) waker.sleepsUnasked()
         super.reasoningCycleFinished()
     }

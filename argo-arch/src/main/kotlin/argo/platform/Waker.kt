@@ -27,12 +27,31 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var perceiver: Thread? = null
 
+    /** The thread that carries out a cycle of the agent; null: none does. */
+    @Volatile
+    private var reasoner: Thread? = null
+
     /** Whether the thread that perceives is the one that sleeps; not known before it asks. Jason has agents of three threads too. */
     @Volatile
     private var isOneThread: Boolean? = null
 
-    /** Wakes the agent now and, if that may be in vain, again until [seen]; [seen] is asked by other threads. */
-    fun wake(seen: () -> Boolean) = wake(FIRST_REPEAT_MS, seen)
+    /**
+     * Wakes the agent now and, if that may be in vain, again until [seen]; [seen] is asked by other threads. The thread that carries out its
+     * cycle wakes nobody, and does not fall asleep behind it.
+     */
+    fun wake(seen: () -> Boolean) {
+        if (Thread.currentThread() === reasoner) isWoken = true else wake(FIRST_REPEAT_MS, seen)
+    }
+
+    /** A cycle of the agent begins. Called by its thread. */
+    fun cycleStarts() {
+        reasoner = Thread.currentThread()
+    }
+
+    /** The cycle is over. Called by the agent's thread. */
+    fun cycleEnds() {
+        reasoner = null
+    }
 
     /** The agent begins to perceive, and so sees what it was woken for. Called by its thread. */
     fun perceives() {

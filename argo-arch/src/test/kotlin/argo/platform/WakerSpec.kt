@@ -49,6 +49,23 @@ class WakerSpec : FunSpec({
         waker.maySleep() shouldBe true
     }
 
+    test("an agent that wakes itself in its cycle does not fall asleep behind it, and nobody is woken") {
+        val time = TestTime()
+        val agent = Sleeper()
+        val waker = Waker(agent, time)
+        waker.perceives()
+        waker.maySleep() shouldBe true
+        waker.cycleStarts()
+        waker.perceives()
+        waker.wake { false }
+        waker.maySleep() shouldBe false
+        waker.cycleEnds()
+        time.isIdle() shouldBe true
+        agent.wakes shouldBe 0
+        waker.wake { false }
+        agent.wakes shouldBe 1
+    }
+
     test("an agent that sleeps is woken once") {
         val time = TestTime()
         val agent = Sleeper()

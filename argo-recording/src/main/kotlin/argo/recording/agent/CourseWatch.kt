@@ -1,14 +1,11 @@
 package argo.recording.agent
 
-import argo.recording.Course
 import argo.recording.Mail
 import argo.recording.Place
-import argo.recording.Step
 import jason.asSemantics.Intention
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Plan
-import jason.asSyntax.PlanBody
 import jason.asSyntax.SourceInfo
 import jason.asSyntax.Term
 import java.util.IdentityHashMap
@@ -23,13 +20,12 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         private set
 
     private val places = IdentityHashMap<Plan, Place>()
-    private val texts = IdentityHashMap<PlanBody, String>()
     private var selected: Intention? = null
     private var mail = ArrayList<Mail>()
     private val prints = PrintWatch(ts)
 
     /** The step that is carried out in the cycle that runs; null: none yet. */
-    var step: Step? = null
+    var step: StepNote? = null
         private set
 
     /** The number of [intention]; null: no step of it has been carried out. */
@@ -62,35 +58,20 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     }
 
     /** What came of the cycle that ends. */
-    fun end(): Course {
+    fun end(): CourseNote {
         val event = ts.c.selectedEvent
         val sent = if (mail.isEmpty()) emptyList() else mail.also { mail = ArrayList() }
-        return Course(
-            event = event?.trigger?.toString(),
-            plan = if (event == null) null else ts.c.selectedOption?.plan?.let(::placeOf),
-            step = step,
-            action = ts.c.action?.actionTerm?.toString(),
-            mail = sent,
-            printed = prints.take(),
-            beliefs = ts.ag.bb.size(),
-        )
+        val plan = if (event == null) null else ts.c.selectedOption?.plan?.let(::placeOf)
+        return CourseNote(event?.triggerNow(), plan, step, ts.c.action?.actionTerm, sent, prints.take(), ts.ag.bb.size())
     }
 
     /** Nothing is watched any more. */
     fun close() = prints.close()
 
-    private fun stepOf(intention: Intention): Step {
+    private fun stepOf(intention: Intention): StepNote {
         val means = intention.peek()
-        val body: PlanBody? = means.currentStep?.takeUnless { it.isEmptyBody }
-        return Step(
-            numbers.getOrPut(intention) { ++intentions }, intention.size(), placeOf(means.plan),
-            body?.srcInfo?.srcLine, body?.let(::textOf),
-        )
-    }
-
-    private fun textOf(body: PlanBody): String {
-        if (texts.size >= MAX_CACHED) texts.clear()
-        return texts.getOrPut(body) { "${body.bodyType}${body.bodyTerm}" }
+        val body = means.currentStep?.takeUnless { it.isEmptyBody }
+        return StepNote(numbers.getOrPut(intention) { ++intentions }, intention.size(), placeOf(means.plan), body)
     }
 
     /** Where [plan] stands. */

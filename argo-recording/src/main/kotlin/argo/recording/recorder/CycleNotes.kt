@@ -1,19 +1,15 @@
 package argo.recording.recorder
 
-import argo.observing.IssuedCommand
-import argo.recording.Call
-import argo.recording.CallFailure
 import argo.recording.End
 import argo.recording.FilterChange
 import argo.recording.Input
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.PerceptChange
-import argo.recording.Sent
 import argo.recording.agent.textOf
 import jason.asSyntax.Literal
 
-/** What has entered an agent in the cycle that runs. Belongs to the agent's thread. */
+/** What has entered an agent in a cycle. Belongs to the agent's thread; from the end of the cycle on to the thread that stores it. */
 internal class CycleNotes {
     var ns = 0L
         private set
@@ -56,14 +52,16 @@ internal class CycleNotes {
         underWay = null
     }
 
+    /** The cycle is over. */
+    fun end() = calls.forEach(CallNote::end)
+
     /** Whether nothing has entered the agent. */
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
         filters.isEmpty()
 
-    /** What has entered it; its percepts are in [percepts]. */
+    /** What has entered it, once the cycle is over. */
     fun input() = Input(
-        events, snapshots.toList(), null, isOfSeveralBoards, boards.toMap(), critical, mail.toList(), ends.toList(), sleep.toString(),
-        calls.map { it.call() }, filters.toList(),
+        events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical, mail, ends, "$sleep", calls.map(CallNote::call), filters,
     )
 }
 
@@ -71,22 +69,5 @@ internal class CycleNotes {
 internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
     val size: Int get() = now.size
 
-    /** Any thread. */
     fun change() = PerceptChange(keep, now.map(::textOf), keepLast)
-}
-
-/** A call whose result is not known yet, or may become known later in the cycle. */
-internal class CallNote(private val name: String, private val args: List<String>, private val isOfProject: Boolean) {
-    val answers = ArrayList<Map<Int, String>>()
-    var value: String? = null
-    var isBacktracking = false
-    var failure: CallFailure? = null
-    var number: Int? = null
-    private val commands = ArrayList<Sent>()
-
-    fun sent(command: IssuedCommand) {
-        commands += Sent(command.number, command.port, command.text)
-    }
-
-    fun call() = Call(name, args, answers.toList(), isBacktracking, failure, number, commands.toList(), isOfProject, value)
 }

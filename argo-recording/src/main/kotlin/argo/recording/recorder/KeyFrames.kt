@@ -1,7 +1,6 @@
 package argo.recording.recorder
 
 import argo.platform.Plans
-import argo.recording.Cycle
 import argo.recording.FilterChange
 import argo.recording.KeyFrame
 import argo.recording.agent.CourseWatch
@@ -75,7 +74,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
      * @param open the numbers of those that have not ended
      * @param perceived what it perceives
      */
-    fun take(cycle: Cycle, begun: Int, open: Set<Int>, perceived: List<Literal>): KeyFrameNote? {
+    fun take(cycle: CycleNote, begun: Int, open: Set<Int>, perceived: List<Literal>): KeyFrameNote? {
         if (dueNs == Long.MIN_VALUE) dueNs = cycle.ns + INTERVAL_NS
         if (cycle.ns < dueNs) return null
         val reason = try {
@@ -129,7 +128,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         return "${means.trigger} at ${step ?: "its end"} (${place.file}:${means.currentStep?.srcInfo?.srcLine ?: place.line})"
     }
 
-    private fun taken(cycle: Cycle, begun: Int, perceived: List<Literal>): KeyFrameNote {
+    private fun taken(cycle: CycleNote, begun: Int, perceived: List<Literal>): KeyFrameNote {
         val beliefs = ArrayList<Literal>(ts.ag.bb.size())
         val places = IdentityHashMap<Literal, Int>()
         val rules = HashMap<Int, Int>()
@@ -175,7 +174,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
 
     private companion object {
         /** A key frame is taken so often at most. */
-        val INTERVAL_NS = TimeUnit.SECONDS.toNanos(2)
+        val INTERVAL_NS = TimeUnit.SECONDS.toNanos(5)
 
         /** So often it is tried at least. */
         val MAX_INTERVAL_NS = TimeUnit.SECONDS.toNanos(20)

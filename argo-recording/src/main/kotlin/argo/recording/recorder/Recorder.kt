@@ -14,7 +14,6 @@ import argo.observing.PerceivedMessage
 import argo.observing.RuleWatcher
 import argo.recording.CallFailure
 import argo.recording.CommandEnd
-import argo.recording.Cycle
 import argo.recording.End
 import argo.recording.FilterChange
 import argo.recording.PerceivedSnapshot
@@ -76,7 +75,7 @@ internal class Recorder(
         var counters: List<Int> = emptyList()
         var events = -1
         var cycles = 0L
-        val now = CycleNotes()
+        var now = CycleNotes()
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
@@ -140,7 +139,7 @@ internal class Recorder(
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         val agent = current() ?: return live(call.un)
-        val note = CallNote(call.name, call.args.map(::textOf), code != WatchedKind.OUTSIDE)
+        val note = noteOf(call.name, call.args, code != WatchedKind.OUTSIDE)
         agent.now.calls += note
         val around = agent.now.underWay
         agent.now.underWay = note
@@ -154,13 +153,16 @@ internal class Recorder(
         }
     }
 
+    private fun noteOf(name: String, args: Array<Term>, isOfProject: Boolean) =
+        if (isOfProject) CallNote.ofProject(name, args) else CallNote.of(name, args)
+
     private fun noting(note: CallNote, call: InternalCall, result: Any): Any {
-        if (result == true) note.answers += bound(call)
+        if (result == true) note.answered(bound(call))
         if (result !is Iterator<*>) return result
         note.isBacktracking = true
         return iterator {
             for (un in result) {
-                note.answers += bound(call, un as Unifier)
+                note.answered(bound(call, un as Unifier))
                 yield(un)
             }
         }
@@ -168,7 +170,7 @@ internal class Recorder(
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live().also { value ->
         val agent = current() ?: return@also
-        agent.now.calls += CallNote(name, args.map(::textOf), isOfProject).apply { this.value = "$value" }
+        agent.now.calls += noteOf(name, args, isOfProject).apply { this.value = "$value" }
     }
 
     override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
@@ -228,15 +230,17 @@ internal class Recorder(
         val course = agent.course.end()
         val now = agent.now
         agent.events = agent.ts.c.events.size
-        if (now.isNothing() && !now.isAtWork && course.event == null && course.step == null) return
+        if (now.isNothing() && !now.isAtWork && !course.hasHappened) return
+        now.end()
+        agent.now = CycleNotes() // the others are the track's
         val arch = agent.ts.agArch
-        val cycle = Cycle(++agent.cycles, arch.cycleNumber, now.ns, now.counters, now.input(), course, isEnding = !arch.isRunning)
-        track.cycle(cycle, now.percepts)
+        val cycle = CycleNote(++agent.cycles, arch.cycleNumber, now, course, isEnding = !arch.isRunning)
+        track.cycle(cycle)
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read()
         takeKeyFrame(agent, cycle)
     }
 
-    private fun takeKeyFrame(agent: Running, cycle: Cycle) {
+    private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
         if (note.isThere) agent.counters = emptyList() // the next cycle has them, for who begins here

@@ -41,9 +41,8 @@ internal class Track(
     private fun channel(name: String, schema: String, serializer: KSerializer<*>) =
         sink.channel("/$agent/$name", schema, jsonSchema(serializer.descriptor))
 
-    /** Stores [cycle], in which what the agent perceived differs from before by [percepts]. */
-    fun cycle(cycle: Cycle, percepts: PerceptNote?) = store(cycles, cycle.ns, CYCLE_BYTES + (percepts?.size ?: 0) * PERCEPT_BYTES) {
-        json(Cycle.serializer(), cycle.copy(input = cycle.input.copy(percepts = percepts?.change())).lean())
+    fun cycle(note: CycleNote) = store(cycles, note.ns, CYCLE_BYTES + note.percepts * PERCEPT_BYTES) {
+        json(Cycle.serializer(), note.cycle().lean())
     }
 
     /** Stores a key frame. */

@@ -118,7 +118,7 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
 
     /** The cycle is over. */
     fun end() {
-        val now = course.end()
+        val now = course.end().course()
         val before = cycle?.course
         val isSame = before != null && before.event?.let(::normal) == now.event?.let(::normal) && before.action == now.action &&
             before.step?.text?.let(::normal) == now.step?.text?.let(::normal) && before.step?.intention == now.step?.intention
@@ -254,7 +254,7 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
     }
 
     /** Whether the step that is carried out is the recorded one. */
-    private fun isStepOf(before: Course?) = before?.step?.text?.let(::normal) == course.step?.text?.let(::normal)
+    private fun isStepOf(before: Course?) = before?.step?.text?.let(::normal) == course.step?.step()?.text?.let(::normal)
 
     override fun left(work: RunnableSerializable) {
         left += work
