@@ -20,8 +20,22 @@ internal class Campaign(
     private val given: GivenUp,
     private val report: (Status) -> Unit,
 ) {
-    /** How far it has come: [left] ms is an estimate, [done] of [all] runs are over, [collisions] of them at the wall. */
-    internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long)
+    /**
+     * How far it has come: [done] of [all] runs are over, [collisions] of them at the wall; [left] ms is an estimate for those that have not
+     * begun, 0 if all have.
+     */
+    internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long) {
+        /** In words, for a line of progress. Minutes are whole, since [left] is no more exact. */
+        val words: List<String> get() = listOfNotNull("run $done of $all", "$collisions at the wall", rest)
+
+        private val rest: String?
+            get() = when {
+                done == all -> null
+                left == 0L -> if (all - done == 1) "the last run" else "the last ${all - done} runs"
+                left + LONGEST_MS < MINUTE_MS -> "less than a minute left"
+                else -> "about ${(left + LONGEST_MS + MINUTE_MS / 2) / MINUTE_MS} min left"
+            }
+    }
 
     private val repeated = AtomicInteger()
 
@@ -89,6 +103,11 @@ internal class Campaign(
 
         /** How often a run is made at most. */
         const val MAX_TRIES = 3
+
+        private const val MINUTE_MS = 60_000L
+
+        /** What a run that has begun takes at most, unless it fails: from the start to the wall. */
+        private const val LONGEST_MS = 21_000L
 
         /** About how long [trial] takes, in ms: to the limit and a little further, or to the wall if that is to be expected. */
         fun expectedMs(trial: Trial): Long {

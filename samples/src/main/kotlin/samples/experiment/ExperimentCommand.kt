@@ -235,7 +235,7 @@ internal class Experiment(private val archive: Archive, private val settings: Se
             Logs.to(log)
             Punctuality().use { punctuality ->
                 val campaign = Campaign(archive, settings, laboratory(punctuality), jobs, given) {
-                    progress.show(facts(it), System.nanoTime() - begin)
+                    progress.show(it.words, System.nanoTime() - begin)
                 }
                 campaign.run(trials)
             }
@@ -245,12 +245,4 @@ internal class Experiment(private val archive: Archive, private val settings: Se
         settings.port?.let { port ->
             RealLaboratory(AgentHost(), port, Attendant(System.`in`.bufferedReader(), given) { println("\n$it") })
         } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)
-
-    private fun facts(status: Campaign.Status): List<String> {
-        val seconds = status.left / 1000
-        return listOf(
-            "run ${status.done} of ${status.all}", "${status.collisions} at the wall",
-            "about ${seconds / 60}:${"${seconds % 60}".padStart(2, '0')} left",
-        )
-    }
 }

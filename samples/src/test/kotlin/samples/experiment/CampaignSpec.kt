@@ -193,4 +193,15 @@ class CampaignSpec : FunSpec({
         told.first() shouldBe Campaign.Status(0, 6, 0, trials.sumOf(Campaign::expectedMs))
         told.last() shouldBe Campaign.Status(6, 6, 6, 0)
     }
+
+    test("the time left is told in whole minutes, and never as none while there are runs") {
+        fun words(done: Int, seconds: Long) = Campaign.Status(done, 81, 5, seconds * 1000).words
+        words(0, 1000) shouldBe listOf("run 0 of 81", "5 at the wall", "about 17 min left")
+        listOf(69L, 68, 39, 38, 1, 0).map { words(77, it).last() } shouldBe listOf(
+            "about 2 min left", "about 1 min left", "about 1 min left", "less than a minute left", "less than a minute left",
+            "the last 4 runs",
+        )
+        words(80, 0).last() shouldBe "the last run"
+        words(81, 0) shouldBe listOf("run 81 of 81", "5 at the wall")
+    }
 })

@@ -64,6 +64,7 @@ class FactorialSpec : FunSpec({
         high.high - high.value shouldBe (2.306 * sqrt(2.0 / 16) plusOrMinus 1e-4)
         high.isSignificant shouldBe true
         analysis.effects(Source.ABC, 0.95).any { it.isSignificant } shouldBe false
+        analysis.mean(0.95).high shouldBe (40 + 2.306 * sqrt(2.0 / 16) plusOrMinus 1e-4)
     }
 
     test("the sums of squares are those of a general linear model, source by source") {

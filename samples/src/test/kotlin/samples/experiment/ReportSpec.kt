@@ -15,11 +15,13 @@ import samples.experiment.analysis.analysis
 import samples.experiment.report.Finding
 import samples.experiment.report.Provenance
 import samples.experiment.report.Scaling
+import samples.experiment.report.TimeScale
 import samples.experiment.report.fate
 import samples.experiment.report.median
 import samples.experiment.report.promise
 import samples.experiment.report.publishedClaims
 import samples.experiment.report.rounded
+import samples.experiment.report.time
 import samples.experiment.report.writeReport
 import java.io.ByteArrayInputStream
 import java.time.Instant
@@ -61,7 +63,7 @@ class ReportSpec : FunSpec({
     test("the report says by what and when it was made, and numbers its figures and tables") {
         val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.DEFAULTS), MADE).readText()
         page shouldContain "Made with ARGO 0.1.0, commit abc on 2026-11-22T10:15:00Z."
-        Regex("<caption>Table (\\d+)\\.").findAll(page).map { it.groupValues[1].toInt() }.toList() shouldBe (1..7).toList()
+        Regex("<caption>Table (\\d+)\\.").findAll(page).map { it.groupValues[1].toInt() }.toList() shouldBe (1..10).toList()
         Regex("<figcaption>Figure (\\d+)\\.").findAll(page).map { it.groupValues[1].toInt() }.toList() shouldBe (1..3).toList()
         page shouldContain "The shares of Table 3."
     }
@@ -69,9 +71,41 @@ class ReportSpec : FunSpec({
     test("shares of runs and medians have their intervals, and few runs have none") {
         val page = writeReport(tempdir().toPath(), settings, made(Condition.DEFAULTS), MADE).readText()
         page shouldContain "<td class=\"n\">81</td><td class=\"n\">100 (95 to 100)</td>"
-        page shouldContain "<td class=\"n\">0.42</td><td class=\"n\">0.41 to 0.43</td><td class=\"n\">0.41</td>"
+        page shouldContain "<td class=\"n\">420</td><td class=\"n\">410 to 430</td><td class=\"n\">410</td>"
         val few = made(Condition.DEFAULTS).take(5)
-        writeReport(tempdir().toPath(), settings, few, MADE).readText() shouldContain "<td class=\"n\">0.42</td><td class=\"n\">–</td>"
+        writeReport(tempdir().toPath(), settings, few, MADE).readText() shouldContain "<td class=\"n\">420</td><td class=\"n\">–</td>"
+    }
+
+    test("a table is in milliseconds if all its times are below a second, and its figure with it") {
+        val runs = made(Condition.PUBLISHED, Condition.REFLEX)
+        val page = writeReport(tempdir().toPath(), settings, runs, MADE).readText()
+        page shouldContain "<th scope=\"col\" class=\"n\">median, s</th>"
+        page shouldContain "Effects on the response time, (a) as published: mean 8.2 s</summary>"
+        page shouldContain "Effects on the response time, (d) version 2, reflex on the board: mean 420.0 ms</summary>"
+        Regex("effect, (m?s)<").findAll(page).map { it.groupValues[1] }.toList() shouldBe listOf("s", "ms")
+        val directory = tempdir().toPath()
+        val own = writeReport(directory, settings, made(Condition.REFLEX), MADE).readText()
+        own shouldContain "<th scope=\"col\" class=\"n\">median, ms</th>"
+        own shouldContain "<th scope=\"row\">variance, ms²</th>"
+        directory.resolve("figures/times.svg").readText() shouldContain "response time in ms"
+    }
+
+    test("effects are as exact as their intervals, and small ones are not rounded to nought") {
+        val runs = Plan.FULL.trials(Condition.REFLEX).map {
+            Finished(it, stopped(responseMs = 50.0 + 3.2 * it.view.ordinal + 0.4 * it.replication + 0.1 * it.limit / 40))
+        }
+        val page = writeReport(tempdir().toPath(), settings, runs, MADE).readText()
+        page shouldContain "<td>no filter</td><td class=\"n\">-3.2</td><td class=\"n\">-3.3 to -3.1</td><td class=\"n\">yes</td>"
+        page shouldContain "<td>40 cm</td><td class=\"n\">-0.1</td><td class=\"n\">-0.2 to 0.0</td><td class=\"n\">no</td>"
+    }
+
+    test("a time in a sentence has its unit and two digits") {
+        listOf(0.0583, 0.602, 10.89, 1.996).map(::time) shouldBe listOf("58 ms", "600 ms", "11 s", "2.0 s")
+    }
+
+    test("each table of shares is followed by the intervals of them") {
+        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.DEFAULTS), MADE).readText()
+        Regex("95 % intervals of the shares".replace(" %", "\u00a0%")).findAll(page).count() shouldBe 3
     }
 
     test("all runs are in one file of comma-separated values, each in a line, reasons in quotes") {
@@ -182,19 +216,21 @@ class ReportSpec : FunSpec({
     test("where the line alone takes longer than the limit leaves, a collision is said to be the line's") {
         val wall = Entry.Result(Outcome.COLLIDED, 0.0, 8000.0, 9, 9, 0.0)
         val slow = Trial(Condition.DEFAULTS, View.NONE, 80, 20, 1, sensors = 768)
-        fate(Finished(slow, wall)) shouldBe "too slow"
-        fate(Finished(slow.copy(baud = 115_200), wall)) shouldBe "wall"
-        fate(Finished(slow, wall.copy(outcome = Outcome.IDLE))) shouldBe "idle"
-        fate(Finished(slow, stopped(responseMs = 1234.0))) shouldBe "1.23"
+        val seconds = TimeScale.SECONDS
+        fate(Finished(slow, wall), seconds) shouldBe "too slow"
+        fate(Finished(slow.copy(baud = 115_200), wall), seconds) shouldBe "wall"
+        fate(Finished(slow, wall.copy(outcome = Outcome.IDLE)), seconds) shouldBe "idle"
+        fate(Finished(slow, stopped(responseMs = 1234.0)), seconds) shouldBe "1.23"
+        fate(Finished(slow, stopped(responseMs = 234.0)), TimeScale.MILLISECONDS) shouldBe "234"
     }
 
     test("the table of scaling says from which line on every robot stops") {
         val bauds = listOf(9_600, 38_400, 115_200, 250_000)
         val runs = bauds.map { Trial(Condition.DEFAULTS, View.NONE, 80, 20, 1, it, 48) }.map { trial ->
-            Finished(trial, if (trial.baud == 38_400) stopped().copy(outcome = Outcome.COLLIDED) else stopped(responseMs = 500.0))
+            Finished(trial, if (trial.baud == 38_400) stopped().copy(outcome = Outcome.COLLIDED) else stopped(responseMs = 1500.0))
         }
-        Scaling(runs).table("Table 9") shouldContain "<td class=\"n\">0.50</td><td class=\"n\">wall</td><td class=\"n\">0.50</td><td " +
-            "class=\"n\">0.50</td><td class=\"n\">115200 baud</td>"
+        Scaling(runs).table("Table 9") shouldContain "<td class=\"n\">1.50</td><td class=\"n\">wall</td><td class=\"n\">1.50</td><td " +
+            "class=\"n\">1.50</td><td class=\"n\">115200 baud</td>"
         Scaling(runs.take(2)).table("Table 9") shouldContain "<td class=\"n\">none</td><td class=\"n\">–</td>"
     }
 

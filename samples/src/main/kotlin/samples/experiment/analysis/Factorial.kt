@@ -3,7 +3,6 @@ package samples.experiment.analysis
 import org.apache.commons.math3.distribution.TDistribution
 import kotlin.math.abs
 import kotlin.math.sqrt
-import kotlin.random.Random
 
 /**
  * Which of three factors a sum of squares or an effect belongs to: [SIZE] of them, the main ones, the interactions of two, that of all
@@ -97,6 +96,9 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     fun squares(source: Source): Double =
         effects.getValue(source).values.sumOf { it * it } * count / source.factors.fold(1) { n, f -> n * sizes[f] }
 
+    /** The degrees of freedom of [source]. */
+    fun freedom(source: Source): Int = source.factors.fold(1) { n, f -> n * (sizes[f] - 1) }
+
     /** The share of [source] in the variation, from 0 to 1; 0 if nothing varies. */
     fun share(source: Source): Double = if (total > 0) squares(source) / total else 0.0
 
@@ -109,23 +111,17 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
         return effects.getValue(source).map { (levels, value) -> Effect(source, levels, value, value - margin, value + margin) }
     }
 
+    /** The interval of [mean] at [confidence]. */
+    fun mean(confidence: Double): Interval = margin(1, confidence).let { Interval(mean - it, mean + it) }
+
     /** Half the width of the confidence interval of an effect of [source]. */
-    private fun margin(source: Source, confidence: Double): Double {
+    private fun margin(source: Source, confidence: Double): Double = margin(freedom(source), confidence)
+
+    /** The same of a sum of [freedom] contrasts of equal variance. */
+    private fun margin(freedom: Int, confidence: Double): Double {
         if (errorFreedom == 0) return Double.POSITIVE_INFINITY
-        val freedom = source.factors.fold(1) { n, f -> n * (sizes[f] - 1) }
         val deviation = sqrt(error / errorFreedom * freedom / count)
         return TDistribution(errorFreedom.toDouble()).inverseCumulativeProbability((1 + confidence) / 2) * deviation
-    }
-
-    /**
-     * The same experiment with other errors: each response is the mean of its cell and an error drawn from those of all runs. The errors are
-     * scaled to the variance that the responses have, since their own mean takes a part of it. With one replication there are none.
-     */
-    fun resampled(random: Random): Factorial {
-        val scale = sqrt(replications / (replications - 1.0))
-        val errors = cells.flatMap { cell -> at(cell).average().let { mean -> at(cell).map { (it - mean) * scale } } }
-        fun resampled(cell: List<Double>) = cell.average().let { mean -> cell.map { mean + errors.random(random) } }
-        return Factorial(responses.map { b -> b.map { c -> c.map(::resampled) } })
     }
 
     private companion object {

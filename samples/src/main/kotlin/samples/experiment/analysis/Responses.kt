@@ -34,6 +34,9 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = result.distance
     }, ;
 
+    /** Whether it is a time, in seconds. */
+    val isTime: Boolean get() = unit == "s"
+
     /** Its value in a run with [result] of [plan]. */
     abstract fun of(result: Entry.Result, plan: Plan): Double
 }

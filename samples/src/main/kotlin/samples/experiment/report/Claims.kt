@@ -34,8 +34,8 @@ private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
 private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
 private fun List<Finished>.seconds() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }
 
-/** `, 0.35 s after the limit (median)`; nothing if none has stopped. */
-private fun List<Finished>.afterLimit() = seconds().let { if (it.isEmpty()) "" else ", ${two(median(it))} s after the limit (median)" }
+/** `, 350 ms after the limit (median)`; nothing if none has stopped. */
+private fun List<Finished>.afterLimit() = seconds().let { if (it.isEmpty()) "" else ", ${time(median(it))} after the limit (median)" }
 
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
@@ -130,13 +130,13 @@ internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
     val own = runs.filter { it.trial.condition == condition && leavesTime(it.trial) }.ifEmpty { return null }
     val none = own.of(View.NONE)
     val slowest = own.maxBy { leastStopNanos(it.trial) }.trial
-    val worst = none.seconds().maxOrNull()?.let { " and ${two(it)} s at most" }.orEmpty()
+    val worst = none.seconds().maxOrNull()?.let { " and ${time(it)} at most" }.orEmpty()
     return Claim(
         "(${condition.letter}) ${condition.title}: every run stops whose limit leaves the physical time to stop, without a filter too.",
         finding(own.stopped(), own.size),
         "${own.stopped()} of ${own.size} runs stopped; without a filter ${none.stopped()} of ${none.size}${none.afterLimit()}$worst.",
-        why(condition) + ", ${two(leastStopNanos(slowest) / 1e9)} s at most here. The shortest limit leaves " +
-            "${two(own.minOf { limitNanos(it.trial) } / 1e9)} s, " +
+        why(condition) + ", ${leastStopNanos(slowest) / 1_000_000} ms at most here. The shortest limit leaves " +
+            "${time(own.minOf { limitNanos(it.trial) } / 1e9)}, " +
             "so ${if (own.size == runs.count { it.trial.condition == condition }) "all runs have it" else "${own.size} runs have it"}.",
     )
 }
@@ -158,7 +158,6 @@ internal fun rounded(value: Double, decimals: Int): String =
 
 internal fun whole(value: Double): String = rounded(value, 0)
 internal fun one(value: Double): String = rounded(value, 1)
-internal fun two(value: Double): String = rounded(value, 2)
 internal fun three(value: Double): String = rounded(value, 3)
 
 /** [value] with two digits that count. */

@@ -25,7 +25,8 @@ body { margin: 0 auto; padding: 1rem; max-width: 62rem; background: var(--paper)
 h1 { font-size: 1.7rem; line-height: 1.2; } h2 { margin-top: 2.5rem; border-bottom: 1px solid var(--line); padding-bottom: .2rem; }
 h3 { margin-top: 1.6rem; }
 p, li { max-width: 46rem; overflow-wrap: break-word; } .soft, figcaption { color: var(--soft); font-size: .9rem; }
-figure { margin: 1rem 0; } .wide { overflow-x: auto; } .wide img { display: block; width: 100%; min-width: 44rem; height: auto; }
+figure { margin: 1rem 0; } .wide { overflow-x: auto; } .wide + .wide { margin-top: 1rem; }
+.wide img { display: block; width: 100%; min-width: 44rem; height: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 td.n, th.n { text-align: right; } td { white-space: nowrap; } thead th { background: var(--tint); } tbody th { font-weight: inherit; }

@@ -43,6 +43,7 @@ import samples.experiment.analysis.Source
 import samples.experiment.analysis.words
 import java.io.ByteArrayOutputStream
 import java.io.StringReader
+import java.math.BigDecimal
 
 /**
  * The colours of a figure.
@@ -107,6 +108,13 @@ private fun outcome(run: Finished) = OUTCOMES[if (run.result.outcome == Outcome.
 /** What the axis of response times shows, in s. */
 private const val MIN_S = 0.002
 private const val MAX_S = 20.0
+private val TIMES_S = listOf(0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+
+private val HUES_S = listOf(0.01, 0.1, 1.0, 10.0)
+
+/** A tick at [seconds], as short as it gets. */
+private fun TimeScale.label(seconds: Double) = BigDecimal("$seconds").multiply(BigDecimal(perSecond)).stripTrailingZeros().toPlainString()
+
 private const val FULL_DOT = 16
 private const val CROSS = 4
 
@@ -141,8 +149,8 @@ internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): 
 
 private fun filterColours(shades: Shades) = scaleColorManual(values = shades.filters, limits = FILTERS, name = "")
 
-/** How long it took from crossing the limit to stopping, or to the wall. */
-internal fun timesFigure(runs: List<Finished>, shades: Shades): Plot {
+/** How long it took from crossing the limit to stopping, or to the wall, in units of [scale]. */
+internal fun timesFigure(runs: List<Finished>, scale: TimeScale, shades: Shades): Plot {
     val data = mapOf(
         "filter" to runs.map { words(it.trial.view) },
         "seconds" to runs.map { (it.result.responseMs / 1000).coerceIn(MIN_S, MAX_S) },
@@ -154,11 +162,10 @@ internal fun timesFigure(runs: List<Finished>, shades: Shades): Plot {
             geomPoint(size = 3.0, alpha = 0.7) { shape = "end" } + facetGrid(x = "condition") +
             scaleXDiscrete(limits = FILTERS) +
             scaleYLog10(
-                limits = MIN_S to MAX_S, breaks = listOf(0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10),
-                labels = listOf("0.005", "0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10"),
+                limits = MIN_S to (if (scale == TimeScale.SECONDS) MAX_S else 1.0), breaks = TIMES_S, labels = TIMES_S.map(scale::label),
             ) +
             filterColours(shades) + scaleShapeManual(values = listOf(FULL_DOT, CROSS), limits = OUTCOMES, name = "") +
-            labs(x = "", y = "response time in s")
+            labs(x = "", y = "response time in ${scale.unit}")
         ).dressed(shades, maxOf(960, 320 * conditions(runs)), 420)
 }
 
@@ -180,13 +187,13 @@ internal fun sharesFigure(analyses: Map<Condition, Factorial>, shades: Shades): 
         ).dressed(shades, 960, 380)
 }
 
-/** What becomes of the response time with more sensors and faster lines. */
-internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
+/** What becomes of the response time with more sensors and faster lines, in units of [scale]. */
+internal fun scalingFigure(runs: List<Finished>, scale: TimeScale, shades: Shades): Plot {
     val data = mapOf(
         "baud" to runs.map { "${it.trial.baud}" },
         "sensors" to runs.map { "${it.trial.sensors}" },
         "seconds" to runs.map { if (it.result.outcome == Outcome.STOPPED) maxOf(0.01, it.result.responseMs / 1000) else null },
-        "label" to runs.map(::fate),
+        "label" to runs.map { fate(it, scale) },
         "view" to runs.map { words(it.trial.view) },
         "condition" to runs.map { title(it.trial.condition) },
     )
@@ -197,8 +204,8 @@ internal fun scalingFigure(runs: List<Finished>, shades: Shades): Plot {
             scaleXDiscrete(limits = runs.map { it.trial.baud }.distinct().sorted().map { "$it" }) +
             scaleYDiscrete(limits = runs.map { it.trial.sensors }.distinct().sorted().map { "$it" }) +
             scaleFillGradient(
-                low = "#d3f0dc", high = "#f5b971", naValue = "#e58f88", trans = "log10", breaks = listOf(0.01, 0.1, 1.0, 10.0),
-                labels = listOf("0.01", "0.1", "1", "10"), name = "response time in s",
+                low = "#d3f0dc", high = "#f5b971", naValue = "#e58f88", trans = "log10", breaks = HUES_S,
+                labels = HUES_S.map(scale::label), name = "response time in ${scale.unit}",
             ) +
             labs(x = "baud", y = "sensors")
         ).dressed(shades, maxOf(1180, 390 * conditions(runs)), 520)

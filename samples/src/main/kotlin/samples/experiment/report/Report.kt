@@ -7,21 +7,14 @@ import samples.experiment.Outcome
 import samples.experiment.Plan
 import samples.experiment.Settings
 import samples.experiment.View
-import samples.experiment.analysis.CONFIDENCE
 import samples.experiment.analysis.Factorial
-import samples.experiment.analysis.Interval
-import samples.experiment.analysis.Published
 import samples.experiment.analysis.Response
-import samples.experiment.analysis.Source
 import samples.experiment.analysis.analysis
 import samples.experiment.analysis.medianInterval
 import samples.experiment.analysis.proportionInterval
-import samples.experiment.analysis.shareIntervals
-import samples.experiment.analysis.words
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Base64
-import kotlin.random.Random
 
 /**
  * Writes the report on the [finished] runs as one page, `report.html`, its figures as SVG and PNG in `figures/`, and all runs as `runs.csv`.
@@ -113,31 +106,33 @@ ${leftOut()}$counts"""
                 "stopped is in the table above.",
         ) { distancesFigure(runs, plan, it) }
 
-    private fun times() = "<h2>Response times</h2>\n" + figure(
-        "times",
-        "From crossing the limit to stopping, on a logarithmic axis (n = ${runs.size}). A cross is a robot that ran into the wall, at " +
-            "the time that its limit left: its agent needed longer. " +
-            "Boxes are quartiles of all runs, those at the wall too.",
-        "A plot of the response times of all runs, by filter and condition; the table below has their median and range.",
-    ) { timesFigure(runs, it) } + table(
-        "${nextTable()}. Response times of the runs that stopped: the median with its 95 % interval (order statistics; – for fewer than six).",
-        listOf("condition", "filter", "stopped", "median, s", "95 % interval, s", "least, s", "most, s"),
-        Condition.entries.flatMap { condition ->
+    private fun times(): String {
+        val scale = TimeScale.of(runs.map { it.result.responseMs / 1000 })
+        val cells = Condition.entries.flatMap { condition ->
             View.entries.map { view -> runs.filter { it.trial.condition == condition && it.trial.view == view } }
         }
-            .filter { it.isNotEmpty() }.map(::timesRow),
-        words = 2,
-    )
+        return "<h2>Response times</h2>\n" + figure(
+            "times",
+            "From crossing the limit to stopping, on a logarithmic axis (n = ${runs.size}). A cross is a robot that ran into the wall, " +
+                "at the time that its limit left: its agent needed longer. Boxes are quartiles of all runs, those at the wall too.",
+            "A plot of the response times of all runs, by filter and condition; the table below has their median and range.",
+        ) { timesFigure(runs, scale, it) } + table(
+            "${nextTable()}. Response times of the runs that stopped: the median with its 95 % interval (order statistics; – for fewer " +
+                "than six).",
+            listOf("condition", "filter", "stopped") + listOf("median", "95 % interval", "least", "most").map { "$it, ${scale.unit}" },
+            cells.filter { it.isNotEmpty() }.map { timesRow(it, scale) },
+            words = 2,
+        )
+    }
 
-    private fun timesRow(cell: List<Finished>): List<String> {
+    private fun timesRow(cell: List<Finished>, scale: TimeScale): List<String> {
         val seconds = cell.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }.sorted()
         val interval = medianInterval(seconds)
-        val decimals = minOf(interval?.decimals ?: UNSURE_DECIMALS, UNSURE_DECIMALS)
+        val decimals = interval?.let(scale::decimals) ?: scale.fewDecimals
         val figures = if (seconds.isEmpty()) listOf("–", "–", "–", "–")
         else listOf(
-            rounded(median(seconds), decimals),
-            interval?.let { "${rounded(it.low, decimals)} to ${rounded(it.high, decimals)}" } ?: "–",
-            two(seconds.first()), two(seconds.last()),
+            scale.text(median(seconds), decimals), interval?.let(scale::text) ?: "–",
+            scale.text(seconds.first(), decimals), scale.text(seconds.last(), decimals),
         )
         return listOf(
             cell.first().trial.condition.let { "(${it.letter})" }, words(cell.first().trial.view), "${seconds.size} of ${cell.size}",
@@ -148,73 +143,17 @@ ${leftOut()}$counts"""
         val time = analyses.getValue(Response.TIME)
         if (time.isEmpty()) return "<h2>Allocation of variation</h2>\n<p>Not all runs of a condition are made, so there is nothing to " +
             "analyse yet.</p>"
-        return """<h2>Allocation of variation</h2>
-<p>By the method of R. Jain, <em>The Art of Computer Systems Performance Analysis</em>: the share of each factor and interaction in the
-variation of a response, as sums of squares
-of the effects over the total one. Their 95 % intervals are percentiles of experiments in which each response is the mean of its
-combination and an error drawn from those of all runs (A. C. Davison and D. V. Hinkley, <em>Bootstrap Methods and their Application</em>,
-1997, section 6.2). Errors have part in every share, so one of an effect that is none lies above 0; whether an effect differs from 0 is told
-by the tables of effects. The share of the error has no interval. A share has no more digits than its interval leaves a meaning.</p>
-""" + shares(Response.TIME, published = true) +
-            figure("shares", "The shares of Table $tables.", "A bar chart of the table above.") { sharesFigure(time, it) } +
-            shares(Response.LEAST_TIME, published = true) + shares(Response.DISTANCE, published = false) + effects(time)
+        return "<h2>Allocation of variation</h2>\n" + ALLOCATION_METHOD + Response.entries.joinToString("", transform = ::shares) +
+            time.entries.joinToString("\n") { (condition, analysis) -> effects(nextTable(), condition, analysis, plan) }
     }
 
-    private fun shares(response: Response, published: Boolean): String {
+    private fun shares(response: Response): String {
         val columns = analyses.getValue(response)
-        val intervals = columns.mapValues { (_, analysis) -> shareIntervals(analysis, Random(settings.seed)) }
-        val rows = Source.entries.map { source ->
-            listOf(words(source)) + (if (published) listOf("${Published.percent[source]}") else emptyList()) +
-                columns.keys.map { percent(columns.getValue(it).share(source), intervals.getValue(it)[source]) }
-        } + listOf(
-            listOf("error") + (if (published) listOf("${Published.ERROR_PERCENT}") else emptyList()) +
-                columns.values.map { whole(100 * it.errorShare) },
-        )
-        val variances = columns.values.map { twoDigits(it.total / (it.count - 1)) }
-        val deviation = listOf(listOf("variance") + (if (published) listOf("–") else emptyList()) + variances)
-        return "<h3>${response.title.replaceFirstChar(Char::uppercase)}</h3>\n<p>In percent. A robot that ran into the wall enters " +
-            "${escaped(response.collisions)}. " +
-            "The last row is the variance of what is divided up, in ${response.unit}².</p>\n" +
-            table(
-                "${nextTable()}. Allocation of variation of the ${response.title}, in percent, with 95 % intervals.",
-                listOf("share") + (if (published) listOf("published") else emptyList()) + columns.keys.map { "(${it.letter})" },
-                rows + deviation,
-            )
-    }
-
-    private fun effects(analyses: Map<Condition, Factorial>): String = analyses.entries.joinToString("\n") { (condition, analysis) ->
-        val rows = listOf(Source.A, Source.B, Source.C).flatMap { source ->
-            analysis.effects(source, CONFIDENCE).map {
-                listOf(
-                    words(source), level(source, it.levels.single()), rounded(it.value, Interval(it.low, it.high).decimals),
-                    interval(it.low, it.high),
-                    if (it.isSignificant) "yes" else "no",
-                )
-            }
-        }
-        "<details><summary>Effects on the response time, (${condition.letter}) ${escaped(condition.title)}: mean " +
-            "${three(analysis.mean)} s</summary>\n" +
-            table(
-                "${nextTable()}. Effects on the response time in condition (${condition.letter}).",
-                listOf("factor", "level", "effect, s", "95 % interval, s", "differs from 0"), rows, words = 2,
-            ) + "</details>"
-    }
-
-    private fun interval(low: Double, high: Double) =
-        if (low.isInfinite()) "unknown: one replication"
-        else Interval(low, high).decimals.let { "${rounded(low, it)} to ${rounded(high, it)}" }
-
-    private fun percent(share: Double, interval: Interval?): String {
-        if (interval == null) return "${one(100 * share)} (unknown)"
-        val percents = Interval(100 * interval.low, 100 * interval.high)
-        val decimals = minOf(percents.decimals, SHARE_DECIMALS)
-        return "${rounded(100 * share, decimals)} (${rounded(percents.low, decimals)} to ${rounded(percents.high, decimals)})"
-    }
-
-    private fun level(source: Source, level: Int) = when (source) {
-        Source.A -> "${plan.limits[level]} cm"
-        Source.B -> "${plan.intervals[level]} ms"
-        else -> words(View.entries[level])
+        val allocation = Allocation(response, columns, settings.seed)
+        val shares = allocation.heading() + allocation.shares(nextTable())
+        val figure = if (response != Response.TIME) ""
+        else figure("shares", "The shares of Table $tables.", "A bar chart of the table above.") { sharesFigure(columns, it) }
+        return shares + figure + allocation.intervals(nextTable())
     }
 
     private fun scaling(): String {
@@ -225,9 +164,9 @@ by the tables of effects. The share of the error has no interval. A share has no
         val scaling = Scaling(all)
         return "<h2>Beyond the paper: more sensors, other lines</h2>\n" + scaling.introduction() + figure(
             "scaling",
-            "Seconds from the limit to the stop. Green: fast. Orange: slow. Red: no stop. ${Scaling.EXPLAINED}",
+            "Green: fast. Orange: slow. Red: no stop. ${scaling.explained()}",
             "A map of what became of the robot for each number of sensors and each baud rate; the table below says the same.",
-        ) { scalingFigure(all, it) } + "<h3>Where each condition begins to fail</h3>\n" + scaling.table(nextTable())
+        ) { scalingFigure(all, scaling.scale, it) } + "<h3>Where each condition begins to fail</h3>\n" + scaling.table(nextTable())
     }
 
     /**
@@ -244,14 +183,6 @@ by the tables of effects. The share of the error has no interval. A share has no
 <img alt="${escaped(instead)}" src="${data(light)}"></picture></div>
 <figcaption>Figure ${++plots}. ${escaped(caption)}</figcaption></figure>
 """
-    }
-
-    private companion object {
-        /** Of a median without an interval: hundredths of a second, a tenth of an exchange. */
-        const val UNSURE_DECIMALS = 2
-
-        /** Of shares that are sure. The published ones have three. */
-        const val SHARE_DECIMALS = 2
     }
 
     private fun data(svg: String) = "data:image/svg+xml;base64," + Base64.getEncoder().encodeToString(svg.toByteArray())
