@@ -60,7 +60,7 @@ internal class ReplayReport(
         }
         shown.forEach { add("%9.3f s  ".format((it.cycle.ns - firstNs) / NANOS) + it.words()) }
         for ((agent, believed) in beliefs) {
-            add("$agent believes:")
+            add(if (believed.isEmpty()) "$agent believes nothing" else "$agent believes:")
             believed.forEach { add("  $it") }
         }
     }

@@ -113,6 +113,10 @@ class ReplayAgentsSpec : FunSpec({
         argo("recording", "$drive", "--from", "noon").err shouldContain "noon is not a number\n"
     }
 
+    test("--until says so where nothing is believed yet") {
+        argo("replay", "$chance", "--until", "0").out.lines() shouldContain "agent believes nothing"
+    }
+
     test("--from prints the cycles from there on, and --until takes a cycle too") {
         val stop = argo("replay", "$drive", "--from", "0.9", "--of", "agent").out.lines()
         val acting = stop.single { "sends stop" in it }
