@@ -37,20 +37,23 @@ internal class Commands(
     private fun ofPlans(): List<Pair<RecordedCommand, ReflexEnd?>> = cycles.flatMap { cycle ->
         val seconds = clock.seconds(cycle.ns)
         val toBoards = cycle.input.calls.flatMap { it.commands }
-            .map { RecordedCommand(agent, 0, it.text, it.port, seconds, cycle.index, sent = it.number) }
-        toBoards + listOfNotNull(cycle.course.action?.let { RecordedCommand(agent, 0, it, null, seconds, cycle.index) })
+            .map { RecordedCommand(agent, 0, it.text, it.port, seconds, cycle.number, sent = it.number, index = cycle.index) }
+        val ofEnvironment = cycle.course.action?.let { RecordedCommand(agent, 0, it, null, seconds, cycle.number, index = cycle.index) }
+        toBoards + listOfNotNull(ofEnvironment)
     }.map { it to null }
 
     private fun sent(end: CommandEnd, reflex: ReflexEnd?): RecordedCommand {
         val ns = end.issuedNs ?: end.ns
         val by = if (reflex == null) Sender.OUTSIDE else Sender.REFLEX
-        return RecordedCommand(agent, 0, end.text.orEmpty(), end.port, clock.seconds(ns), cycleAt(ns), by, end.number)
+        return unplanned(end.text.orEmpty(), end.port, ns, by, end.number)
     }
 
-    private fun reported(reflex: ReflexEnd) =
-        RecordedCommand(agent, 0, reflex.command, null, clock.seconds(reflex.ns), cycleAt(reflex.ns), Sender.REFLEX)
+    private fun reported(reflex: ReflexEnd) = unplanned(reflex.command, null, reflex.ns, Sender.REFLEX, null)
 
-    private fun cycleAt(ns: Long) = cycles.lastOrNull { it.ns <= ns }?.index ?: 0
+    private fun unplanned(text: String, port: String?, ns: Long, by: Sender, sent: Long?): RecordedCommand {
+        val cycle = cycles.lastOrNull { it.ns <= ns }
+        return RecordedCommand(agent, 0, text, port, clock.seconds(ns), cycle?.number ?: 0, by, sent, cycle?.index ?: 0)
+    }
 
     /** Takes the reflex of the computer out that [end] tells of, which is known at about the same time. */
     private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =

@@ -2,6 +2,7 @@ package argo.recording.why
 
 import argo.recording.replay.RecordingException
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.Transient
 import kotlin.math.abs
 
 /**
@@ -12,10 +13,11 @@ import kotlin.math.abs
  * @property port the port of its board; null: it was an action of the environment
  * @property seconds when it was issued, since the first cycle: when the cycle of the step began; of a reflex of the board, when it was
  * reported
- * @property cycle the index of that cycle, or of the one under way, see [argo.recording.Cycle.index]
+ * @property cycle Jason's number of that cycle, or of the one under way, see [argo.recording.Cycle.number]; 0: none had begun
  * @property by what sent it
  * @property sent its number among the agent's commands to boards, from 1, as the live view and the timeline have it; null: it was an action
  * of the environment, or a reflex that the board carried out
+ * @property index counts the recorded cycles up to that one, see [argo.recording.Cycle.index]
  */
 @Serializable
 data class RecordedCommand(
@@ -24,9 +26,11 @@ data class RecordedCommand(
     val text: String,
     val port: String? = null,
     val seconds: Double,
-    val cycle: Long,
+    val cycle: Int,
     val by: Sender = Sender.PLAN,
     val sent: Long? = null,
+    @Transient
+    internal val index: Long = 0,
 )
 
 /** What sends a command. */

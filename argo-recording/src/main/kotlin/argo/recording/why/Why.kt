@@ -82,9 +82,9 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     private fun causeOf(command: RecordedCommand): Pair<StepCause?, List<Beginning>> {
         val cycles = cyclesOf(command.agent)
-        requireReplayed(command.agent, command.cycle)
+        requireReplayed(command.agent, command.index)
         val filters = filtersOf(command.agent)
-        val (trace, begun) = trial(command.agent, cycles).asRecorded(command.cycle) { Trace(it, clock, filters) }
+        val (trace, begun) = trial(command.agent, cycles).asRecorded(command.index) { Trace(it, clock, filters) }
         return trace.issued.getOrNull(replayedBefore(command))?.cause to begun
     }
 
@@ -92,10 +92,10 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun had(command: RecordedCommand, begun: List<Beginning>, percept: Literal, of: PerceptCause?): Had? {
         val cycles = cyclesOf(command.agent)
         if (of?.belief == keyOf(percept)) return null
-        val from = cycles.first { it.index == command.cycle || of?.isIn(it) == true }
-        val before = ofPlans(command.agent).filter { it.cycle in from.index..command.cycle && it.number <= command.number }
+        val from = cycles.first { it.index == command.index || of?.isIn(it) == true }
+        val before = ofPlans(command.agent).filter { it.index in from.index..command.index && it.number <= command.number }
         val isDropped = isDropped(command.agent, percept, of?.frame?.port, cycles.takeWhile { it.index < from.index })
-        val issued = trial(command.agent, cycles).changed(begun, from.index, command.cycle) { replaced(it, percept, isDropped) }
+        val issued = trial(command.agent, cycles).changed(begun, from.index, command.index) { replaced(it, percept, isDropped) }
         val now = issued.map { it.text }
         val times = before.count { it.text == command.text }
         return Had(
@@ -144,7 +144,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     /** How many commands plans of the agent send in its replay before [command]. */
     private fun replayedBefore(command: RecordedCommand): Int {
         val start = recording.start(command.agent)?.index ?: 0
-        return ofPlans(command.agent).count { it.cycle > start && it.number < command.number }
+        return ofPlans(command.agent).count { it.index > start && it.number < command.number }
     }
 
     private fun ofPlans(agent: String) = commandsOf[agent]?.all.orEmpty().filter { it.by == Sender.PLAN }

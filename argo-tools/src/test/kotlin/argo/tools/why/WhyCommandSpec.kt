@@ -45,6 +45,13 @@ class WhyCommandSpec : FunSpec({
         said.out shouldContain "it would not have sent stop, but nothing"
     }
 
+    test("in JSON a cycle has the number by which replay calls it") {
+        val sent = argo("replay", "$drive", "--from", "0").out.lines().single { "sends stop" in it }
+        val command = Json.parseToJsonElement(argo("why", "$drive", "stop", "--json").out).jsonObject.getValue("command").jsonObject
+        command.getValue("cycle").jsonPrimitive.content shouldBe sent.substringAfter("cycle ").substringBefore(':')
+        command.keys shouldBe setOf("agent", "number", "text", "port", "seconds", "cycle", "by", "sent")
+    }
+
     test("a command by the number that the live view and the timeline give it") {
         argo("why", "$drive", "#2").out shouldContain "agent agent sent stop to ttyACM0\n"
         argo("why", "$drive", "#1").out shouldContain "agent agent sent forward to ttyACM0\n"
