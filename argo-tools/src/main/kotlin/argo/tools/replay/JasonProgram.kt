@@ -43,9 +43,23 @@ internal fun classPathWithJason(classPath: String?): String? {
     return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
 }
 
-/** Why there is no [work] without Jason, for a person. */
-internal fun missingJason(work: String = "a replay") = listOf("jason/*", "build/classes/java/main").joinToString(File.pathSeparator).let {
-    "$work runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as --class-path '$it'"
+/**
+ * Why there is no [work] without Jason, for a person, with the classes that there are in the folder [project], and with what of
+ * [classPath] is not there.
+ */
+internal fun missingJason(
+    work: String = "a replay",
+    project: Path = Path.of(""),
+    classPath: String = System.getProperty("java.class.path"),
+): String {
+    val built = listOf("target/classes" to "Maven", "build/classes/java/main" to "Gradle")
+    val there = built.filter { (folder, _) -> project.resolve(folder).isDirectory() }
+    val examples = there.ifEmpty { built }.joinToString(" or ") { (folder, build) ->
+        "--class-path '${listOf("jason/*", folder).joinToString(File.pathSeparator)}'" + if (there.isEmpty()) " of $build" else ""
+    }
+    val absent = classPath.split(File.pathSeparator).filterNot { it.isEmpty() || File(it.removeSuffix("*")).exists() }
+    val found = if (absent.isEmpty()) "" else "; what it names now is not there: ${absent.joinToString()}"
+    return "$work runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as $examples$found"
 }
 
 /**

@@ -1,0 +1,28 @@
+package argo.tools.replay
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldEndWith
+import java.io.File
+import kotlin.io.path.createDirectories
+
+/** The message that there is no Jason. */
+class JasonProgramSpec : FunSpec({
+    val project = tempdir().toPath()
+    val said = "an exploration runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as "
+    val jars = "jason/*${File.pathSeparator}"
+
+    fun missing(classPath: String = "") = missingJason("an exploration", project, classPath)
+
+    test("names the folders of both builds while there is none, and then the one that is there") {
+        missing() shouldBe "$said--class-path '${jars}target/classes' of Maven or --class-path '${jars}build/classes/java/main' of Gradle"
+        project.resolve("target/classes").createDirectories()
+        missing() shouldBe "$said--class-path '${jars}target/classes'"
+    }
+
+    test("names what of the class path is not there") {
+        val absent = listOf("$project", "$project/jason/*", "$project/no.jar")
+        missing(absent.joinToString(File.pathSeparator)) shouldEndWith "; what it names now is not there: $project/jason/*, $project/no.jar"
+    }
+})
