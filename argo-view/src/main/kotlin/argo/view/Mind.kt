@@ -1,7 +1,7 @@
 package argo.view
 
 import argo.observing.ObservedAgent
-import jason.asSyntax.ASSyntax
+import argo.observing.isHidden
 import jason.asSyntax.Literal
 import jason.bb.BeliefBase
 
@@ -18,7 +18,6 @@ internal class Mind(
     val intentions: List<IntentionState> = emptyList(),
 ) {
     companion object {
-        private val HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector") // Jason's own rules
         private const val MAX_OF_A_KIND = 150
         private const val MAX_LOOKED_AT = 5000
         private const val MAX_INTENTIONS = 30
@@ -37,7 +36,7 @@ internal class Mind(
         fun of(base: BeliefBase): Mind {
             val perceived = base.percepts.asSequence().take(MAX_OF_A_KIND)
             val (hidden, others) = base.asSequence().take(MAX_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }
-                .partition { it.hasAnnot(HIDDEN) }
+                .partition { it.isHidden }
             return Mind(base.size() - hidden.size, (others.take(MAX_OF_A_KIND) + perceived).map(::belief))
         }
 

@@ -1,0 +1,10 @@
+package argo.observing
+
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Atom
+import jason.asSyntax.Literal
+
+private val HIDDEN: Atom = ASSyntax.createAtom("hide_in_mind_inspector")
+
+/** Whether Jason hides this belief from people in its own tools, as it does the rules that its own plans need. */
+val Literal.isHidden: Boolean get() = hasAnnot(HIDDEN)
