@@ -7,6 +7,9 @@ import javino.wire.BoardRule;
 
 /** Whether a board that has described itself knows a command. */
 final class ActionCheck {
+    /** How many actions a message names at most. */
+    private static final int MAX_NAMED = 10;
+
     private ActionCheck() {}
 
     /** Why a board with these actions would refuse the command, for a message to a person; null: it would not. */
@@ -26,6 +29,17 @@ final class ActionCheck {
         return known.arguments() == arguments || known.arguments() == BoardAction.ANY
                 ? null
                 : name + " takes " + count(known) + ", not " + arguments + "; the board has " + words(actions);
+    }
+
+    /** Why a board has refused the command that has told these actions, none if it has told nothing; for a message to a person. */
+    static String refusal(String command, List<BoardAction> actions) {
+        if (actions.isEmpty() || BoardRule.isIn(command)) {
+            return "it does not know the action, or not with these arguments";
+        }
+        String trouble = trouble(command, actions);
+        return trouble == null
+                ? "it has the action, and its program has refused what was asked now; it has " + words(actions)
+                : trouble;
     }
 
     /** The commas outside of brackets and quotes, and one more. */
@@ -51,10 +65,12 @@ final class ActionCheck {
     }
 
     private static String words(List<BoardAction> actions) {
-        return actions.stream()
+        List<String> words = actions.stream()
                 .map(action -> action.name() + (action.arguments() == 0 ? "" : " with " + count(action)))
                 .distinct()
-                .collect(Collectors.joining(", "));
+                .toList();
+        String named = words.stream().limit(MAX_NAMED).collect(Collectors.joining(", "));
+        return words.size() > MAX_NAMED ? named + " and " + (words.size() - MAX_NAMED) + " more" : named;
     }
 
     private static String count(BoardAction action) {

@@ -351,8 +351,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             case REFUSED ->
                 new ActionRefusedException(
                         port,
-                        "the board at port " + port + " refuses \"" + text
-                                + "\": it does not know the action, or not with these arguments");
+                        "the board at port " + port + " refuses \"" + text + "\": "
+                                + ActionCheck.refusal(text, session.vocabulary().orElse(List.of())));
             case UNCONFIRMED ->
                 new ActionUnconfirmedException(
                         port,

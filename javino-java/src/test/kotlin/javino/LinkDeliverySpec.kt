@@ -9,6 +9,7 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
 import javino.sim.VirtualBoard2
 import javino.sim.count
 import javino.virtual.LineEnd
@@ -217,6 +218,21 @@ class LinkDeliverySpec : FunSpec({
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("speed(1,2)", 500) }.message shouldContain
                 "speed takes 1 argument, not 2"
             board.received.size shouldBe frames
+        }
+    }
+
+    test("a refusal of a board that has described itself names its actions, the first ten of many") {
+        val board = VirtualBoard2(actions = (1..12).map { BoardAction("wave$it", 0) } + BoardAction("bad", 1))
+        bench(board).use { bench ->
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldContain
+                "refuses \"bad(1)\": it does not know the action, or not with these arguments"
+            repeat(2) { bench.link.request(REQUEST, 500) }
+            bench.link.watch(100)
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldEndWith
+                "it has the action, and its program has refused what was asked now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
+                "wave7, wave8, wave9, wave10 and 3 more"
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("fly", 500) }.message shouldEndWith
+                "it has no action fly; it has wave1, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10 and 3 more"
         }
     }
 

@@ -5,6 +5,7 @@ import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.jsonOf
 import argo.tools.command.printable
+import javino.ActionRefusedException
 import javino.Link
 import javino.Protocol
 import picocli.CommandLine.Command
@@ -53,7 +54,11 @@ internal class RequestCommand : MessageCommand() {
 )
 internal class SendCommand : MessageCommand() {
     override fun exchange(link: Link) {
-        link.sendAndAwait(message, line.timeoutMs)
+        try {
+            link.sendAndAwait(message, line.timeoutMs)
+        } catch (refused: ActionRefusedException) {
+            throw ToolException("${refused.message}; \"ports --describe ${link.port()}\" shows what the board can do")
+        }
         val acted = link.protocol() == Protocol.V2
         if (!json) return out.println(if (acted) "the board has acted" else UNCONFIRMED)
         val outcome = if (acted) true else null

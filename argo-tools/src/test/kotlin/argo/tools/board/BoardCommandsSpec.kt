@@ -66,7 +66,8 @@ class BoardCommandsSpec : FunSpec({
             argo("send", port, "ledOn", "--protocol", "2") shouldBe Output(0, "the board has acted\n", "")
             val refused = argo("send", port, "fly", "--protocol", "auto")
             refused.status shouldBe 1
-            refused.err shouldContain "fly"
+            refused.err shouldContain "refuses \"fly\""
+            refused.err shouldContain "; \"ports --describe $port\" shows what the board can do\n"
         }
     }
 
