@@ -7,6 +7,7 @@ import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import samples.bare.JarProgram
 import java.io.File
 
 /** A sketch whose function does not fit an action does not compile, and the compiler says what to write. */
@@ -17,13 +18,10 @@ class WrongFunctionSpec : FunSpec({
         if (onPath("c++")) Enabled.enabled else Enabled.disabled("there is no c++: install g++ with your package manager")
     }
 
-    fun compile(function: String, registration: String): Pair<Int, String> {
+    fun compile(function: String, registration: String): JarProgram.Ended {
         val sketch = folder.resolve("Sketch.cpp")
         sketch.writeText("#include <Javino.h>\nJavino javino;\n$function\nvoid setup() { $registration; }\nvoid loop() {}\n")
-        val process = ProcessBuilder("c++", "-std=c++11", "-Itests/stub", "-Isrc", "-fsyntax-only", "$sketch")
-            .directory(library).redirectErrorStream(true).start()
-        val said = process.inputStream.bufferedReader().readText()
-        return process.waitFor() to said
+        return JarProgram.run(ProcessBuilder("c++", "-std=c++11", "-Itests/stub", "-Isrc", "-fsyntax-only", "$sketch").directory(library))
     }
 
     mapOf(
@@ -34,10 +32,10 @@ class WrongFunctionSpec : FunSpec({
     ).forEach { (function, registrations) ->
         registrations.forEach { registration ->
             test("$registration with $function").config(enabledOrReasonIf = compiler) {
-                val (status, said) = compile(function, "javino.$registration")
-                status shouldBe 1
-                said shouldContain "the function does not fit"
-                said shouldContain "onAction(\"name\", function)"
+                val compiled = compile(function, "javino.$registration")
+                compiled.status shouldBe 1
+                compiled.printed shouldContain "the function does not fit"
+                compiled.printed shouldContain "onAction(\"name\", function)"
             }
         }
     }
@@ -50,8 +48,8 @@ class WrongFunctionSpec : FunSpec({
         "bool turn(JavinoBoard &, const JavinoArguments &) { return true; }" to "onAction(F(\"turn\"), turn)",
     ).forEach { (function, registration) ->
         test("$registration with $function compiles").config(enabledOrReasonIf = compiler) {
-            val (status, said) = compile(function, "javino.$registration")
-            withClue(said) { status shouldBe 0 }
+            val compiled = compile(function, "javino.$registration")
+            withClue(compiled.printed) { compiled.status shouldBe 0 }
         }
     }
 })
