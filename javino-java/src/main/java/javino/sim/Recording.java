@@ -131,6 +131,7 @@ public record Recording(List<Entry> entries) {
         char[] beginning = new char[MAX_HEADER];
         text.mark(MAX_HEADER);
         int count = Math.max(0, text.read(beginning));
+        text.setLineNumber(1); // whatever was read, the first line is judged
         // an editor's mark
         String line =
                 new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", "");

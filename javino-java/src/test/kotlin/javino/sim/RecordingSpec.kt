@@ -70,6 +70,8 @@ class RecordingSpec : FunSpec({
     listOf(
         "" to "robot.rec:1: the first line of a recording is \"javino-recording 1\"",
         "{\"ms\":1}\n" to "robot.rec:1: the first line",
+        "!start.\n\n+!start <- true.\n" to "robot.rec:1: the first line",
+        "javino-recording 2\n\n\n" to "robot.rec:1: a recording of format 2",
         "javino-recording 2\n" to "robot.rec:1: a recording of format 2, of which only 1 can be read here",
         "javino-recording 1\nhello\n" to "robot.rec:2: a message is written MILLISECONDS, a tab",
         "javino-recording 1\n\nx\tin\ta\n" to "robot.rec:3: \"x\" is not a time in whole milliseconds",
