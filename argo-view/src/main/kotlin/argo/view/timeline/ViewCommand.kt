@@ -2,7 +2,6 @@ package argo.view.timeline
 
 import argo.recording.replay.Recording
 import argo.tools.command.ToolProvider
-import argo.tools.command.refuse
 import argo.tools.command.requireWithin
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
@@ -38,7 +37,10 @@ internal class ViewCommand : Callable<Int> {
 
     override fun call(): Int {
         spec.requireWithin("--port", port, 0..MAX_PORT)
-        if (!Files.isRegularFile(file)) spec.refuse("there is no file $file")
+        if (!Files.isRegularFile(file)) {
+            tell("there is no file $file")
+            return FAILED
+        }
         val (timeline, problems) = read() ?: return FAILED
         problems.forEach { tell("$file: $it") }
         val server = try {
