@@ -29,6 +29,8 @@ internal class ProjectCheck(private val file: Path, text: String) {
             name == ARCHITECTURE -> return
             name.equals(ARCHITECTURE, ignoreCase = true) -> "there is no class $name: Java distinguishes upper and lower case"
             name.substringAfterLast('.').equals("Argo", ignoreCase = true) -> "the architecture $name belongs to another version of ARGO"
+            name.startsWith("argo.") ->
+                return advices.note(tokens[at].line, "ARGO has no class $name; the project may have one", ARCHITECTURE)
             else -> return
         }
         advices.change(tokens[at].line, what, ARCHITECTURE)

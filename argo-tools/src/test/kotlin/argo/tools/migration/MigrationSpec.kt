@@ -125,6 +125,13 @@ class MigrationSpec : FunSpec({
         advices("p.jcm" to "mas m { agent b { ag-arch: Argo.Arch } }").single().what shouldContain "there is no class Argo.Arch"
     }
 
+    test("another class in the package of ARGO is noted, since it may be a slip, or one of the project") {
+        val advice = advices("new.mas2j" to "MAS m { agents: bob agentArchClass argo.Arc; }").single()
+        advice.must shouldBe false
+        advice.what shouldBe "ARGO has no class argo.Arc; the project may have one"
+        advices("new.mas2j" to "MAS m { agents: bob agentArchClass robots.Arc; }").shouldBeEmpty()
+    }
+
     test("projects of JaCaMo and Gradle that bring another version are found") {
         val advices = advices(
             "p.jcm" to "mas hello {\n agent bob: a.asl {\n  ag-arch: jason.Argo\n }\n" +
