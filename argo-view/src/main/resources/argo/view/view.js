@@ -171,7 +171,7 @@ function showPorts(shown, since) {
   rows($('ports'), shown.ports, port => port.name, () => row(), (line, port) => fill(
     line, port.name, port.status, PORTS[port.status] || '', port.ageMs === null ? '' : age(port.ageMs + since),
     joined(use(port, shown), port.status !== 'on' && port.reason),
-  ), 'The agent has asked for no port.');
+  ), 'The agent has no port.');
 }
 
 /** Why sensors show the past although the agent perceives, a line for each board; empty if they do not. */
