@@ -1,5 +1,6 @@
 package argo.testkit
 
+import argo.recording.replay.unreadableAt
 import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 import java.nio.file.Path
@@ -14,11 +15,10 @@ internal fun <T> reading(file: Path?, called: String, work: () -> T): T = try {
     throw IllegalArgumentException("Jason cannot read $called: ${unreadable.message.orEmpty().trim()}", unreadable)
 }
 
-/** What Jason would have accepted instead is in the exception itself: some forty kinds of token. */
+/** Where that is, with the line and a mark below it. */
 private fun whatWasFound(unreadable: ParseException, file: Path?): String {
-    val found = unreadable.currentToken?.next ?: return unreadable.message.orEmpty()
-    val line = file?.readLines().orEmpty().getOrNull(found.beginLine - 1) ?: return "it ends in the middle, in line ${found.beginLine}"
+    val found = unreadable.currentToken?.next
+    val line = found?.let { file?.readLines().orEmpty().getOrNull(it.beginLine - 1) } ?: return unreadableAt(unreadable)
     val mark = line.take(maxOf(0, found.beginColumn - 1)).map { if (it == '\t') '\t' else ' ' }.joinToString("") + "^"
-    return "\"${found.image}\" does not belong in line ${found.beginLine}, column ${found.beginColumn}, " +
-        "or something before it is missing\n    $line\n    $mark"
+    return "${unreadableAt(unreadable)}\n    $line\n    $mark"
 }

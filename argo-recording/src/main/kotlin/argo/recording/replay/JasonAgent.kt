@@ -9,6 +9,7 @@ import jason.asSemantics.Agent
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.directives.DirectiveProcessor
 import jason.asSyntax.directives.Include
+import jason.asSyntax.parser.ParseException
 import jason.mas2j.ClassParameters
 import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
@@ -66,7 +67,9 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
 } catch (missing: LinkageError) {
     throw RecordingException("the program of agent ${recorded.name} cannot be loaded, since a class is missing or another: $missing")
 } catch (refused: Exception) { // Jason declares no other
-    throw RecordingException("Jason cannot read the program of agent ${recorded.name}: ${refused.message}")
+    val unreadable = generateSequence<Throwable>(refused) { it.cause }.firstNotNullOfOrNull { it as? ParseException }
+    val why = unreadable?.let(::unreadableAt) ?: refused.message
+    throw RecordingException("Jason cannot read the program of agent ${recorded.name}: $why")
 }
 
 /** Without Jason's server that shows agents, which [create] would start. */

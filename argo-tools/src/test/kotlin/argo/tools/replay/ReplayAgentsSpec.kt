@@ -248,8 +248,10 @@ class ReplayAgentsSpec : FunSpec({
             status shouldBe 1
             err shouldContain "absent.asl"
         }
-        argo("replay", "$drive", "--agent", "${program("unread.asl", "!start. +!start <- ((.")}").err shouldStartWith
-            "Jason cannot read the program of agent agent"
+        argo("replay", "$drive", "--agent", "${program("unread.asl", "!start.\n+!start <- ((.")}").err shouldBe
+            "Jason cannot read the program of agent agent: \"(\" does not belong in line 2, column 12, or something before it is missing\n"
+        argo("replay", "$drive", "--agent", "${program("cut.asl", "!start.\n+!start <- .print(a)")}").err shouldBe
+            "Jason cannot read the program of agent agent: it ends in the middle, in line 2\n"
         argo("replay", "$drive", "--within", "5").run {
             status shouldBe 2
             err shouldStartWith "--within is for --agent and --filter"
