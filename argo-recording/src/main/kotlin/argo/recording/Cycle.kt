@@ -17,7 +17,7 @@ data class Cycle(
     val input: Input = Input(),
     @Holds("what came of it")
     val course: Course = Course(),
-    @Holds("whether the agent was being stopped: Jason may have ended the cycle anywhere")
+    @Holds("whether the agent was being stopped, or its program: the cycle may have ended anywhere, or its printed lines be missing")
     val isEnding: Boolean = false,
 )
 

@@ -43,6 +43,14 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         (if (belief in beliefs) belief else beliefs.toString()) shouldBe belief
     }
 
+    /** Takes the handlers of the agent's logger away, as Java does with those of all loggers when it ends. */
+    fun loseHandlers(name: String) = mas.getAg(name).ts.logger.run {
+        for (handler in handlers) {
+            removeHandler(handler)
+            handler.close()
+        }
+    }
+
     /** Returns when agent [name] runs no longer. */
     suspend fun awaitEnd(name: String) = eventually(LIMIT) { (mas.getAg(name)?.isRunning ?: false) shouldBe false }
 

@@ -85,6 +85,19 @@ class RealTimeReplaySpec : FunSpec({
         shouldReplay(file)
     }
 
+    test("an agent that prints on while Java ends, which takes the handlers of its logger away") {
+        val file = recordingFile()
+        LiveMas(file).use { mas ->
+            mas.agent("robot", "!count(0). +!count(N) : N < 50 <- .print(N); if (N == 5) { +five }; .wait(2); !count(N + 1). +!count(N) <- +done.")
+            runBlocking {
+                mas.awaitBelief("robot", "five")
+                mas.loseHandlers("robot")
+                mas.awaitBelief("robot", "done")
+            }
+        }
+        shouldReplay(file)
+    }
+
     /** A robot whose sensors, silence and cable are of chance, which stays unplugged now and then. */
     class FaultyRobot(seed: Long) : Sketch {
         private val chance = Random(seed)

@@ -11,6 +11,11 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
     private var lines = ArrayList<String>()
     private var thread: Thread? = null
 
+    /** Whether lines may have been missed: when Java ends, it takes the handlers of all loggers away while agents still reason. */
+    @Volatile
+    var isClosed = false
+        private set
+
     init {
         ts.logger.addHandler(this)
     }
@@ -29,7 +34,10 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
 
     override fun flush() = Unit
 
-    override fun close() = ts.logger.removeHandler(this)
+    override fun close() {
+        isClosed = true
+        ts.logger.removeHandler(this)
+    }
 
     private companion object {
         /** Jason reports on an agent by the logger that plans print with. */
