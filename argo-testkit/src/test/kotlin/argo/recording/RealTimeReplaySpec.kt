@@ -88,7 +88,10 @@ class RealTimeReplaySpec : FunSpec({
     test("an agent that prints on while Java ends, which takes the handlers of its logger away") {
         val file = recordingFile()
         LiveMas(file).use { mas ->
-            mas.agent("robot", "!count(0). +!count(N) : N < 50 <- .print(N); if (N == 5) { +five }; .wait(2); !count(N + 1). +!count(N) <- +done.")
+            mas.agent(
+                "robot",
+                "!count(0). +!count(N) : N < 50 <- .print(N); if (N == 5) { +five }; .wait(2); !count(N + 1). +!count(N) <- +done.",
+            )
             runBlocking {
                 mas.awaitBelief("robot", "five")
                 mas.loseHandlers("robot")

@@ -8,7 +8,11 @@ import argo.recording.agent.textOf
 import jason.asSyntax.Term
 
 /** A call whose result is not known yet, or may become known later in the cycle. */
-internal class CallNote private constructor(private val name: String, private val args: () -> List<String>, private val isOfProject: Boolean) {
+internal class CallNote private constructor(
+    private val name: String,
+    private val args: () -> List<String>,
+    private val isOfProject: Boolean,
+) {
     private val answers = ArrayList<Map<Int, String>>()
     private val commands = ArrayList<Sent>()
     private var hasEnded = false

@@ -61,7 +61,8 @@ internal class CycleNotes {
 
     /** What has entered it, once the cycle is over. */
     fun input() = Input(
-        events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical, mail, ends, "$sleep", calls.map(CallNote::call), filters,
+        events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
+        mail, ends, "$sleep", calls.map(CallNote::call), filters,
     )
 }
 
