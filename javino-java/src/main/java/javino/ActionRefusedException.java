@@ -1,6 +1,9 @@
 package javino;
 
-/** The board said that it does not know the action, or not with these arguments. It has not acted. The port is still open. */
+/**
+ * The board said that it does not know the action, or not with these arguments, or refuses it now. It has not acted. The port is still
+ * open.
+ */
 public final class ActionRefusedException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -28,7 +28,7 @@
  *     <td>is not open</td></tr>
  *   <tr><td>{@link javino.PortTimeoutException}</td><td>what was asked for did not happen in time</td><td>reading, writing</td>
  *     <td>can be used on</td></tr>
- *   <tr><td>{@link javino.ActionRefusedException}</td><td>a version 2 board does not know the action</td><td>sending</td>
+ *   <tr><td>{@link javino.ActionRefusedException}</td><td>a version 2 board does not know the action, or refuses it</td><td>sending</td>
  *     <td>can be used on</td></tr>
  *   <tr><td>{@link javino.ActionUnconfirmedException}</td><td>a version 2 board did not say that it acted</td><td>sending</td>
  *     <td>can be used on</td></tr>

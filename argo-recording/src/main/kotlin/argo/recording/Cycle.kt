@@ -17,8 +17,10 @@ data class Cycle(
     val input: Input = Input(),
     @Holds("what came of it")
     val course: Course = Course(),
-    @Holds("whether the agent was being stopped, or its program: the cycle may have ended anywhere, or its printed lines be missing")
+    @Holds("whether the agent was being stopped: Jason may have ended the cycle anywhere")
     val isEnding: Boolean = false,
+    @Holds("whether printed lines may be missing, as Java was ending")
+    val missesPrints: Boolean = false,
 )
 
 /** What entered an agent in a cycle. */

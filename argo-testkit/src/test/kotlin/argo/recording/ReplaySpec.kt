@@ -75,6 +75,21 @@ class ReplaySpec : FunSpec({
         )
     }
 
+    test("steps that hold what changes until it is written: forks that are joined, and sets that grow") {
+        shouldReplay(
+            recorded(
+                """
+                place(north). place(east). place(south).
+                !start. !fill.
+                +!start <- !go(1) |&| !go(2) |&| !go(3); !go(4) ||| !go(5); .print(done).
+                +!go(N) <- .wait(N * 20); .print(N).
+                +!fill <- .set.create(S); for (place(P)) { .wait(30); .set.add(S, P); !show(S) }; .print(S).
+                +!show(S) <- .set.add(S, shown); .wait(10).
+                """.trimIndent(),
+            ) { after(2.seconds) },
+        )
+    }
+
     test("clocks and chance of Jason") {
         shouldReplay(
             recorded(

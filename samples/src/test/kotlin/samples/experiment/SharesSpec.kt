@@ -96,7 +96,9 @@ class SharesSpec : FunSpec({
         Source.entries.forAll { intervals.sources.getValue(it) shouldBe Interval(sure.share(it), sure.share(it)) }
         intervals.error shouldBe Interval(0.0, 0.0)
         val same = Factorial(List(2) { List(1) { List(2) { List(2) { 1.0 } } } })
-        shareIntervals(same, 1).shouldNotBeNull().sources.getValue(Source.A) shouldBe Interval(0.0, 0.0)
+        val none = shareIntervals(same, 1).shouldNotBeNull()
+        none.sources.getValue(Source.A) shouldBe Interval(0.0, 0.0)
+        none.error shouldBe Interval(0.0, 0.0)
     }
 
     test("a factor of one level has no share, with errors too") {

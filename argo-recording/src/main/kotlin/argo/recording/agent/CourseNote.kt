@@ -4,17 +4,17 @@ import argo.recording.Course
 import argo.recording.Mail
 import argo.recording.Place
 import argo.recording.Step
+import jason.asSemantics.ActionExec
 import jason.asSemantics.Event
 import jason.asSyntax.PlanBody
-import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 
 /** What came of a cycle, whose texts are not made yet. Nothing of it changes. */
 internal class CourseNote(
-    private val event: Trigger?,
+    private val event: (() -> String)?,
     private val plan: Place?,
     private val step: StepNote?,
-    private val action: Term?,
+    private val action: (() -> String)?,
     private val mail: List<Mail>,
     private val printed: List<String>,
     private val beliefs: Int,
@@ -23,14 +23,26 @@ internal class CourseNote(
     val hasHappened: Boolean get() = event != null || step != null
 
     /** Any thread. */
-    fun course() = Course(event?.toString(), plan, step?.step(), action?.toString(), mail, printed, beliefs)
+    fun course() = Course(event?.invoke(), plan, step?.step(), action?.invoke(), mail, printed, beliefs)
 }
 
-/** A [Step] whose text is not made yet; [body] is null: the plan had ended. */
-internal class StepNote(private val intention: Int, private val depth: Int, private val plan: Place, private val body: PlanBody?) {
+/** A [Step] whose text need not be made yet; [body] is null: the plan had ended. */
+internal class StepNote(private val intention: Int, private val depth: Int, private val plan: Place, body: PlanBody?) {
+    private val line: Int? = body?.srcInfo?.srcLine
+    private val text = body?.run { laterText(listOf(bodyTerm)) { "$bodyType$bodyTerm" } }
+
     /** Any thread. */
-    fun step() = Step(intention, depth, plan, body?.srcInfo?.srcLine, body?.let { "${it.bodyType}${it.bodyTerm}" })
+    fun step() = Step(intention, depth, plan, line, text?.invoke())
 }
 
-/** The trigger of this event as it is now: the literal of a belief is the belief itself, which may get other annotations. */
-internal fun Event.triggerNow(): Trigger = trigger.run { Trigger(operator, type, literal.copy()) }
+/** The text of the trigger of this event as it is now: the literal of a belief is the belief itself, which may get other annotations. */
+internal fun Event.triggerNow(): () -> String {
+    val now = trigger.run { Trigger(operator, type, literal.copy()) }
+    return laterText(listOf(now.literal)) { "$now" }
+}
+
+/** The text of this action as it is now: the environment, which gets it, may do with it what it wants. */
+internal fun ActionExec.termNow(): () -> String {
+    val now = actionTerm.copy()
+    return laterText(listOf(now)) { "$now" }
+}

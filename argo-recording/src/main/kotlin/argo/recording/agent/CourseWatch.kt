@@ -62,7 +62,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         val event = ts.c.selectedEvent
         val sent = if (mail.isEmpty()) emptyList() else mail.also { mail = ArrayList() }
         val plan = if (event == null) null else ts.c.selectedOption?.plan?.let(::placeOf)
-        return CourseNote(event?.triggerNow(), plan, step, ts.c.action?.actionTerm, sent, prints.take(), ts.ag.bb.size())
+        return CourseNote(event?.triggerNow(), plan, step, ts.c.action?.termNow(), sent, prints.take(), ts.ag.bb.size())
     }
 
     /** Whether lines that plans printed may be missing, as Java is ending. */

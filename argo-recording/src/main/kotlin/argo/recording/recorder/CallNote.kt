@@ -4,6 +4,7 @@ import argo.observing.IssuedCommand
 import argo.recording.Call
 import argo.recording.CallFailure
 import argo.recording.Sent
+import argo.recording.agent.laterText
 import argo.recording.agent.textOf
 import jason.asSyntax.Term
 
@@ -38,8 +39,8 @@ internal class CallNote private constructor(
     fun call() = Call(name, args(), answers, isBacktracking, failure, number, commands, isOfProject, value)
 
     companion object {
-        /** A call of Jason or ARGO, with [args], which are its own: Jason has copied them, and nothing changes them. */
-        fun of(name: String, args: Array<Term>) = CallNote(name, { args.map(::textOf) }, false)
+        /** A call of Jason or ARGO, which do not change its [args]: Jason has copied them. */
+        fun of(name: String, args: Array<Term>) = CallNote(name, laterText(args.asList()) { args.map(::textOf) }, false)
 
         /** A call of the project, which may do with [args] what it wants. */
         fun ofProject(name: String, args: Array<Term>): CallNote {

@@ -10,6 +10,7 @@ internal class CycleNote(
     private val notes: CycleNotes,
     private val course: CourseNote,
     private val isEnding: Boolean,
+    private val missesPrints: Boolean,
 ) {
     val ns: Long = notes.ns
 
@@ -17,5 +18,5 @@ internal class CycleNote(
     val percepts: Int get() = notes.percepts?.size ?: 0
 
     /** Any thread. */
-    fun cycle() = Cycle(index, number, ns, notes.counters, notes.input(), course.course(), isEnding)
+    fun cycle() = Cycle(index, number, ns, notes.counters, notes.input(), course.course(), isEnding, missesPrints)
 }

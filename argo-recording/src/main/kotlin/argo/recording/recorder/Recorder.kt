@@ -234,7 +234,7 @@ internal class Recorder(
         now.end()
         agent.now = CycleNotes() // the others are the track's
         val arch = agent.ts.agArch
-        val cycle = CycleNote(++agent.cycles, arch.cycleNumber, now, course, isEnding = !arch.isRunning || agent.course.missesPrints)
+        val cycle = CycleNote(++agent.cycles, arch.cycleNumber, now, course, !arch.isRunning, agent.course.missesPrints)
         track.cycle(cycle)
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read()
         takeKeyFrame(agent, cycle)

@@ -1,6 +1,7 @@
 package argo.recording.replay
 
 import argo.recording.Course
+import argo.recording.Cycle
 import argo.recording.Mail
 import argo.recording.Place
 import argo.recording.Step
@@ -20,8 +21,14 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
         ?: differing("number of beliefs") { beliefs }
 }
 
-/** What came of a cycle in a replay, without what is not in that of the recording, where Jason ended the cycle before. */
-internal fun Course.asFarAs(recorded: Course) = copy(
+/** What came of a cycle in a replay, without what the recording of [cycle] does not have as its agent or Java was ending. */
+internal fun Course.asFarAs(cycle: Cycle): Course = when {
+    cycle.isEnding -> asFarAs(cycle.course)
+    cycle.missesPrints -> copy(printed = printed.take(cycle.course.printed.size))
+    else -> this
+}
+
+private fun Course.asFarAs(recorded: Course) = copy(
     event = event.takeIf { recorded.event != null },
     plan = plan.takeIf { recorded.plan != null },
     step = step.takeIf { recorded.step != null },

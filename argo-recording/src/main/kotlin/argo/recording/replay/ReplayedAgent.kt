@@ -38,7 +38,7 @@ internal class ReplayedAgent(
         recording.requireNext(recorded.name, cycle, lastIndex)
         lastIndex = cycle.index
         reason(cycle)
-        val now = inputs.course.end().course().let { if (cycle.isEnding) it.asFarAs(cycle.course) else it }
+        val now = inputs.course.end().course().asFarAs(cycle)
         difference(cycle.course, now)?.let { (what, before, after) -> report(what, before, after, null) }
     }
 

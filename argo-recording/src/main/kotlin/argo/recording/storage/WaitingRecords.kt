@@ -13,7 +13,7 @@ internal sealed interface Waiting {
         /** With its JSON; a gap if that cannot be made. */
         fun encoded(): Encoded = try {
             Encoded(channel, timeNs, encode())
-        } catch (_: RuntimeException) {
+        } catch (_: Throwable) { // of a term nested too deeply, too: who writes must go on
             Encoded(Gap.CHANNEL, timeNs, Gap.of(timeNs).json())
         }
     }

@@ -31,7 +31,7 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
     val effects = pivots.interval(sum(Source.entries), NOTHING, CONFIDENCE)
     return ShareIntervals(
         squares.mapValues { (source, own) -> pivots.interval(own, sum(Source.entries - source), CONFIDENCE) },
-        Interval(1 - effects.high, 1 - effects.low),
+        if (analysis.total == 0.0) Interval(0.0, 0.0) else Interval(1 - effects.high, 1 - effects.low),
     )
 }
 

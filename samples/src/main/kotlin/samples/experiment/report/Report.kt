@@ -132,7 +132,7 @@ ${leftOut()}$counts"""
         val figures = if (seconds.isEmpty()) listOf("–", "–", "–", "–")
         else listOf(
             scale.text(median(seconds), decimals), interval?.let(scale::text) ?: "–",
-            scale.text(seconds.first(), decimals), scale.text(seconds.last(), decimals),
+            scale.text(seconds.first()), scale.text(seconds.last()),
         )
         return listOf(
             cell.first().trial.condition.let { "(${it.letter})" }, words(cell.first().trial.view), "${seconds.size} of ${cell.size}",

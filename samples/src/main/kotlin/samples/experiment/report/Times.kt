@@ -20,7 +20,9 @@ internal enum class TimeScale(val unit: String, val word: String, val perSecond:
     fun text(seconds: Interval): String = range(of(seconds), decimals(seconds))
 
     /** How many decimals an interval of [seconds] leaves a meaning in this unit. */
-    fun decimals(seconds: Interval): Int = minOf(of(seconds).decimals, mostDecimals)
+    fun decimals(seconds: Interval): Int = if (seconds.isKnown) minOf(of(seconds).decimals, mostDecimals) else fewDecimals
+
+    private val Interval.isKnown get() = low.isFinite() && high.isFinite()
 
     private fun of(seconds: Interval) = Interval(seconds.low * perSecond, seconds.high * perSecond)
 

@@ -1,0 +1,25 @@
+package argo.recording.agent
+
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Literal
+import jason.asSyntax.MapTerm
+import jason.asSyntax.ObjectTerm
+import jason.asSyntax.PlanBody
+import jason.asSyntax.SetTerm
+import jason.asSyntax.Term
+import jason.asSyntax.VarTerm
+
+/**
+ * The [text] of what consists of [terms], which any thread may ask for later; made at once if one of them holds what changes: Jason never
+ * copies its maps, sets and Java objects.
+ */
+internal fun <T> laterText(terms: List<Term?>, text: () -> T): () -> T = if (terms.any(::changes)) text().let { { it } } else text
+
+private fun changes(term: Term?): Boolean = when (term) {
+    is VarTerm -> false // it passes for a term of any kind
+    is ObjectTerm, is MapTerm, is SetTerm -> true
+    is PlanBody -> changes(term.bodyTerm) || changes(term.bodyNext)
+    is ListTerm -> term.asList.any(::changes)
+    is Literal -> (0 until term.arity).any { changes(term.getTerm(it)) } || term.hasAnnot() && changes(term.annots)
+    else -> false
+}
