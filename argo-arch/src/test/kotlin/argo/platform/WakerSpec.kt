@@ -18,11 +18,17 @@ private class Sleeper : AgArch() {
     }
 }
 
+/** An agent that sleeps and is woken, in a time of its own. */
+private class Waking {
+    val time = TestTime()
+    val agent = Sleeper()
+    val waker = Waker(agent, time)
+}
+
 class WakerSpec : FunSpec({
-    test("an agent that may fall asleep just when it is to perceive is woken again and again until it does") {
-        val time = TestTime()
-        val agent = Sleeper()
-        val waker = Waker(agent, time)
+    fun waking(name: String, body: Waking.() -> Unit) = test(name) { Waking().body() }
+
+    waking("an agent that may fall asleep just when it is to perceive is woken again and again until it does") {
         waker.perceives()
         waker.wakeIn(100)
         waker.maySleep() shouldBe true // and does not sleep yet
@@ -34,10 +40,7 @@ class WakerSpec : FunSpec({
         agent.wakes shouldBe 4
     }
 
-    test("an agent that is woken while a cycle runs does not fall asleep behind it, and is woken once") {
-        val time = TestTime()
-        val agent = Sleeper()
-        val waker = Waker(agent, time)
+    waking("an agent that is woken while a cycle runs does not fall asleep behind it, and is woken once") {
         waker.perceives()
         waker.maySleep() shouldBe true
         waker.perceives()
@@ -49,10 +52,7 @@ class WakerSpec : FunSpec({
         waker.maySleep() shouldBe true
     }
 
-    test("an agent that wakes itself in its cycle does not fall asleep behind it, and nobody is woken") {
-        val time = TestTime()
-        val agent = Sleeper()
-        val waker = Waker(agent, time)
+    waking("an agent that wakes itself in its cycle does not fall asleep behind it, and nobody is woken") {
         waker.perceives()
         waker.maySleep() shouldBe true
         waker.cycleStarts()
@@ -66,10 +66,7 @@ class WakerSpec : FunSpec({
         agent.wakes shouldBe 1
     }
 
-    test("an agent that sleeps is woken once") {
-        val time = TestTime()
-        val agent = Sleeper()
-        val waker = Waker(agent, time)
+    waking("an agent that sleeps is woken once") {
         val slept = CountDownLatch(1)
         val thread = thread {
             waker.perceives()
@@ -83,10 +80,7 @@ class WakerSpec : FunSpec({
         slept.countDown()
     }
 
-    test("an agent that another thread lets sleep than the one that perceives is woken again and again") {
-        val time = TestTime()
-        val agent = Sleeper()
-        val waker = Waker(agent, time)
+    waking("an agent that another thread lets sleep than the one that perceives is woken again and again") {
         waker.perceives()
         thread { waker.maySleep() }.join()
         waker.maySleep() shouldBe true
@@ -96,10 +90,7 @@ class WakerSpec : FunSpec({
         waker.maySleep() shouldBe true
     }
 
-    test("an agent that falls asleep unasked, as an atomic plan waits, is woken again and again") {
-        val time = TestTime()
-        val agent = Sleeper()
-        val waker = Waker(agent, time)
+    waking("an agent that falls asleep unasked, as an atomic plan waits, is woken again and again") {
         waker.perceives()
         waker.maySleep() shouldBe true
         waker.perceives()

@@ -10,10 +10,11 @@ import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
 /**
- * The [text] of what consists of [terms], which any thread may ask for later; made at once if one of them holds what changes: Jason never
- * copies its maps, sets and Java objects.
+ * The [text] of what consists of [terms], which any thread may ask for later; made at once if they may change: [mayChange], or one of them
+ * holds what does, since Jason never copies its maps, sets and Java objects.
  */
-internal fun <T> laterText(terms: List<Term?>, text: () -> T): () -> T = if (terms.any(::changes)) text().let { { it } } else text
+internal fun <T> laterText(terms: List<Term?>, mayChange: Boolean = false, text: () -> T): () -> T =
+    if (mayChange || terms.any(::changes)) text().let { { it } } else text
 
 private fun changes(term: Term?): Boolean = when (term) {
     is VarTerm -> false // it passes for a term of any kind

@@ -8,12 +8,13 @@ import argo.recording.agent.laterText
 import argo.recording.agent.textOf
 import jason.asSyntax.Term
 
-/** A call whose result is not known yet, or may become known later in the cycle. */
-internal class CallNote private constructor(
-    private val name: String,
-    private val args: () -> List<String>,
-    private val isOfProject: Boolean,
-) {
+/**
+ * A call whose result is not known yet, or may become known later in the cycle.
+ *
+ * @param args those that the action or function gets: Jason has copied them, but one of the project's may do with them what it wants
+ */
+internal class CallNote(private val name: String, args: Array<Term>, private val isOfProject: Boolean) {
+    private val args: () -> List<String> = laterText(args.asList(), isOfProject) { args.map(::textOf) }
     private val answers = ArrayList<Map<Int, String>>()
     private val commands = ArrayList<Sent>()
     private var hasEnded = false
@@ -37,15 +38,4 @@ internal class CallNote private constructor(
     }
 
     fun call() = Call(name, args(), answers, isBacktracking, failure, number, commands, isOfProject, value)
-
-    companion object {
-        /** A call of Jason or ARGO, which do not change its [args]: Jason has copied them. */
-        fun of(name: String, args: Array<Term>) = CallNote(name, laterText(args.asList()) { args.map(::textOf) }, false)
-
-        /** A call of the project, which may do with [args] what it wants. */
-        fun ofProject(name: String, args: Array<Term>): CallNote {
-            val texts = args.map(::textOf)
-            return CallNote(name, { texts }, true)
-        }
-    }
 }

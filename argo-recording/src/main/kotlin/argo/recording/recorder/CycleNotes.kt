@@ -10,9 +10,7 @@ import argo.recording.agent.textOf
 import jason.asSyntax.Literal
 
 /** What has entered an agent in a cycle. Belongs to the agent's thread; from the end of the cycle on to the thread that stores it. */
-internal class CycleNotes {
-    var ns = 0L
-        private set
+internal class CycleNotes(val ns: Long) {
     var counters: List<Int>? = null
     var events: List<String> = emptyList()
     val snapshots = ArrayList<PerceivedSnapshot>()
@@ -34,23 +32,6 @@ internal class CycleNotes {
 
     /** Whether a message is on its way. */
     var isSending = false
-
-    fun clear(ns: Long) {
-        this.ns = ns
-        counters = null
-        events = emptyList()
-        snapshots.clear()
-        percepts = null
-        isOfSeveralBoards = false
-        critical = emptyList()
-        boards.clear()
-        mail.clear()
-        ends.clear()
-        sleep.setLength(0)
-        calls.clear()
-        filters.clear()
-        underWay = null
-    }
 
     /** The cycle is over. */
     fun end() = calls.forEach(CallNote::end)

@@ -75,14 +75,14 @@ internal class Recorder(
         var counters: List<Int> = emptyList()
         var events = -1
         var cycles = 0L
-        var now = CycleNotes()
+        lateinit var now: CycleNotes // of the cycle that runs
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
         if (isRefused) return
         val agent = running ?: begin(ts) ?: return
         inCycle = Thread.currentThread()
-        agent.now.clear(this.agent.nanos())
+        agent.now = CycleNotes(this.agent.nanos())
         agent.now.counters = if (Counters.isAt(agent.counters)) null else Counters.read()
         if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { "${it.trigger}" }
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent()
@@ -139,7 +139,7 @@ internal class Recorder(
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         val agent = current() ?: return live(call.un)
-        val note = noteOf(call.name, call.args, code != WatchedKind.OUTSIDE)
+        val note = CallNote(call.name, call.args, code != WatchedKind.OUTSIDE)
         agent.now.calls += note
         val around = agent.now.underWay
         agent.now.underWay = note
@@ -152,9 +152,6 @@ internal class Recorder(
             agent.now.underWay = around
         }
     }
-
-    private fun noteOf(name: String, args: Array<Term>, isOfProject: Boolean) =
-        if (isOfProject) CallNote.ofProject(name, args) else CallNote.of(name, args)
 
     private fun noting(note: CallNote, call: InternalCall, result: Any): Any {
         if (result == true) note.answered(bound(call))
@@ -170,7 +167,7 @@ internal class Recorder(
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live().also { value ->
         val agent = current() ?: return@also
-        agent.now.calls += noteOf(name, args, isOfProject).apply { this.value = "$value" }
+        agent.now.calls += CallNote(name, args, isOfProject).apply { this.value = "$value" }
     }
 
     override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
@@ -232,7 +229,6 @@ internal class Recorder(
         agent.events = agent.ts.c.events.size
         if (now.isNothing() && !now.isAtWork && !course.hasHappened) return
         now.end()
-        agent.now = CycleNotes() // the others are the track's
         val arch = agent.ts.agArch
         val cycle = CycleNote(++agent.cycles, arch.cycleNumber, now, course, !arch.isRunning, agent.course.missesPrints)
         track.cycle(cycle)

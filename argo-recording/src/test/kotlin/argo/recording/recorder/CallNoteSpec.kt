@@ -12,7 +12,7 @@ class CallNoteSpec : FunSpec({
     fun args(): Array<Term> = arrayOf(ASSyntax.parseTerm(list))
 
     test("a call is recorded with what was found in its cycle, and not with what a loop finds later") {
-        val note = CallNote.of(".date", args())
+        val note = CallNote(".date", args(), isOfProject = false)
         note.isBacktracking = true
         note.answered(mapOf(0 to "1"))
         note.end()
@@ -22,7 +22,7 @@ class CallNoteSpec : FunSpec({
 
     test("what an action of the project does with its arguments changes nothing of its call") {
         val args = args()
-        val note = CallNote.ofProject("my.action", args)
+        val note = CallNote("my.action", args, isOfProject = true)
         (args.single() as ListTerm).clear()
         note.call().run { args.toList().map { "$it" } to this.args } shouldBe (listOf("[]") to listOf(list))
     }
