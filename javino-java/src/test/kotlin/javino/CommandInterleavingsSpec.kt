@@ -1,5 +1,6 @@
 package javino
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
@@ -31,6 +32,7 @@ private class TakingLine : Transport {
     override fun close() = Unit
 }
 
+@Tags("Thorough")
 class CommandInterleavingsSpec : FunSpec({
     val settings = LinkSettings.defaults().withProtocol(Protocol.V1)
 

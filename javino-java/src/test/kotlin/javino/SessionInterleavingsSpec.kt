@@ -1,5 +1,6 @@
 package javino
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
@@ -123,6 +124,7 @@ private fun untilGone(work: () -> Unit) = try {
     // the line has ended
 }
 
+@Tags("Thorough")
 class SessionInterleavingsSpec : FunSpec({
     test("two threads that send have each command carried out once and learn its outcome, whoever of them writes and reads") {
         inEachInterleaving(divisor = 3) {

@@ -1,5 +1,6 @@
 package samples
 
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -24,7 +25,7 @@ class SmallSamplesSpec : FunSpec({
 
     fun ends(sample: String, vararg story: String) = context(sample) {
         mapOf("in plain Jason" to { Program.jason(sample) }, "by its command" to { Program.samples(sample) }).forEach { (how, start) ->
-            test("$sample comes to its end $how") {
+            test("$sample comes to its end $how").config(tags = setOf(NamedTag("Thorough"))) {
                 start().use { program ->
                     story.forEach { program.awaitLine(it) }
                     val (status, printed) = program.awaitEnd()

@@ -1,11 +1,12 @@
 package argo.acting
 
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
 
 class CommandLedgerInterleavingsSpec : FunSpec({
-    test("a command that was issued while the port changed is awaited on its own port alone") {
+    test("a command that was issued while the port changed is awaited on its own port alone").config(tags = setOf(NamedTag("Thorough"))) {
         inEachInterleaving {
             val inUse = Holder("a")
             val ledger = CommandLedger { inUse.port }

@@ -1,10 +1,12 @@
 package argo.connecting
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
 
+@Tags("Thorough")
 class PortStatesInterleavingsSpec : FunSpec({
     val port = ASSyntax.createAtom("p")
 

@@ -9,6 +9,7 @@ import argo.sensing.Sensing
 import argo.sensing.SensingListener
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.nondeterministic.eventuallyConfig
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -272,7 +273,7 @@ class PortsSpec : FunSpec({
         }
     }
 
-    test("a hundred disconnections are a hundred times off and on, and leave no thread") {
+    test("a hundred disconnections are a hundred times off and on, and leave no thread").config(tags = setOf(NamedTag("Thorough"))) {
         bench("robot") { (board) ->
             choose("sim:robot", "[baud(1000000)]") shouldBe null
             repeat(100) {

@@ -1,6 +1,7 @@
 package argo.jason
 
 import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -16,7 +17,7 @@ import java.util.concurrent.locks.LockSupport
 
 /** What only Jason's own infrastructure and real threads show; all other behaviour is specified in virtual time, in argo-testkit. */
 class RealAgentsSpec : FunSpec({
-    test("200 agents started and killed in one system leave no thread and no open port") {
+    test("200 agents started and killed in one system leave no thread and no open port").config(tags = setOf(NamedTag("Thorough"))) {
         val boards = (1..200).map { FakeBoard.plugIn("robot$it").lenient() }
         try {
             boards.forEach { board ->

@@ -2,12 +2,14 @@ package argo.jason
 
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 
 /** Several boards of one agent, on Jason's own infrastructure and real threads. */
+@Tags("Thorough")
 class RealBoardsSpec : FunSpec({
     fun threads(prefix: String) = Thread.getAllStackTraces().keys.map { it.name }.filter { it.startsWith(prefix) }
 

@@ -7,6 +7,7 @@ import argo.connecting.PortOptions
 import argo.filters.dropFilter
 import argo.links.JavinoLink
 import argo.platform.RateLimitedWarning
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
 import javino.Link
@@ -47,6 +48,7 @@ private class Perceiving(private val port: OpenPort, log: Logger) {
     }
 }
 
+@Tags("Thorough")
 class BoardPerceptsInterleavingsSpec : FunSpec({
     val calm = dropFilter("calm") { drop("temp") { everyMs(500) } }
     val careful = dropFilter("careful") { critical("near") { reflex("stop") } }

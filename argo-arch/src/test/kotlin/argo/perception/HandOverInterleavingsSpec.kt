@@ -4,6 +4,7 @@ import argo.acting.CommandLedger
 import argo.filters.CriticalRule
 import argo.filters.Rule
 import argo.filters.matching.CriticalPercept
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
@@ -30,6 +31,7 @@ private class Perceptions(private val handOver: HandOver) {
     }
 }
 
+@Tags("Thorough")
 class HandOverInterleavingsSpec : FunSpec({
     val near = listOf(CriticalPercept(CriticalRule(Rule("near")), ASSyntax.parseLiteral("near(9)")))
 

@@ -6,6 +6,7 @@ import argo.links.BoardLink
 import argo.links.BoardMessage
 import argo.links.JavinoLink
 import argo.platform.Platform
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Term
@@ -94,6 +95,7 @@ private class Wishes : SensingListener {
     override fun lost(port: OpenPort, trouble: PortException) = error("lost: $trouble")
 }
 
+@Tags("Thorough")
 class SensingInterleavingsSpec : FunSpec({
     val names = mapOf<Term, String>(ASSyntax.createAtom("p") to "silent")
     val options = PortOptions(LinkSettings.defaults().withProtocol(Protocol.V1))

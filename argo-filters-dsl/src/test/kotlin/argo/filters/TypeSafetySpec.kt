@@ -1,6 +1,7 @@
 package argo.filters
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FreeSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldNotBeEmpty
@@ -55,6 +56,7 @@ object Distance : PerceptType("distance") {
 }
 """
 
+@Tags("Thorough")
 class TypeSafetySpec : FreeSpec({
     "what makes sense compiles" {
         val compilation = Compilation(tempdir(), SENSE.map { it.second }, DECLARATIONS)

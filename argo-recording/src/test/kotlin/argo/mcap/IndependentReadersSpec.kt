@@ -1,6 +1,7 @@
 package argo.mcap
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.engine.spec.tempfile
@@ -43,6 +44,7 @@ private val readers = listOf(
     },
 )
 
+@Tags("Thorough")
 class IndependentReadersSpec : FunSpec({
     val others = listOf("metadata versions 0.1.0", "attachment robot.asl text/plain !start.", "")
 

@@ -2,6 +2,7 @@ package argo.ros
 
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.booleans.shouldBeTrue
@@ -64,6 +65,7 @@ private class RosGraph : AutoCloseable {
 }
 
 /** ARGO's client on a real ROS 1 graph. */
+@Tags("Thorough")
 class RosCoreSpec : FunSpec({
     val missing: String? by lazy {
         when {

@@ -2,6 +2,7 @@ package argo.behaviour
 
 import argo.testkit.TestAgent
 import argo.testkit.agentOf
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeLessThan
@@ -59,7 +60,7 @@ class FaultyBoardsSpec : FunSpec({
         }
     }
 
-    test("an agent uses 127 boards in turn, each holding its port open, and a 128th is refused") {
+    test("an agent uses 127 boards in turn, each holding its port open, and a 128th is refused").config(tags = setOf(NamedTag("Thorough"))) {
         agentOf("""
             +!greet(I,P) <- argo.port(P, [boot(0), baud(115200), protocol(1)]); argo.act(hello(I)); +greeted(I).
             -!greet(I,P)[error(E)] <- +refused(I,E).

@@ -2,6 +2,7 @@ package argo.exploring
 
 import argo.testkit.agentOf
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContain
@@ -55,7 +56,7 @@ class ExploreSpec : FunSpec({
         """.trimIndent(),
     )
 
-    test("a command that is lost on its way, and that the agent believes to have been carried out") {
+    test("a command that is lost on its way, and that the agent believes to have been carried out").config(tags = setOf(NamedTag("Thorough"))) {
         val describe: Exploration.() -> Unit = {
             board("ttyACM0") {
                 version2()

@@ -1,5 +1,6 @@
 package argo.exploring
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.ints.shouldBeLessThan
@@ -8,6 +9,7 @@ import io.kotest.matchers.types.shouldBeInstanceOf
 import planted.PLANTED
 
 /** Some of the planted faults, found again; `./argo bench explore` looks for all of them. */
+@Tags("Thorough")
 class PlantedSpec : FunSpec({
     val folder = tempdir().toPath()
 

@@ -9,6 +9,7 @@ import argo.recording.why.Why
 import argo.testkit.replayed
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -132,7 +133,7 @@ class KeyFramesSpec : FunSpec({
         shouldThrow<RecordingException> { replayOf(file) }.message.orEmpty() shouldContain "no key frame to begin with; keep more minutes"
     }
 
-    test("a key frame that is damaged") {
+    test("a key frame that is damaged").config(tags = setOf(NamedTag("Thorough"))) {
         val damages = listOf<(String) -> String>(
             { it.replace(Regex("\"mind\":\"...."), "\"mind\":\"!!!!") },
             { it.replace("\"mind\":\"eJ", "\"mind\":\"eK") },

@@ -18,7 +18,7 @@ import kotlin.io.path.deleteIfExists
  */
 class SeededDrivesSpec : FunSpec({
     val folder = tempdir().toPath()
-    val drives = Integer.getInteger("argo.drives", 36)
+    val drives = Integer.getInteger("argo.drives", 9)
     val systems = SeededDrives.ALL
 
     /** How the replay of [file] differs; null: it does not. */

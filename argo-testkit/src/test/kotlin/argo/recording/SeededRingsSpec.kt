@@ -2,6 +2,7 @@ package argo.recording
 
 import argo.recording.replay.Recording
 import argo.recording.replay.WhatIf
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -15,6 +16,7 @@ import kotlin.io.path.deleteIfExists
  * Of the drives of the samples and of the experiment's agent, with faults, only the last seconds are left, as in a ring: from a key frame
  * on they are replayed as they were. The property `argo.rings` has how many are drawn.
  */
+@Tags("Thorough")
 class SeededRingsSpec : FunSpec({
     val folder = tempdir().toPath()
     val drives = Integer.getInteger("argo.rings", 18)

@@ -1,5 +1,6 @@
 package argo.view
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
@@ -39,6 +40,7 @@ private const val AHEAD = """
  * The pages of a system of two agents in a real browser. With `-Dargo.write.pictures=true` the pictures of the documentation are made anew,
  * which takes a minute.
  */
+@Tags("Thorough")
 class SystemPageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
     val chromium by autoClose(lazy { Chromium() })

@@ -1,5 +1,6 @@
 package argo.view
 
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
@@ -431,7 +432,7 @@ class ViewSpec : FunSpec({
         }
     }
 
-    test("50 agents with views that are watched and killed leave no thread") {
+    test("50 agents with views that are watched and killed leave no thread").config(tags = setOf(NamedTag("Thorough"))) {
         ViewedMas().use { mas ->
             (1..50).forEach { mas.agent("bob$it", "likes(tea).") }
             val watchers = (1..50 step 5).map { Watcher(mas.viewOf("bob$it")).apply { await { true } } }

@@ -1,6 +1,7 @@
 package javino.serial
 
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.ints.shouldBeGreaterThan

@@ -1,5 +1,6 @@
 package samples.bare
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -18,6 +19,7 @@ import kotlin.io.path.writeText
  * A Jason project that adds `argo.jar` and nothing else, in a process of its own, with a board on a pseudo-terminal: the agent of
  * the EMAS 2016 paper, as published but for the port.
  */
+@Tags("Thorough")
 class BareProjectSpec : FunSpec({
     val pairs: EnabledOrReasonIf = {
         if (PseudoTerminals.available()) Enabled.enabled else Enabled.disabled(

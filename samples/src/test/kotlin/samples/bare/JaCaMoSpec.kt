@@ -1,6 +1,7 @@
 package samples.bare
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -17,6 +18,7 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.writeText
 
 /** The project of the page on migrating, run by JaCaMo in a process of its own, where somebody has put JaCaMo. */
+@Tags("Thorough")
 class JaCaMoSpec : FunSpec({
     val libraries = System.getenv("JACAMO_LIB")?.let(::Path)
     val isThere: EnabledOrReasonIf = {

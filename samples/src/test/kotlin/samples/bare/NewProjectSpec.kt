@@ -1,6 +1,7 @@
 package samples.bare
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -24,6 +25,7 @@ import kotlin.io.path.useDirectoryEntries
  * What `java -jar argo.jar new` makes is compiled, tested and run as its own builds do it, with nothing but what they put on the class
  * path.
  */
+@Tags("Thorough")
 class NewProjectSpec : FunSpec({
     val folder = tempdir().toPath()
     val avr: EnabledOrReasonIf = {

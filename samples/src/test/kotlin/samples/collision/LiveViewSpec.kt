@@ -1,5 +1,6 @@
 package samples.collision
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -12,6 +13,7 @@ import java.net.http.HttpRequest
 import java.net.http.HttpResponse
 import java.util.stream.Stream
 
+@Tags("Thorough")
 class LiveViewSpec : FunSpec({
     test("the robot waits for a browser, which is shown the run and how it ended") {
         Program.samples("collision", "--view", "--limit", "190").use { program ->

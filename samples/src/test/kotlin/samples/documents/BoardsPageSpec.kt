@@ -2,6 +2,7 @@ package samples.documents
 
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
@@ -22,6 +23,7 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
 /** The boards that the page on boards shows are compiled, registered as it says, and asked and commanded by the tools. */
+@Tags("Thorough")
 class BoardsPageSpec : FunSpec({
     val root = Path.of("..").toRealPath()
     val argo = Path.of(System.getProperty("argo.jar")).toRealPath()

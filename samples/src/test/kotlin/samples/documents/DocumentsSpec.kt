@@ -3,6 +3,7 @@ package samples.documents
 import argo.filters.format.JsonFilters
 import argo.filters.format.XmlFilters
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -101,7 +102,7 @@ class DocumentsSpec : FunSpec({
         shown.filterNot { (name, its) -> name in libraries && its == version }.shouldBeEmpty()
     }
 
-    context("Kotlin compiles") {
+    context("Kotlin compiles").config(tags = setOf(NamedTag("Thorough"))) {
         documents.filter { document -> document.snippets.any { it.language == "kotlin" } }.forEach { document ->
             test("$document") {
                 val code = document.snippets.filter { it.language == "kotlin" }.map { it.text }

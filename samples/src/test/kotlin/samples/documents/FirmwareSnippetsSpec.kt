@@ -1,6 +1,7 @@
 package samples.documents
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -11,6 +12,7 @@ import java.io.File
 import java.nio.file.Path
 
 /** What pages show of sketches and of C is compiled against the board's library, on this machine, with all warnings as errors. */
+@Tags("Thorough")
 class FirmwareSnippetsSpec : FunSpec({
     val root = Path.of("..").toRealPath()
     val library = root.resolve("javino-arduino").toFile()

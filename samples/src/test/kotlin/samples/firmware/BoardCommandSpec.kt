@@ -1,5 +1,6 @@
 package samples.firmware
 
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -23,7 +24,7 @@ class BoardCommandSpec : FunSpec({
         if (!onPath("socat")) Enabled.disabled("there is no socat for a terminal") else compiles(it)
     }
 
-    test("inputs are set by lines, outputs are shown as lines, and the tools reach the board").config(enabledOrReasonIf = compiles) {
+    test("inputs are set by lines, outputs are shown as lines, and the tools reach the board").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
         Console("bash", "../argo", "board", "$sketch", "--link", "$link").use { board ->
             board.await("port $link\n")
             board.await("argo.port(\"$link\")")
@@ -55,7 +56,7 @@ class BoardCommandSpec : FunSpec({
         link.exists() shouldBe false
     }
 
-    test("on a terminal the pins are one line that is redrawn, with what is typed").config(enabledOrReasonIf = drawn) {
+    test("on a terminal the pins are one line that is redrawn, with what is typed").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = drawn) {
         val command = "bash ../argo board \"$sketch\" --link $link"
         Console("socat", "-t5", "STDIO", "SYSTEM:'$command',pty,setsid,ctty,stderr").use { board ->
             board.await("\r\u001B[K")
@@ -69,7 +70,7 @@ class BoardCommandSpec : FunSpec({
         }
     }
 
-    test("a sketch with an error is refused with the compiler's words and its own line").config(enabledOrReasonIf = compiles) {
+    test("a sketch with an error is refused with the compiler's words and its own line").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
         val wrong = folder.resolve("wrong.ino").apply { writeText("void setup() {\n  nothing();\n}\nvoid loop() {}\n") }
         Console("bash", "../argo", "board", "$wrong").use { board ->
             board.await("wrong.ino:2:")
@@ -78,7 +79,7 @@ class BoardCommandSpec : FunSpec({
         }
     }
 
-    test("a sketch for another board is told what the simulated one has").config(enabledOrReasonIf = compiles) {
+    test("a sketch for another board is told what the simulated one has").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
         Console("bash", "../argo", "board", "../javino-arduino/examples/ServoArm").use { board ->
             board.await("Servo.h")
             board.await("of libraries Javino and SoftwareSerial")

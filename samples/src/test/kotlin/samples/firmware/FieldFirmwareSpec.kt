@@ -1,5 +1,6 @@
 package samples.firmware
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -23,6 +24,7 @@ private const val LAMPS = 8
  * A link, as it is by default, and firmware that receives as the version 1 library in the field does: see the sketch `Field`. Both go by
  * the board's time, so that a busy machine does not move frames together.
  */
+@Tags("Thorough")
 class FieldFirmwareSpec : FunSpec({
     val built: EnabledOrReasonIf = {
         if (BoardKind.UNO.isBuilt("Field")) Enabled.enabled

@@ -1,6 +1,7 @@
 package samples.firmware
 
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.spec.style.scopes.FunSpecContainerScope
 import io.kotest.core.test.Enabled
@@ -44,7 +45,7 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         }
     }
 
-    test("what an analogue input measures becomes a percept, and the agent stops the motors").config(enabledOrReasonIf = built) {
+    test("what an analogue input measures becomes a percept, and the agent stops the motors").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = built) {
         SimulatedBoard(robotProgram, kind).use { robot ->
             robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
             robot.watch(LEFT_FORWARD)
@@ -59,7 +60,7 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         }
     }
 
-    test("in version 2 the board says that it has acted, and refuses what it does not know").config(enabledOrReasonIf = built) {
+    test("in version 2 the board says that it has acted, and refuses what it does not know").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = built) {
         SimulatedBoard("Blink", kind).use { board ->
             board.watch(LED)
             Link.open(board.port, LinkSettings.defaults().withProtocol(Protocol.AUTO), "the test").use { link ->
@@ -73,7 +74,7 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         }
     }
 
-    test("the motors stop by themselves when the Java machine is killed").config(enabledOrReasonIf = built) {
+    test("the motors stop by themselves when the Java machine is killed").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = built) {
         SimulatedBoard(robotProgram, kind).use { robot ->
             robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
             robot.watch(LEFT_FORWARD)
@@ -82,7 +83,7 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         }
     }
 
-    test("at one damaged byte in 200 in both directions each command is carried out once, in order").config(enabledOrReasonIf = built) {
+    test("at one damaged byte in 200 in both directions each command is carried out once, in order").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = built) {
         SimulatedBoard("Echo", kind).use { board ->
             DamagedLine(board.port).use { line ->
                 board.watch(DUTY)

@@ -1,5 +1,6 @@
 package samples.firmware
 
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
@@ -13,6 +14,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /** What the tutorial shows is done, step by step, on the simulated Uno. */
+@Tags("Thorough")
 class TutorialSpec : FunSpec({
     val root = Path.of("..").toRealPath()
     val page = Document.all(root).single { it.name == "docs/tutorial.md" }

@@ -1,6 +1,7 @@
 package samples.firmware
 
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -11,6 +12,7 @@ import samples.bare.JarProgram
 import java.io.File
 
 /** A sketch whose function does not fit an action does not compile, and the compiler says what to write. */
+@Tags("Thorough")
 class WrongFunctionSpec : FunSpec({
     val library = File("../javino-arduino").canonicalFile
     val folder = tempdir()

@@ -5,6 +5,7 @@ import argo.filters.dropFilter
 import argo.filters.matching.matcher
 import argo.filters.xml
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldNotBeEmpty
@@ -35,7 +36,7 @@ class FilterDocumentationSpec : StringSpec({
         blocks("json").forEach { JsonFilters.read(it, "page.json") }
     }
 
-    "its Kotlin compiles" {
+    "its Kotlin compiles".config(tags = setOf(NamedTag("Thorough"))) {
         // one file of all blocks, the imports that they show before what needs them
         val (imports, code) = blocks("kotlin").flatMap { it.lines() }.partition { it.startsWith("import ") }
         val compilation = Compilation(tempdir(), emptyList(), (imports.distinct() + code).joinToString("\n"))

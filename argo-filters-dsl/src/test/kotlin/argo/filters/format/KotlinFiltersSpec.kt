@@ -11,6 +11,7 @@ import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.filters.filters
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
@@ -25,7 +26,7 @@ import java.io.PrintStream
 import java.net.URLClassLoader
 
 class KotlinFiltersSpec : FunSpec({
-    test("a filter in Kotlin compiles, and is equal to what it was written from") {
+    test("a filter in Kotlin compiles, and is equal to what it was written from").config(tags = setOf(NamedTag("Thorough"))) {
         val written = List(120) { filters.sampleAt(it) } + infinite
         written.zip(compiled(tempdir(), written)).forEach { (filter, read) ->
             withClue(KotlinFilters.write(filter)) {

@@ -8,6 +8,7 @@ import argo.ros.bridge.part
 import argo.ros.bridge.text
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldContain
@@ -69,6 +70,7 @@ private val MODULES = FOLDER.resolve("node_modules")
 private const val MESSAGES = 100
 
 /** Programs of others that speak to a server. */
+@Tags("Thorough")
 class RosClientsSpec : FunSpec({
     fun isThere(file: Path) =
         if (Files.exists(file)) Enabled.enabled else Enabled.disabled("there is no $file; argo-ros/src/test/clients/install installs it")

@@ -12,7 +12,7 @@ import java.nio.file.Path
  * holds when the agent is driven so. The property `argo.why.scenarios` is how many are asked about.
  */
 class WhyScenariosSpec : FunSpec({
-    val count = System.getProperty("argo.why.scenarios")?.toInt() ?: 50
+    val count = System.getProperty("argo.why.scenarios")?.toInt() ?: 8
 
     fun <T> asking(file: Path, ask: (Why) -> T): T = Recording(file).use { recording -> Why(recording).use(ask) }
 

@@ -3,6 +3,7 @@ package argo.tools.exploring
 import argo.tools.Output
 import argo.tools.argo
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -60,7 +61,7 @@ class ExploreCommandSpec : FunSpec({
         script.toFile().setExecutable(true)
     }
 
-    test("a fault is found, and its spec compiles, fails, and passes when the agent is mended") {
+    test("a fault is found, and its spec compiles, fails, and passes when the agent is mended").config(tags = setOf(NamedTag("Thorough"))) {
         robot(isMended = false)
         val found = explore("robot.asl", *board, *blind, "--spec", "Blind.kt", "--runs", "200")
         withClue(found) {
@@ -117,7 +118,7 @@ class ExploreCommandSpec : FunSpec({
         }
     }
 
-    test("a file that kotlinc refuses, and no kotlinc") {
+    test("a file that kotlinc refuses, and no kotlinc").config(tags = setOf(NamedTag("Thorough"))) {
         robot(isMended = false)
         folder.resolve("broken.kt").writeText("fun Exploration.boards() {")
         val refused = explore("robot.asl", "--boards", "broken.kt", path = "${kotlinc()}:${System.getenv("PATH")}")

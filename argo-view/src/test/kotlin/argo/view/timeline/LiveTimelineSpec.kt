@@ -3,6 +3,7 @@ package argo.view.timeline
 import argo.view.Chromium
 import argo.view.ViewedMas
 import argo.view.eventually
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
@@ -16,6 +17,7 @@ import java.net.http.HttpRequest
 import java.net.http.HttpResponse
 
 /** The timeline of an agent that runs, and what leads to it from the live view. */
+@Tags("Thorough")
 class LiveTimelineSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
     val chromium by autoClose(lazy { Chromium() })

@@ -4,6 +4,7 @@ import argo.recording.replay.Recording
 import argo.testkit.mas
 import argo.view.Chromium
 import argo.view.Page
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
@@ -25,6 +26,7 @@ import kotlin.time.Duration.Companion.seconds
  * The page of a recording of two agents, in a real browser. With `-Dargo.write.pictures=true` the picture of the documentation is made
  * anew.
  */
+@Tags("Thorough")
 class TimelinePageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
     val chromium by autoClose(lazy { Chromium() })
