@@ -11,6 +11,7 @@ import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.filters.filters
 import io.kotest.assertions.withClue
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
@@ -36,9 +37,13 @@ class KotlinFiltersSpec : FunSpec({
     }
 
     test("names that are none in Kotlin, or hold what its strings do not, come back") {
-        val names = listOf("front", "front-left", "night/dark", "when", "__", "a\"b\\c\$d\ne", "7", " ", "é.漢", "\uD83D\uDE00")
+        val names = listOf("front", "front-left", "night/dark", "when", "__", "c\$d", "7", "a b", "é.漢", "\uD83D\uDE00")
         val written = names.map { PerceptionFilter(it, Rule("dist")) }
         compiled(tempdir(), written).map { it.name } shouldBe names
+    }
+
+    test("a name by which no agent can ask for the filter is not written") {
+        for (name in listOf(" ", "a\"b", "none")) shouldThrow<IllegalArgumentException> { KotlinFilters.write(PerceptionFilter(name)) }
     }
 
     test("the paper's filter is written as a person writes it") {
