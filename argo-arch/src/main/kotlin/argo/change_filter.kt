@@ -4,6 +4,7 @@ import argo.calls.ArgumentException
 import argo.filters.FilterException
 import argo.filters.FilterNotFoundException
 import argo.filters.PerceptionFilter
+import argo.filters.matching.warnings
 import argo.perception.EnvironmentFilter
 import argo.perception.filterOf
 import jason.asSyntax.Literal
@@ -11,17 +12,22 @@ import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import java.io.IOException
 import java.util.ServiceConfigurationError
+import java.util.logging.Logger
 
 /**
  * The internal action `argo.change_filter(F)`: activates filter F from the next perception on. F is an atom or a string, the
  * name of a filter or of its file; `none` lets everything through. Works for agents without [Arch] too, whose percepts come
  * from a Jason environment. `argo.change_filter(F, [port(P)])` changes that of the board on P alone; without it that of all boards.
  *
+ * Parts of the filter that have no effect are reported in the log.
+ *
  * Fails the plan, without a change of the filter, with `error(wrong_arguments)`, `error(unknown_board)`, `error(no_such_filter)` or
  * `error(bad_filter)` for a refused file, with all its problems in the message.
  */
 @Suppress("ClassName")
 open class change_filter : BoardAction("argo.change_filter", 1..2) {
+    private val reported = HashSet<Pair<String, PerceptionFilter>>() // Jason makes an instance for each agent
+
     override fun run(call: Call) {
         val filter = when (val name = filterName(call.args[0])) {
             "none" -> null
@@ -36,7 +42,7 @@ open class change_filter : BoardAction("argo.change_filter", 1..2) {
     }
 
     private fun find(call: Call, name: String): PerceptionFilter = try {
-        filterOf(call.ts.ag, name)
+        filterOf(call.ts.ag, name).also { warn(call, it) }
     } catch (missing: FilterNotFoundException) {
         throw call.failure("no_such_filter", missing.message.orEmpty())
     } catch (refused: FilterException) {
@@ -47,6 +53,13 @@ open class change_filter : BoardAction("argo.change_filter", 1..2) {
         throw call.failure("bad_filter", "looking for the filter $name ended in $broken")
     } catch (unreadable: IOException) {
         throw call.failure("bad_filter", "the filter $name cannot be read: $unreadable")
+    }
+
+    /** Logs what of [filter] has no effect, once for each text of a filter. */
+    private fun warn(call: Call, filter: PerceptionFilter) {
+        if (!reported.add(filter.name to filter)) return
+        val log = Logger.getLogger("${Arch::class.java.name}.${call.ts.agArch.agName}")
+        filter.warnings().forEach { log.warning("filter ${filter.name}: $it") }
     }
 }
 

@@ -20,10 +20,11 @@ annotation class FilterDsl
  *
  * @param name what agents call it
  * @param onSwitch what becomes of beliefs that it hides when an agent changes to it
- * @throws IllegalArgumentException if a predicate, a value or a pattern cannot be read; the message names the fault
+ * @throws IllegalArgumentException if no agent can ask for a filter of that name, or a predicate, a value or a pattern cannot be read; the
+ * message names the fault
  */
 fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
-    DropRules().apply(rules).let { PerceptionFilter(name, it.rules, Mode.DROP, onSwitch, it.critical) }
+    DropRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.DROP, onSwitch, it.critical) }
 
 /**
  * A filter that keeps the percepts its rules meet and drops all others.
@@ -37,7 +38,7 @@ fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRu
  * Parameters and errors are those of [dropFilter].
  */
 fun keepFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: KeepRules.() -> Unit): PerceptionFilter =
-    KeepRules().apply(rules).let { PerceptionFilter(name, it.rules, Mode.KEEP, onSwitch, it.critical) }
+    KeepRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.KEEP, onSwitch, it.critical) }
 
 /** The rules of a filter under construction. */
 @FilterDsl
@@ -85,7 +86,7 @@ sealed class RuleList(private val mode: Mode) {
      */
     fun <T : PerceptType> critical(type: T, conditions: context(TypedCriticalRule) T.() -> Unit = {}) {
         val rule = CriticalConditions()
-        conditions(TypedCriticalRule(rule), type)
+        speakingOf(rule) { conditions(TypedCriticalRule(type, rule), type) }
         critical += rule.criticalRule(type.predicate)
     }
 
@@ -95,7 +96,7 @@ sealed class RuleList(private val mode: Mode) {
 
     protected fun <T : PerceptType> add(type: T, conditions: context(TypedRule) T.() -> Unit) {
         val rule = RuleConditions()
-        conditions(TypedRule(rule), type)
+        speakingOf(rule) { conditions(TypedRule(type, rule), type) }
         rules += rule.rule(type.predicate)
     }
 }

@@ -2,6 +2,20 @@ package argo.filters
 
 import kotlin.reflect.KProperty
 
+/** The rules on declared percept types under construction, on the thread that makes them. */
+private val underConstruction = ThreadLocal<RuleConditions?>()
+
+/** Has [say] speak of [rule], which then knows each declared argument that is read. */
+internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
+    val outer = underConstruction.get()
+    underConstruction.set(rule)
+    try {
+        say()
+    } finally {
+        underConstruction.set(outer)
+    }
+}
+
 /**
  * A kind of percepts, with the names and types of its arguments in their order.
  *
@@ -12,7 +26,8 @@ import kotlin.reflect.KProperty
  * }
  * ```
  *
- * Conditions on a declared argument are checked by the compiler: `side gt 3` does not compile.
+ * Conditions on a declared argument are checked by the compiler: `side gt 3` does not compile. A rule that names an argument without a
+ * condition on it, as in `drop(Distance) { side }`, is refused when it is made.
  *
  * @param predicate the functor, as in `distance` or `~open`
  * @throws IllegalArgumentException if [predicate] is none
@@ -25,22 +40,28 @@ abstract class PerceptType(predicate: String) {
     private var declared = 0
 
     /** The next argument is an atom. */
-    protected fun atom(): Declared<AtomArgument> = Declared(AtomArgument(declared++))
+    protected fun atom(): Declared<AtomArgument> = declare { index, name -> AtomArgument(this, index, name) }
 
     /** The next argument is a number. */
-    protected fun number(): Declared<NumberArgument> = Declared(NumberArgument(declared++))
+    protected fun number(): Declared<NumberArgument> = declare { index, name -> NumberArgument(this, index, name) }
 
     /** The next argument is a string. */
-    protected fun string(): Declared<StringArgument> = Declared(StringArgument(declared++))
+    protected fun string(): Declared<StringArgument> = declare { index, name -> StringArgument(this, index, name) }
 
     /** The next argument is any term: a structure, a list, or now one thing and now another. */
-    protected fun term(): Declared<TermArgument> = Declared(TermArgument(declared++))
+    protected fun term(): Declared<TermArgument> = declare { index, name -> TermArgument(this, index, name) }
+
+    private fun <A : TypedArgument<*>> declare(make: (Int, String) -> A): Declared<A> {
+        val index = declared++
+        return Declared { name -> make(index, name) }
+    }
 }
 
 /** The declaration of an argument, which a property is delegated to. */
-class Declared<A : TypedArgument<*>> internal constructor(private val argument: A) {
-    /** The argument that was declared. */
-    operator fun getValue(type: PerceptType, property: KProperty<*>): A = argument
+class Declared<A : TypedArgument<*>> internal constructor(private val make: (name: String) -> A) {
+    /** The argument that was declared. A rule under construction expects a condition on it. */
+    operator fun getValue(type: PerceptType, property: KProperty<*>): A =
+        make(property.name).also { argument -> underConstruction.get()?.mention(argument) }
 }
 
 /**
@@ -49,19 +70,30 @@ class Declared<A : TypedArgument<*>> internal constructor(private val argument: 
  * @param V what conditions compare it with
  * @property index which it is, counted from 0
  */
-sealed class TypedArgument<V>(val index: Int, internal val termOf: (V) -> GroundTerm)
+sealed class TypedArgument<V>(
+    internal val type: PerceptType,
+    val index: Int,
+    private val name: String,
+    internal val termOf: (V) -> GroundTerm,
+) {
+    /** Its name in the percept's type. */
+    override fun toString(): String = name
+}
 
 /** An argument that is an atom. Conditions compare it with the text of one, as Jason writes it; other text is refused. */
-class AtomArgument internal constructor(index: Int) : TypedArgument<String>(index, ::atomOf)
+class AtomArgument internal constructor(type: PerceptType, index: Int, name: String) : TypedArgument<String>(type, index, name, ::atomOf)
 
 /** An argument that is a number. */
-class NumberArgument internal constructor(index: Int) : TypedArgument<Number>(index, Number::asTerm)
+class NumberArgument internal constructor(type: PerceptType, index: Int, name: String) :
+    TypedArgument<Number>(type, index, name, Number::asTerm)
 
 /** An argument that is a string. Conditions compare it with a text without quotes. */
-class StringArgument internal constructor(index: Int) : TypedArgument<String>(index, GroundTerm::Text)
+class StringArgument internal constructor(type: PerceptType, index: Int, name: String) :
+    TypedArgument<String>(type, index, name, GroundTerm::Text)
 
 /** An argument that is any term. Conditions compare it with the text of one, as Jason writes it. */
-class TermArgument internal constructor(index: Int) : TypedArgument<String>(index, GroundTerm::of)
+class TermArgument internal constructor(type: PerceptType, index: Int, name: String) :
+    TypedArgument<String>(type, index, name, GroundTerm::of)
 
 private fun atomOf(written: String): GroundTerm {
     val term = GroundTerm.of(written)

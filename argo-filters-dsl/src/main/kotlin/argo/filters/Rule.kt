@@ -21,7 +21,8 @@ data class Rule(
 
     /** The rule in words: `distance where argument 0 is not front`. */
     override fun toString(): String {
-        val parts = listOfNotNull(arity?.let { "there are $it arguments" }) + conditions + listOfNotNull(rate)
+        val number = arity?.let { if (it == 1) "there is 1 argument" else "there are $it arguments" }
+        val parts = listOfNotNull(number) + conditions + listOfNotNull(rate)
         return if (parts.isEmpty()) "$predicate" else parts.joinToString(" and ", "$predicate where ")
     }
 }

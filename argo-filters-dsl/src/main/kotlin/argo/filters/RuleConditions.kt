@@ -1,5 +1,8 @@
 package argo.filters
 
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+
 /**
  * The conditions of one rule under construction, all of which a percept must meet.
  *
@@ -11,18 +14,18 @@ package argo.filters
 open class RuleConditions internal constructor() {
     private val conditions = ArrayList<Condition>()
     private val deadbands = LinkedHashSet<Deadband>()
-    private val begun = ArrayList<AnyTerm>()
+    private val unsaid = ArrayList<Any>()
     private var arity: Int? = null
     private var everyMs: Long? = null
 
     /** The argument at [index], counted from 0, of whatever type: `argument(0) ne "front"`. */
     fun argument(index: Int): AnyArgument {
         requireIndex(index)
-        return AnyArgument(index, this).also(begun::add)
+        return AnyArgument(index, this).also(::mention)
     }
 
     /** The annotations called [name], of which one must meet the test: `annotation("q") lt 0.5`. */
-    fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(begun::add)
+    fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(::mention)
 
     /** The percept must have an annotation called [name]: `hasAnnotation("urgent")`. */
     fun hasAnnotation(name: String): Unit = annotation(name) {}
@@ -51,6 +54,13 @@ open class RuleConditions internal constructor() {
         everyMs = ms
     }
 
+    /**
+     * As [everyMs]: `every(2.seconds)`.
+     *
+     * @throws IllegalArgumentException if [interval] is not a whole number of milliseconds, or there is another interval already
+     */
+    fun every(interval: Duration): Unit = everyMs(wholeMillis(interval))
+
     /** Percepts are held back of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
     fun deadband(width: Number): Unit = deadband(null, width)
 
@@ -62,10 +72,21 @@ open class RuleConditions internal constructor() {
         conditions += condition
     }
 
+    /** The rule names [term], which needs a condition or a deadband. */
+    internal fun mention(term: Any) {
+        unsaid += term
+    }
+
+    /** There is a condition or a deadband on [term]. */
+    internal fun specify(term: Any) {
+        unsaid.removeAll { it === term }
+    }
+
     /** @throws IllegalArgumentException if there is an argument or annotation without a test, which would be a condition lost */
     internal fun rule(predicate: Predicate): Rule {
-        val forgotten = begun.find { !it.isUsed }
-        require(forgotten == null) { "nothing is said of $forgotten in a rule on $predicate; expected a word like eq or gt after it" }
+        require(unsaid.isEmpty()) {
+            "nothing is said of ${unsaid.joinToString(" and ")} in a rule on $predicate; expected a word like eq or gt after it"
+        }
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands)
         return Rule(predicate, conditions.toList(), arity, rate)
     }
@@ -103,15 +124,8 @@ class CriticalConditions internal constructor() : RuleConditions() {
  */
 @FilterDsl
 sealed class AnyTerm {
-    /** Whether it has a test or a deadband. */
-    internal var isUsed = false
-
-    private fun must(test: TermTest) {
-        isUsed = true
-        add(test)
-    }
-
-    internal abstract fun add(test: TermTest)
+    /** The term must meet all [tests]. */
+    internal abstract fun must(vararg tests: TermTest)
 
     /** It equals [value], a Jason term: `argument(0) eq "front"`. */
     infix fun eq(value: String): Unit = must(TermTest.Compare(Operator.EQ, GroundTerm.of(value)))
@@ -149,6 +163,13 @@ sealed class AnyTerm {
     /** It equals one of [values], Jason terms as text, numbers or [GroundTerm]s: `argument(0) isIn listOf("front", "left")`. */
     infix fun isIn(values: Collection<Any>): Unit = must(TermTest.OneOf(values.map(::valueOf).toSet()))
 
+    /**
+     * It is a number, and [range] has it between its ends or as one of them: `argument(1) isIn 1..5` holds for 2.5, too.
+     *
+     * @throws IllegalArgumentException if [range] is empty
+     */
+    infix fun <N> isIn(range: ClosedRange<N>): Unit where N : Number, N : Comparable<N> = must(*range.tests())
+
     private fun valueOf(value: Any): GroundTerm = when (value) {
         is GroundTerm -> value
         is Number -> value.asTerm()
@@ -161,11 +182,14 @@ sealed class AnyTerm {
 
 /** An argument of a rule under construction: the value of `argument(0)`. */
 class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
-    override fun add(test: TermTest) = rule.add(Condition.Argument(index, test))
+    override fun must(vararg tests: TermTest) {
+        rule.specify(this)
+        tests.forEach { rule.add(Condition.Argument(index, it)) }
+    }
 
     /** Percepts are held back of which this argument has not moved by [width]: `argument(1) deadband 5`; see [Rate]. */
     infix fun deadband(width: Number) {
-        isUsed = true
+        rule.specify(this)
         rule.deadband(index, width)
     }
 
@@ -174,7 +198,10 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
 
 /** An annotation of a rule under construction: the value of `annotation("q")`. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
-    override fun add(test: TermTest) = rule.add(Condition.Annotation(name, listOf(test)))
+    override fun must(vararg tests: TermTest) {
+        rule.specify(this)
+        rule.add(Condition.Annotation(name, tests.toList()))
+    }
 
     override fun toString(): String = "annotation(\"$name\")"
 }
@@ -183,9 +210,19 @@ class AnyAnnotation internal constructor(private val name: Predicate, private va
 class AnnotationTests internal constructor() : AnyTerm() {
     internal val tests = ArrayList<TermTest>()
 
-    override fun add(test: TermTest) {
-        tests += test
+    override fun must(vararg tests: TermTest) {
+        this.tests += tests
     }
+}
+
+private fun wholeMillis(interval: Duration): Long = interval.inWholeMilliseconds.also {
+    require(it.milliseconds == interval) { "the interval $interval is not a whole number of milliseconds" }
+}
+
+/** What a number in the range meets. */
+internal fun <N> ClosedRange<N>.tests(): Array<TermTest> where N : Number, N : Comparable<N> {
+    require(!isEmpty()) { "the range $this is empty; expected the smaller number first" }
+    return arrayOf(TermTest.Compare(Operator.GE, start.asTerm()), TermTest.Compare(Operator.LE, endInclusive.asTerm()))
 }
 
 internal fun Number.asTerm(): GroundTerm.Number = GroundTerm.Number(toDouble())

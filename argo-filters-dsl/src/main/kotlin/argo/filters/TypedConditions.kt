@@ -1,11 +1,13 @@
 /* Conditions on arguments of a declared percept type. They add to the rule in whose block they stand: `drop(Distance) { cm gt 9 }`. */
 package argo.filters
 
+import kotlin.time.Duration
+
 /** A rule on a declared percept type under construction. The functions of this file take it from their context. */
-open class TypedRule internal constructor(internal val conditions: RuleConditions)
+open class TypedRule internal constructor(internal val type: PerceptType, internal val conditions: RuleConditions)
 
 /** A critical rule on a declared percept type under construction. */
-class TypedCriticalRule internal constructor(internal val critical: CriticalConditions) : TypedRule(critical)
+class TypedCriticalRule internal constructor(type: PerceptType, internal val critical: CriticalConditions) : TypedRule(type, critical)
 
 /** The command [command] is sent when a percept comes that meets the rule: `reflex("stop")`; see [CriticalConditions.reflex]. */
 context(rule: TypedCriticalRule)
@@ -21,12 +23,15 @@ infix fun <V> TypedArgument<V>.ne(value: V): Unit = compare(Operator.NE, value)
 
 /** It is one of [values]: `side isIn listOf("front", "back")`, `cm isIn listOf(0, 255)`. */
 context(rule: TypedRule)
-infix fun <V> TypedArgument<V>.isIn(values: Collection<V>): Unit =
-    rule.conditions.add(Condition.Argument(index, TermTest.OneOf(values.map(termOf).toSet())))
+infix fun <V> TypedArgument<V>.isIn(values: Collection<V>): Unit = must(TermTest.OneOf(values.map(termOf).toSet()))
+
+/** It is in [range], of which both ends are part: `cm isIn 1..5` holds for 2.5, too. An empty range is refused. */
+context(rule: TypedRule)
+infix fun <N> NumberArgument.isIn(range: ClosedRange<N>): Unit where N : Number, N : Comparable<N> = must(*range.tests())
 
 /** Its whole text, quotes included, matches the regular expression [pattern]: `side matches "front|left"`; see [TermTest.Matches]. */
 context(rule: TypedRule)
-infix fun TypedArgument<String>.matches(pattern: String): Unit = rule.conditions.add(Condition.Argument(index, TermTest.Matches(pattern)))
+infix fun TypedArgument<String>.matches(pattern: String): Unit = must(TermTest.Matches(pattern))
 
 /** It is greater than [number]: `cm gt 200`. */
 context(rule: TypedRule)
@@ -46,7 +51,10 @@ infix fun NumberArgument.le(number: Number): Unit = compare(Operator.LE, number)
 
 /** Percepts are held back of which it has not moved by [width]: `cm deadband 5`; see [Rate]. */
 context(rule: TypedRule)
-infix fun NumberArgument.deadband(width: Number): Unit = rule.conditions.deadband(index, width)
+infix fun NumberArgument.deadband(width: Number) {
+    specify()
+    rule.conditions.deadband(index, width)
+}
 
 /** The percept must have [count] arguments: `arity(2)`. */
 context(rule: TypedRule)
@@ -55,6 +63,10 @@ fun PerceptType.arity(count: Int): Unit = rule.conditions.arity(count)
 /** Percepts are held back that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate]. */
 context(rule: TypedRule)
 fun PerceptType.everyMs(ms: Long): Unit = rule.conditions.everyMs(ms)
+
+/** As [everyMs]: `every(2.seconds)`; a whole number of milliseconds. */
+context(rule: TypedRule)
+fun PerceptType.every(interval: Duration): Unit = rule.conditions.every(interval)
 
 /** Percepts are held back of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
 context(rule: TypedRule)
@@ -73,5 +85,16 @@ context(rule: TypedRule)
 fun PerceptType.annotation(name: String, tests: AnnotationTests.() -> Unit): Unit = rule.conditions.annotation(name, tests)
 
 context(rule: TypedRule)
-private fun <V> TypedArgument<V>.compare(operator: Operator, value: V) =
-    rule.conditions.add(Condition.Argument(index, TermTest.Compare(operator, termOf(value))))
+private fun <V> TypedArgument<V>.compare(operator: Operator, value: V) = must(TermTest.Compare(operator, termOf(value)))
+
+context(rule: TypedRule)
+private fun TypedArgument<*>.must(vararg tests: TermTest) {
+    specify()
+    tests.forEach { rule.conditions.add(Condition.Argument(index, it)) }
+}
+
+context(rule: TypedRule)
+private fun TypedArgument<*>.specify() {
+    require(type === rule.type) { "$this is an argument of ${type.predicate}, and the rule is on ${rule.type.predicate}" }
+    rule.conditions.specify(this)
+}

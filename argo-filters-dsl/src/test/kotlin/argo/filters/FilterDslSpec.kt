@@ -7,6 +7,8 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.StringSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
 
 object Distance : PerceptType("distance") {
     val side by atom()
@@ -158,6 +160,53 @@ class FilterDslSpec : StringSpec({
             "nothing is said of argument(1) in a rule on d"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { annotation("q") } } }.message shouldContain
             "annotation(\"q\")"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { side } } }.message shouldContain
+            "nothing is said of side in a rule on distance"
+        shouldThrow<IllegalArgumentException> { keepFilter("x") { keep(Distance) { cm gt 3; cm; side } } }.message shouldContain
+            "nothing is said of cm and side in"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { critical(Distance) { cm; reflex("stop") } } }.message shouldContain
+            "nothing is said of cm"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { annotation("q") } } }.message shouldContain
+            "annotation(\"q\")"
+    }
+
+    "an argument may be used again, and one that was read outside of the rule" {
+        val far = Distance.cm
+        dropFilter("x") { drop(Distance) { far gt 3; val near = cm; near gt 1; near lt 9 } } shouldBe
+            dropFilter("x") { drop("distance") { argument(1) gt 3; argument(1) gt 1; argument(1) lt 9 } }
+    }
+
+    "an argument of another type is refused" {
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { Said.where eq "a" } } }.message shouldBe
+            "where is an argument of ~said, and the rule is on distance"
+    }
+
+    "a range is from one number to another, both included, and all between" {
+        val ranges = dropFilter("x") {
+            drop(Distance) { cm isIn 1..5 }
+            drop("d") { argument(0) isIn 0.5..2.0; annotation("q") isIn 0L..1L; annotation("r") { isIn(2..3); ne(3) } }
+        }
+        ranges shouldBe dropFilter("x") {
+            drop("distance") { argument(1) ge 1; argument(1) le 5 }
+            drop("d") { argument(0) ge 0.5; argument(0) le 2; annotation("q") { ge(0); le(1) }; annotation("r") { ge(2); le(3); ne(3) } }
+        }
+        @Suppress("EmptyRange")
+        val empty = 5..1
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { cm isIn empty } } }.message shouldContain "5..1 is empty"
+    }
+
+    "an interval is a duration, too" {
+        dropFilter("x") { drop("d") { every(2.seconds) }; drop(Distance) { every(5.milliseconds) } } shouldBe
+            dropFilter("x") { drop("d") { everyMs(2_000) }; drop(Distance) { everyMs(5) } }
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { every(1.5.milliseconds) } } }.message shouldContain "1.5ms"
+    }
+
+    "a name by which no agent can ask for the filter is refused" {
+        for ((name, reason) in listOf("" to "it is empty", "none" to "ends the filtering", "../a" to "'..'", "a:b" to "one of")) {
+            shouldThrow<IllegalArgumentException> { dropFilter(name) { drop("d") } }.message shouldContain reason
+            shouldThrow<IllegalArgumentException> { keepFilter(name) { keep("d") } }.message shouldContain reason
+        }
+        dropFilter("night/dark") { drop("d") }.name shouldBe "night/dark"
     }
 
     "what a file is refused for is refused here" {

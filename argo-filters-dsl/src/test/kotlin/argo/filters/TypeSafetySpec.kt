@@ -16,6 +16,8 @@ private val SENSE = listOf(
     "untyped conditions" to """dropFilter("x") { drop("light") { argument(0) gt 3; argument(1) eq "a" } }""",
     "a critical rule, typed and not" to
         """dropFilter("x") { critical(Distance) { cm lt 15; reflex("stop") }; critical("bump") { argument(0) eq 1; reflex("stop") } }""",
+    "ranges, intervals" to
+        """dropFilter("x") { drop(Distance) { cm isIn 1..5; every(1.seconds) }; drop("light") { argument(0) isIn 0.5..2.0 } }""",
     "a filter that keeps" to """keepFilter("x") { keep(Distance) { cm ge 200.5 }; keep("light") }""",
 )
 
@@ -31,6 +33,7 @@ private val NO_SENSE = listOf(
     "a rule in a rule" to """dropFilter("x") { drop("a") { drop("b") } }""",
     "a rule in a typed rule" to """dropFilter("x") { drop(Distance) { drop("b") } }""",
     "another filter in a rule" to """dropFilter("x") { drop("a") { include(dropFilter("y") {}) } }""",
+    "a side in a range of numbers" to """dropFilter("x") { drop(Distance) { side isIn 1..5 } }""",
     "an argument outside a rule" to """dropFilter("x") { argument(0) eq 1 }""",
     "a typed argument outside a rule" to """dropFilter("x") { Distance.cm eq 1 }""",
     "an argument by number in a typed rule" to """dropFilter("x") { drop(Distance) { argument(0) eq 1 } }""",
@@ -48,6 +51,7 @@ private val NO_SENSE = listOf(
 
 private const val DECLARATIONS = """
 import argo.filters.*
+import kotlin.time.Duration.Companion.seconds
 
 object Distance : PerceptType("distance") {
     val side by atom()

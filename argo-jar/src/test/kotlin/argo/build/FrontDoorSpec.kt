@@ -112,13 +112,28 @@ class FrontDoorSpec : FunSpec({
     mapOf(
         "new" to "new takes the name of a project, such as my-robot", "sample" to "sample takes the name of one: blink",
         "site here" to "site takes no arguments, not: here", "dist here" to "dist takes no arguments, not: here",
-        "install here" to "install takes no arguments, not: here",
+        "install here" to "install takes no arguments, not: here", "explore" to "explore takes the .asl of an agent",
+        "sample blinc" to "there is no sample 'blinc'; there are: blink, collision",
     ).forEach { (line, reason) ->
         test("./argo $line is refused before anything is built") {
             val (status, said) = bash("../argo", *line.split(' ').toTypedArray())
             said shouldStartWith "./argo: $reason"
             status shouldBe 2
         }
+    }
+
+    test("a project that cannot be made is refused before anything is built") {
+        val folder = tempdir().toPath()
+        folder.resolve("taken").createDirectories()
+        fun new(vararg arguments: String) = bash("../argo", "new", *arguments)
+        new("robot", "--in", "$folder/none") shouldBe (1 to "./argo: there is no folder $folder/none, in which robot would be made\n")
+        new("--boards", "2", "--in=$folder/none", "robot") shouldBe
+            (1 to "./argo: there is no folder $folder/none, in which robot would be made\n")
+        new("--in", "$folder", "taken") shouldBe (1 to "./argo: $folder/taken exists already, and is not overwritten\n")
+    }
+
+    test("an agent that is not there is refused before anything is built") {
+        bash("../argo", "explore", "no-such.asl", "--minutes", "1") shouldBe (1 to "./argo: there is no file no-such.asl\n")
     }
 })
 

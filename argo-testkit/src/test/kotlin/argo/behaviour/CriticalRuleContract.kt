@@ -126,7 +126,7 @@ abstract class CriticalRuleContract(watcher: String, canRefuse: Boolean = true, 
     test("argo.explain tells who watches the rule") {
         bob().use { bob ->
             bob.isTo("explain(dist(f,3))").after(50.milliseconds)
-            bob.printed.last() shouldContain "critical rule 1 meets it: dist where argument 1 is less than 15"
+            bob.printed.last() shouldContain "it matches critical rule 1: dist where argument 1 is less than 15"
             bob.printed.last() shouldContain "; $watcher watches it"
             bob.isTo("explain(dist(f,30))").after(50.milliseconds).printed.last().contains("watches") shouldBe false
         }

@@ -50,6 +50,18 @@ class FilteringSpec : FunSpec({
         }
     }
 
+    test("the log says once what of a filter has no effect, and the filter is active") {
+        project.filter("doubled", onlyFront + "<filter><predicate>light</predicate><parameter id=\"0\">f</parameter></filter>")
+        project.agent(start).use { bob ->
+            repeat(2) { bob.hears("user", "achieve", "look(doubled)").hears("user", "achieve", "look(none)") }
+            bob.hears("user", "achieve", "look(doubled)").perceives("dist(f,1)", "light(f,1)")
+            bob.beliefs shouldBe listOf("dist(f,1)", "port(ttyACM0,on)")
+            bob.log.filter { "filter doubled" in it } shouldBe listOf(
+                "WARNING filter doubled: rule 3 (light where argument 0 is f) has no effect: rule 1 (light) matches the same percepts",
+            )
+        }
+    }
+
     val kinds = mapOf("with argo.Arch" to true, "of plain Jason" to false)
     for ((kind, withArch) in kinds) test("an agent $kind perceives a Jason environment through its filter") {
         project.filter("onlyFront", onlyFront)
@@ -92,8 +104,8 @@ class FilteringSpec : FunSpec({
         """).use { bob ->
             bob.perceives("dist(f,1)", "light(f,2)").shouldBelieve("dist(f,1)")
             bob.shouldPrint("first light(f,2) is kept: there is no filter")
-            bob.shouldPrint("then dist(b,3) is dropped by filter onlyFront: rule 2 meets it")
-            bob.log.filter { it.startsWith("FINE light(f,2) is dropped by filter onlyFront: rule 1 meets it") }.shouldNotBeEmpty()
+            bob.shouldPrint("then dist(b,3) is dropped by filter onlyFront: it matches rule 2")
+            bob.log.filter { it.startsWith("FINE light(f,2) is dropped by filter onlyFront: it matches rule 1") }.shouldNotBeEmpty()
             bob.log.filter { "SEVERE" in it }.shouldBeEmpty()
         }
         logger.level = null

@@ -57,6 +57,7 @@ class CommandLineSpec : FunSpec({
             "request sim:x a --timeout 0" to "--timeout is from 1 to",
             "request sim:x" to "Missing required parameter: 'MESSAGE'",
             "send sim:x a b" to "'b' is one argument too many",
+            "send sim:x getPercepts" to "getPercepts is the request for percepts and no command: \"request sim:x getPercepts\" sends it",
             "filter check" to "Missing required parameter: 'FILE'",
             "filter convert f.xml --to yaml" to "--to is xml, json, kotlin, not yaml",
             "filter convert f.xml" to "Missing required option: '--to=FORM'",
@@ -89,6 +90,27 @@ class CommandLineSpec : FunSpec({
         said.status shouldBe 1
         said.err shouldContain "there is no port ttyNoSuchBoard9"
         said.err shouldNotContain "\tat "
+    }
+
+    test("ports names a device that is not there, lists the others, and fails") {
+        val there = tempfile()
+        val said = argo("ports", "/dev/no-such-board", "$there")
+        said.status shouldBe 1
+        said.err shouldStartWith "there is no port /dev/no-such-board; there are: "
+        said.out shouldContain "$there"
+        said.out shouldNotContain "no-such-board"
+        argo("ports", "ttyNoSuchBoard9").out.shouldBeEmpty()
+        argo("ports", "$there").status shouldBe 0
+    }
+
+    test("the help of commands whose samples are not there says what they do, and where samples are found") {
+        listOf("demo", "experiment", "sample").forEach { name ->
+            val said = argo(name, "--help")
+            said.status shouldBe 0
+            said.out shouldStartWith "Usage: argo $name"
+            said.out shouldContain "Its options cannot be listed: the samples are not there"
+            argo(name).status shouldBe 1
+        }
     }
 
     test("results that cannot be written make a command fail, whatever it did") {

@@ -346,7 +346,7 @@ function forget() {
   lit = new Set();
   forgetWhy();
   $('why').hidden = true;
-  $('item-title').textContent = 'Nothing is chosen';
+  $('item-title').textContent = 'Select an item';
   ['detail', 'causes', 'effects', 'causes-count', 'effects-count'].forEach(id => $(id).replaceChildren());
   draw();
 }

@@ -98,7 +98,7 @@ class PageSpec : FunSpec({
     test("a press on a percept tells why, and another takes it away").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
         shown("dist(f,38);dist(b,90);") { _, _ ->
             press("dist(b,90)")
-            await { texts("#sensors .detail")[1].contains("is dropped by filter front: rule 1 meets it") }
+            await { texts("#sensors .detail")[1].contains("is dropped by filter front: it matches rule 1") }
             picture("why")
             press("dist(b,90)")
             await { texts("#sensors .detail").all { it.isEmpty() } }

@@ -167,7 +167,7 @@ class ViewSpec : FunSpec({
     test("why a percept is kept or dropped is told on demand") {
         watched { _, _, address ->
             Watcher(address).use { it.await { state -> state.filter != null } }
-            address.get("explain?percept=dist(b,90)").body() shouldContain "dist(b,90) is dropped by filter front: rule 1 meets it"
+            address.get("explain?percept=dist(b,90)").body() shouldContain "dist(b,90) is dropped by filter front: it matches rule 1"
             address.get("explain?percept=light(4)").body() shouldContain "is kept by filter front"
             address.get("explain?percept=%22").body() shouldContain "not a percept"
             address.raw("GET /explain?percept=%zz HTTP/1.1", "Host: ${address.authority}") shouldContain "400"

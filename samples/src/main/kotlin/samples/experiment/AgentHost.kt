@@ -50,6 +50,7 @@ internal class AgentHost : RunLocalMAS() {
     private val services = LocalRuntimeServices(this)
 
     init {
+        ReflexFilters.offer()
         val sample = SampleProject("experiment")
         source = sample.mas.getAg("robot").source.toString()
         sample.mas.agents.clear()

@@ -22,7 +22,20 @@ private fun RuleList.stopAt(limit: Int) = critical("dist") {
     reflex("stop")
 }
 
-/** Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View]. */
+/**
+ * Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View], once an experiment has begun: agents of
+ * other samples in the same program, and their live views, do not have them.
+ */
 internal class ReflexFilters : FilterProvider {
-    override val filters = Plan.entries.flatMap { it.limits }.distinct().flatMap { limit -> View.entries.map { reflexFilter(it, limit) } }
+    override val filters get() = offered
+
+    companion object {
+        @Volatile
+        private var offered: List<PerceptionFilter> = emptyList()
+
+        /** An experiment begins. */
+        fun offer() {
+            offered = Plan.entries.flatMap { it.limits }.distinct().flatMap { limit -> View.entries.map { reflexFilter(it, limit) } }
+        }
+    }
 }

@@ -50,6 +50,7 @@ class PlanSpec : FunSpec({
 
     test("with a reflex on the board each filter has the critical rule at the limit, and agents find it") {
         val finder = FilterFinder(emptyList(), PlanSpec::class.java.classLoader)
+        ReflexFilters.offer()
         for (view in View.entries) for (limit in Plan.entries.flatMap { it.limits }) {
             val filter = finder.find(view.filter(Condition.REFLEX, limit))
             filter.name shouldContain "$limit"

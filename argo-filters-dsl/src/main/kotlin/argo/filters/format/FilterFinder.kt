@@ -4,6 +4,7 @@ import argo.filters.FilterException
 import argo.filters.FilterNotFoundException
 import argo.filters.FilterProvider
 import argo.filters.PerceptionFilter
+import argo.filters.nameProblem
 import java.nio.file.Path
 
 /**
@@ -49,14 +50,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     fun names(): List<String> = places.flatMap(FilterPlace::names).distinct().sorted()
 
     private fun requireInside(name: String) {
-        val bare = FilterFormat.bareName(name)
-        val problem = when {
-            bare.isBlank() -> "it is empty"
-            bare.any { it in FOREIGN || it.isISOControl() } -> "it holds a control character or one of $FOREIGN"
-            bare.startsWith('/') -> "it is an absolute path"
-            bare.split('/').any { it.isEmpty() || it == "." || it == ".." } -> "it holds '..', '.' or nothing between slashes"
-            else -> return
-        }
+        val problem = nameProblem(FilterFormat.bareName(name)) ?: return
         throw FilterNotFoundException("'$name' cannot be a filter's name: $problem. ${existing()}")
     }
 
@@ -70,8 +64,5 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
 
     private companion object {
         const val FOLDER = "filters"
-
-        /** What file names cannot hold on one system or another. */
-        const val FOREIGN = "\\:*?\"<>|"
     }
 }

@@ -6,6 +6,7 @@ import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
 import argo.filters.TermTest
+import argo.filters.usableName
 
 /** Filters as Kotlin source. They are written only: reading one means compiling it. */
 object KotlinFilters {
@@ -14,6 +15,8 @@ object KotlinFilters {
      *
      * The property has the filter's name, in backquotes where Kotlin asks for them; what the name of a Java method or file cannot
      * hold becomes `_`.
+     *
+     * @throws IllegalArgumentException if no agent can ask for a filter of that name
      */
     fun write(filter: PerceptionFilter): String = KotlinFilterWriter(filter).write()
 }
@@ -29,7 +32,7 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
         line(0, "")
         val verb = filter.mode.name.lowercase()
         val onSwitch = if (freezes) ", OnSwitch.FREEZE" else ""
-        line(0, "val ${kotlinName(filter.name)} = ${verb}Filter(${kotlinString(filter.name)}$onSwitch) {")
+        line(0, "val ${kotlinName(filter.name)} = ${verb}Filter(${kotlinString(usableName(filter.name))}$onSwitch) {")
         filter.critical.forEach { rule("critical", it.rule, it.reflex) }
         filter.rules.forEach { rule(verb, it) }
         line(0, "}")

@@ -1,16 +1,20 @@
 package argo.filters.matching
 
+import argo.filters.Condition
+import argo.filters.GroundTerm
+import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rule
+import argo.filters.TermTest
 
 /**
  * Why a filter does with a percept what it does.
  *
  * @property percept the percept's text
  * @property outcome what becomes of it
- * @property rule the rule that decided; null if it was that no rule meets the percept
- * @property reason the same in words, as in `rule 3 meets it: distance where argument 0 is not front`
+ * @property rule the rule that decided; null if it was that the percept matches no rule
+ * @property reason the same in words, as in `it matches rule 3: distance where argument 0 is not front`
  */
 class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
 
@@ -23,7 +27,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         HELD_BACK("is held back"),
     }
 
-    /** `distance(right,30) is dropped by filter frontDistance: rule 3 meets it: distance where argument 0 is not front`. */
+    /** `distance(right,30) is dropped by filter frontDistance: it matches rule 3: distance where argument 0 is not front`. */
     override fun toString(): String = "$percept ${outcome.words}$reason"
 
     internal companion object {
@@ -39,7 +43,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             val critical = matcher.criticalRules(percept).firstOrNull()
             if (critical != null) {
                 val number = matcher.filter.critical.indexOfFirst { it === critical } + 1
-                return kept("$percept", critical.rule, matcher.filter, "critical rule $number meets it: $critical")
+                return kept("$percept", critical.rule, matcher.filter, "it matches critical rule $number: $critical")
             }
             val met = matcher.rulesMetBy(percept)
             val rule = met.firstOrNull { matcher.filter.mode == Mode.KEEP || it.rate == null }
@@ -54,15 +58,35 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             return Explanation("$percept", Outcome.HELD_BACK, hold.rule.rule, reason)
         }
 
-        private fun met(matcher: PerceptMatcher, rule: CompiledRule) = "${numbered(matcher, rule)} meets it: ${rule.rule}"
+        private fun met(matcher: PerceptMatcher, rule: CompiledRule) = "it matches ${numbered(matcher, rule)}: ${rule.rule}"
 
         private fun notMet(matcher: PerceptMatcher, percept: PerceptText, met: List<CompiledRule>): String {
             val rules = matcher.rulesOn(percept)
-            if (rules.isEmpty()) return "it has no rule on ${percept.predicate()} with ${percept.arity} arguments"
+            val arguments = if (percept.arity == 1) "1 argument" else "${percept.arity} arguments"
+            if (rules.isEmpty()) return "it has no rule on ${percept.predicate()} with $arguments"
             return rules.joinToString("; ") { rule ->
-                val verdict = if (rule in met) "holds nothing back now" else "does not meet it, since not: ${percept.failing(rule)}"
-                "${numbered(matcher, rule)} $verdict"
+                val number = numbered(matcher, rule)
+                if (rule in met) "$number holds nothing back now"
+                else "it does not match $number: ${found(percept, percept.failing(rule))}"
             }
+        }
+
+        /** What [percept] has in place of what [condition] asks for. */
+        private fun found(percept: PerceptText, condition: Condition): String {
+            if (condition is Condition.Annotation) return unmet(condition)
+            val (index, test) = condition as Condition.Argument
+            val argument = percept.argument(index) ?: return "there is no argument $index"
+            return "argument $index is $argument" + if (GroundTerm.ofOrNull(argument) == null) ", which is no value" else expected(test)
+        }
+
+        private fun unmet(condition: Condition.Annotation): String =
+            if (condition.tests.isEmpty()) "there is no annotation ${condition.name}"
+            else condition.tests.joinToString(" and ", "no annotation ${condition.name} ")
+
+        private fun expected(test: TermTest): String = when (test) {
+            is TermTest.Matches -> ", which does not match ${test.pattern}"
+            is TermTest.OneOf -> ", not one of ${test.values.joinToString()}"
+            is TermTest.Compare -> if (test.operator == Operator.NE) "" else ", not ${"$test".removePrefix("is ")}"
         }
 
         private fun numbered(matcher: PerceptMatcher, rule: CompiledRule) =

@@ -51,6 +51,9 @@ internal class PerceptText private constructor(
         }
     }
 
+    /** The text of the argument at [index]; null if there is none. */
+    fun argument(index: Int): String? = if (index < arity) part(index).trim() else null
+
     private fun part(index: Int): String =
         TermBounds.argument(text, functorEnd, end, index).let { text.substring(it, TermBounds.partEnd(text, it, end, ')')) }
 

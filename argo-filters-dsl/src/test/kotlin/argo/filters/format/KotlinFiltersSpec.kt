@@ -10,6 +10,7 @@ import argo.filters.Rule
 import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.filters.filters
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
@@ -18,12 +19,12 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.RandomSource
-import org.jetbrains.kotlin.cli.common.ExitCode
-import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 import java.io.ByteArrayOutputStream
 import java.io.File
 import java.io.PrintStream
 import java.net.URLClassLoader
+import org.jetbrains.kotlin.cli.common.ExitCode
+import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 
 class KotlinFiltersSpec : FunSpec({
     test("a filter in Kotlin compiles, and is equal to what it was written from").config(tags = setOf(NamedTag("Thorough"))) {
@@ -37,9 +38,13 @@ class KotlinFiltersSpec : FunSpec({
     }
 
     test("names that are none in Kotlin, or hold what its strings do not, come back") {
-        val names = listOf("front", "front-left", "night/dark", "when", "__", "a\"b\\c\$d\ne", "7", " ", "é.漢", "\uD83D\uDE00")
+        val names = listOf("front", "front-left", "night/dark", "when", "__", "c\$d", "7", "a b", "é.漢", "\uD83D\uDE00")
         val written = names.map { PerceptionFilter(it, Rule("dist")) }
         compiled(tempdir(), written).map { it.name } shouldBe names
+    }
+
+    test("a name by which no agent can ask for the filter is not written") {
+        for (name in listOf(" ", "a\"b", "none")) shouldThrow<IllegalArgumentException> { KotlinFilters.write(PerceptionFilter(name)) }
     }
 
     test("the paper's filter is written as a person writes it") {

@@ -115,6 +115,11 @@ class PerceptReaderSpec : StringSpec({
         refusal("x".repeat(500) + "(").length shouldBe refusal("x".repeat(501) + "(").length
     }
 
+    "a decimal comma makes two arguments" {
+        PerceptReader.read("temp(21,5)").arity shouldBe 2
+        PerceptReader.read("temp(21.5)").arity shouldBe 1
+    }
+
     "nesting without end is refused, not a stack overflow" {
         val nested = "d(" + "(".repeat(100_000) + "1" + ")".repeat(100_000) + ")"
         shouldThrow<PerceptSyntaxException> { PerceptReader.read(nested) }.message shouldContain "nested too deep"

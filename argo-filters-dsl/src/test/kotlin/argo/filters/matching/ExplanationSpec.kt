@@ -8,7 +8,9 @@ import argo.filters.PerceptionFilter
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
+import argo.filters.RuleConditions
 import argo.filters.TermTest
+import argo.filters.dropFilter
 import argo.filters.filters
 import argo.filters.jason.perceptText
 import argo.filters.matching.Explanation.Outcome
@@ -25,14 +27,14 @@ class ExplanationSpec : StringSpec({
 
     "it tells which rule dropped a percept" {
         val explanation = dropping.explain("dist(b,1)")
-        explanation.toString() shouldBe "dist(b,1) is dropped by filter front: rule 2 meets it: dist where argument 0 is not f"
+        explanation.toString() shouldBe "dist(b,1) is dropped by filter front: it matches rule 2: dist where argument 0 is not f"
         explanation.outcome shouldBe Outcome.DROPPED
         explanation.rule shouldBe rules[1]
     }
 
     "it tells why a percept was kept" {
         dropping.explain("dist(f,1)").toString() shouldBe
-            "dist(f,1) is kept by filter front: rule 2 does not meet it, since not: argument 0 is not f"
+            "dist(f,1) is kept by filter front: it does not match rule 2: argument 0 is f"
         dropping.explain("~light").toString() shouldBe "~light is kept by filter front: it has no rule on ~light with 0 arguments"
         dropping.explain("dist(").toString() shouldBe
             "dist( is kept by filter front: its text is not a percept, and filters leave that to the parser"
@@ -40,9 +42,22 @@ class ExplanationSpec : StringSpec({
 
     "it tells the same of a filter that keeps" {
         keeping.explain("dist(b,1)").toString() shouldBe
-            "dist(b,1) is kept by filter others: rule 2 meets it: dist where argument 0 is not f"
+            "dist(b,1) is kept by filter others: it matches rule 2: dist where argument 0 is not f"
         keeping.explain("dist(f,1)").toString() shouldBe
-            "dist(f,1) is dropped by filter others: rule 2 does not meet it, since not: argument 0 is not f"
+            "dist(f,1) is dropped by filter others: it does not match rule 2: argument 0 is f"
+    }
+
+    "it tells what a percept has in place of what a rule asks for" {
+        fun found(percept: String, conditions: RuleConditions.() -> Unit) =
+            dropFilter("f") { drop("d", conditions) }.matcher().explain(percept).reason.substringAfter("it does not match rule 1: ")
+        found("d(back,30)") { argument(1) gt 200 } shouldBe "argument 1 is 30, not greater than 200"
+        found("d(back)") { argument(0) eq "front" } shouldBe "argument 0 is back, not front"
+        found("d( back )") { argument(0) isIn listOf("left", 1) } shouldBe "argument 0 is back, not one of left, 1"
+        found("d(back)") { argument(0) matches "f.*" } shouldBe "argument 0 is back, which does not match f.*"
+        found("d(Side)") { argument(0) ne "front" } shouldBe "argument 0 is Side, which is no value"
+        found("d(back)") { argument(1) ne 3 } shouldBe "there is no argument 1"
+        found("d[q(1)]") { annotation("q") { lt(0.5); ne(0) } } shouldBe "no annotation q is less than 0.5 and is not 0"
+        found("d[q(1)]") { hasAnnotation("urgent") } shouldBe "there is no annotation urgent"
     }
 
     "it explains literals as texts" {

@@ -249,7 +249,7 @@ class FilterSessionSpec : FreeSpec({
         val session = session(EVERY_100)
         session.perceive(listOf("dist(f,1)"), 0)
         session.explain("dist(f,2)", 40).toString() shouldBe
-            "dist(f,2) is held back for another 60 ms by filter test: rule 1 meets it: " +
+            "dist(f,2) is held back for another 60 ms by filter test: it matches rule 1: " +
             "dist where the last one was less than 100 ms ago; dist(f,1) stands for it"
         session.explain("dist(b,2)", 40).toString() shouldContain "dist(b,2) is kept by filter test: rule 1 holds nothing back now"
         session.nextDueMs shouldBe null

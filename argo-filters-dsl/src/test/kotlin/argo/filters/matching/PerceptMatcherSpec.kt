@@ -21,6 +21,8 @@ private data class Case(val conditions: String, val drops: List<String>, val kee
 private fun parameter(operator: String, value: String, id: Int = 0) =
     "<parameter id='$id' operator='$operator'>${value.replace("&", "&amp;").replace("<", "&lt;")}</parameter>"
 
+private fun filterOn(conditions: String) = "<filter><predicate>d</predicate>$conditions</filter>"
+
 private fun decides(matcher: PerceptMatcher, percept: String, dropped: Boolean) = withClue(percept) {
     matcher.drops(percept) shouldBe dropped
     matcher.drops(perceptText(ASSyntax.parseLiteral(percept))) shouldBe dropped
@@ -35,6 +37,19 @@ class PerceptMatcherSpec : FreeSpec({
         for (percept in listOf("~d", "~d(1)", "e", "dd", "d1(1)", "'d'", "house::d(1)", "dist(d)", "begin", "true")) {
             decides(matcher, percept, false)
         }
+    }
+
+    "an argument that is no value meets no condition, whatever the filter does with what it matches" {
+        val conditions = "<parameter id='0'>front</parameter><parameter id='1' operator='NE'>3</parameter>"
+        val keeping = XmlFilters.read("<PerceptionFilter keep='true'>${filterOn(conditions)}</PerceptionFilter>", "k.xml").matcher()
+        for (percept in listOf("d(front,X)", "d(front,_)", "d(front,1+1)")) {
+            decides(rule("d", conditions), percept, false)
+            decides(keeping, percept, true)
+        }
+        // rules without a condition on that argument treat it as any other percept
+        decides(rule("d"), "d(front,X)", true)
+        decides(rule("d", "<parameter id='0'>front</parameter>"), "d(front,X)", true)
+        decides(rule("d", "<parameter id='0'>front</parameter>"), "d(Side,1)", false)
     }
 
     "a predicate may be negated, quoted or in a namespace" {

@@ -58,7 +58,7 @@ class WhyReflexSpec : FunSpec({
                 rule shouldBe "dist where argument 1 is less than 15"
                 isByBoard shouldBe false
                 percept.shouldNotBeNull().belief shouldBe "dist(front,12)"
-                percept.shouldNotBeNull().filter.shouldNotBeNull() shouldContain "critical rule 1 meets it"
+                percept.shouldNotBeNull().filter.shouldNotBeNull() shouldContain "it matches critical rule 1"
             }
             answer.frame.shouldNotBeNull().texts shouldBe listOf("dist(front,12)", "light(7)")
             answer.frames shouldBe listOf(answer.frame)

@@ -7,6 +7,7 @@ import argo.tools.command.jsonOf
 import argo.tools.command.printable
 import javino.ActionRefusedException
 import javino.Link
+import javino.PerceptsRequest
 import javino.Protocol
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
@@ -19,17 +20,21 @@ internal abstract class MessageCommand : DataCommand() {
     protected lateinit var line: LineOptions
 
     @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE"])
-    private lateinit var port: String
+    protected lateinit var port: String
 
     @Parameters(index = "1", paramLabel = "MESSAGE", description = ["the message's text, as in \"speed(120)\""])
     protected lateinit var message: String
 
     final override fun call(): Int = try {
+        check()
         line.open(port).use(::exchange)
         ExitStatus.DONE
     } catch (unsendable: IllegalArgumentException) { // a message that fits into no frame
         throw ToolException(unsendable.message.orEmpty())
     }
+
+    /** Refuses a message that this command is not for. */
+    protected open fun check() = Unit
 
     protected abstract fun exchange(link: Link)
 }
@@ -53,6 +58,10 @@ internal class RequestCommand : MessageCommand() {
     ],
 )
 internal class SendCommand : MessageCommand() {
+    override fun check() {
+        if (PerceptsRequest.isIn(message)) misuse("$message is the request for percepts and no command: \"request $port $message\" sends it")
+    }
+
     override fun exchange(link: Link) {
         try {
             link.sendAndAwait(message, line.timeoutMs)

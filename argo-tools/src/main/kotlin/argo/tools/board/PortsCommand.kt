@@ -12,6 +12,7 @@ import kotlinx.serialization.json.JsonObject
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
+import java.io.File
 import java.util.Optional
 import java.util.OptionalInt
 
@@ -42,15 +43,23 @@ internal class PortsCommand : DataCommand() {
 
     override fun call(): Int {
         baud?.let { spec.requireWithin("--baud", it, LineOptions.BAUDS) }
-        val rows = ports().map { Row(it, SerialPorts.holders(it.name())) }
+        val (missing, ports) = ports().partition { !probe && !describe && isMissing(it.path()) }
+        missing.forEach { err.println(paint.bad("there is no port ${printable(it.name())}; there are: ${present()}")) }
+        val rows = ports.map { Row(it, SerialPorts.holders(it.name())) }
         val probed = rows.map { if (probe || describe) it.copy(board = board(it)) else it }
         when {
             json -> out.println(jsonArrayOf(probed.map(Row::json)))
             describe && rows.isNotEmpty() -> probed.forEach(::describe)
-            else -> print(probed)
+            missing.isEmpty() || probed.isNotEmpty() -> print(probed)
         }
-        return if (probed.any { it.board?.isMissing == true }) ExitStatus.FAILED else ExitStatus.DONE
+        return if (missing.isNotEmpty() || probed.any { it.board?.isMissing == true }) ExitStatus.FAILED else ExitStatus.DONE
     }
+
+    private fun present() = SerialPorts.list().joinToString { it.name() }.ifEmpty { "none" }
+
+    /** Whether the system has no such device; what else a port may be, `sim:robot` or `tcp://robot:4000`, is known when it is opened. */
+    private fun isMissing(path: String) =
+        ':' !in path && SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none { File(it).exists() }
 
     private fun ports(): List<SerialPortInfo> {
         val present = SerialPorts.list()

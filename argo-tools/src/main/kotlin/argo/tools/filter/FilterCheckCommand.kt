@@ -1,7 +1,9 @@
 package argo.tools.filter
 
 import argo.filters.FilterException
+import argo.filters.PerceptionFilter
 import argo.filters.Problem
+import argo.filters.matching.warnings
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonArrayOf
@@ -15,7 +17,12 @@ import java.nio.file.Path
 import kotlin.io.path.isDirectory
 
 /** `filter check`: describes filters, or lists their problems. */
-@Command(name = "check", description = ["Describes the filter of each file, or lists all its problems; then the exit status is 1."])
+@Command(
+    name = "check",
+    description = [
+        "Describes the filter of each file with warnings of what has no effect, or lists all its problems; then the exit status is 1.",
+    ],
+)
 internal class FilterCheckCommand : DataCommand() {
     @Parameters(arity = "1..*", paramLabel = "FILE", description = ["XML or JSON, or folders with such files"])
     private lateinit var files: List<Path>
@@ -26,8 +33,10 @@ internal class FilterCheckCommand : DataCommand() {
         return if (checks.all { it.filter != null }) ExitStatus.DONE else ExitStatus.FAILED
     }
 
-    /** @property filter its description; null if it is refused */
-    private class Check(val file: Path, val filter: String?, val problems: List<Problem>)
+    /** @property filter null if it is refused */
+    private class Check(val file: Path, val filter: PerceptionFilter?, val problems: List<Problem>) {
+        val warnings = filter?.warnings().orEmpty()
+    }
 
     private fun checked(file: Path): List<Check> {
         if (!file.isDirectory()) return listOf(check(file))
@@ -36,7 +45,7 @@ internal class FilterCheckCommand : DataCommand() {
     }
 
     private fun check(file: Path): Check = try {
-        Check(file, filterIn(file).toString(), emptyList())
+        Check(file, filterIn(file), emptyList())
     } catch (refused: FilterException) {
         Check(file, null, refused.problems)
     } catch (failure: Exception) {
@@ -44,12 +53,13 @@ internal class FilterCheckCommand : DataCommand() {
     }
 
     private fun print(check: Check) {
-        if (check.filter != null) out.println("${check.file}: ${paint.good("ok")}: ${printable(check.filter)}")
+        if (check.filter != null) out.println("${check.file}: ${paint.good("ok")}: ${printable("${check.filter}")}")
+        check.warnings.forEach { out.println("${check.file}: ${paint.doubtful("warning")}: ${printable(it)}") }
         check.problems.forEach { err.println(paint.bad(printable("$it"))) }
     }
 
     private fun json(check: Check) = jsonOf(
-        "file" to check.file, "ok" to (check.filter != null), "says" to check.filter,
+        "file" to check.file, "ok" to (check.filter != null), "says" to check.filter, "warnings" to check.warnings,
         "problems" to check.problems.map { jsonOf("line" to it.line, "column" to it.column, "message" to it.message) },
     )
 }

@@ -22,6 +22,9 @@ internal class AgentCheck(private val file: Path, private val text: String) {
     /** The names of the filters that it changes to, with their lines. */
     val filters = ArrayList<Pair<String, Int>>()
 
+    /** Whether it has calls that only programs for other versions need. */
+    val isForOtherVersion: Boolean = calls.any { it.name.startsWith('.') && ArgoActions.actionIn(it.name) != null }
+
     /** Whether it needs `argo.Arch`. */
     val needsArch: Boolean = calls.any { ArgoActions.actionIn(it.name) in ArgoActions.OF_BOARDS }
 
@@ -31,7 +34,9 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         calls.forEach { call -> ArgoActions.actionIn(call.name)?.let { action(it, call) } }
         severalPorts()
         calls.filter { it.name == "port" && it.arguments.size == 2 }.forEach(::portBelief)
+        calls.filter { it.name == "port" && it.arguments.size == 2 }.forEach { advices.options(it.arguments[1], KnownOption.OF_PORT, "a port") }
         calls.filter { it.name == "source" }.forEach(::source)
+        calls.filter { it.name == "error" }.forEach(::error)
         return advices.all
     }
 
@@ -59,7 +64,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         if (!ArgoActions.exists(call.name)) {
             advices.change(
                 call.line, "there is no internal action ${call.name}: Jason would take it for an action of the environment",
-                meant(action) + "the actions are ${ArgoActions.NAMES.joinToString { "argo.$it" }}",
+                meant(action, ArgoActions.NAMES).replace("probably ", "probably argo.") + "the actions are ${ArgoActions.NAMES.joinToString { "argo.$it" }}",
             )
             return
         }
@@ -72,8 +77,6 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         }
     }
 
-    private fun meant(action: String) = closest(action, ArgoActions.NAMES)?.let { "probably argo.$it; " }.orEmpty()
-
     private fun port(call: Call) {
         val port = call.arguments.firstOrNull() ?: return arity(call, "the port")
         val options = call.arguments.getOrNull(1)
@@ -84,6 +87,8 @@ internal class AgentCheck(private val file: Path, private val text: String) {
             advices.change(call.line, "$what, not ${options?.single()?.text}", remedy)
         } else if (options != null && !mayBeList(options)) {
             advices.change(call.line, what, "such as [baud(115200), timeout(1000)]")
+        } else if (options != null) {
+            advices.options(options, KnownOption.OF_PORT, call.name)
         }
         val name = port.singleOrNull()
         if (name == null) {
@@ -141,6 +146,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         if (call.arguments.size !in 1..2 || options != null && !mayBeList(options)) {
             return arity(call, "one literal, as in ${call.name}(speed(120)), and optionally a list of options")
         }
+        options?.let { advices.options(it, KnownOption.OF_ACT, call.name) }
         val command = call.arguments.first()
         val string = command.singleOrNull()?.takeIf { it.kind == Token.Kind.STRING && it.text.startsWith('"') } ?: return
         val what = "the string ${string.text} is sent without its quotes here; some versions of ARGO sent them too"
@@ -180,6 +186,13 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         if (source !in BODY_SOURCES) return
         val what = "no belief has source($source) here: percepts of a board, and the states of ports, have source(percept)"
         advices.change(call.line, what, "source(percept), or no annotation")
+    }
+
+    /** An error that no action has, and that is nearly one: others may be of the project's own `.fail`. */
+    private fun error(call: Call) {
+        val written = call.arguments.singleOrNull()?.singleOrNull()?.takeIf { it.kind == Token.Kind.WORD && !it.isVariable }?.text ?: return
+        val meant = closest(written, ArgoActions.ERRORS).takeIf { written !in ArgoActions.ERRORS } ?: return
+        advices.note(call.line, "no action of ARGO fails with error($written)", "probably error($meant); no change is needed if .fail makes it")
     }
 
     private fun arity(call: Call, expected: String) =

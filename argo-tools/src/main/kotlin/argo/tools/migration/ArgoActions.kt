@@ -11,6 +11,13 @@ internal object ArgoActions {
     /** The actions that need `argo.Arch`. */
     val OF_BOARDS = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "record")
 
+    /** The errors that they fail with. */
+    val ERRORS = setOf(
+        "wrong_arguments", "not_argo", "no_such_port", "port_busy", "port_permission", "port_failed", "too_many_ports", "no_port", "port_gone",
+        "port_timeout", "act_refused", "act_failed", "act_unconfirmed", "act_timeout", "act_replaced", "no_vocabulary", "not_perceived",
+        "unknown_board", "not_recording", "ambiguous_action", "no_such_filter", "bad_filter",
+    )
+
     /**
      * The action's name in a call of ARGO's actions, such as `.argo.port`, in upper or lower case; null for other actions. It need not
      * [exist][exists].

@@ -32,7 +32,7 @@ internal class CheckAgentCommand : DataCommand() {
     private fun print(advices: List<Advice>, files: Int) {
         for (advice in advices) {
             val mark = if (advice.must) paint.bad("must change: ") else paint.doubtful("note: ")
-            out.println("${advice.file}:${advice.line}: $mark${printable(advice.what)}")
+            out.println("${advice.place}: $mark${printable(advice.what)}")
             out.println("    ${printable(advice.remedy)}")
         }
         val changes = advices.count { it.must }
@@ -41,5 +41,8 @@ internal class CheckAgentCommand : DataCommand() {
     }
 
     private fun json(advice: Advice) =
-        jsonOf("file" to advice.file, "line" to advice.line, "must" to advice.must, "what" to advice.what, "remedy" to advice.remedy)
+        jsonOf(
+            "file" to advice.file, "line" to advice.line, "column" to advice.column, "must" to advice.must, "what" to advice.what,
+            "remedy" to advice.remedy,
+        )
 }

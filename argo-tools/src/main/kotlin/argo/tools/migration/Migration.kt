@@ -21,9 +21,10 @@ internal class Migration(files: List<Path>) {
         val needArch = agents.filter { it.second.needsArch }.map { it.first.name }.toSet()
         val ofAgents = agents.flatMap { (file, check) -> check.advices() + missingFilters(file, check) }
         val ofProjects = files.filter { it.extension in PROJECTS }.flatMap { ProjectCheck(it, textOf(it)).advices(needArch) }
+        val isForOtherVersion = agents.isEmpty() || agents.any { it.second.isForOtherVersion }
         val changedTo = agents.flatMap { (file, check) -> check.filters.mapNotNull { filterFile(file, it.first) } }
         val ofFilters = (files + changedTo).filter { it.extension == "xml" }.distinctBy { it.toAbsolutePath().normalize() }
-            .flatMap { FilterFileCheck(it).advices() }
+            .flatMap { FilterFileCheck(it, isForOtherVersion).advices() }
         return ofAgents + ofProjects + ofFilters
     }
 

@@ -13,6 +13,7 @@ internal class ProjectCheck(private val file: Path, text: String) {
         tokens.indices.forEach(::architecture)
         tokens.indices.forEach(::otherArgo)
         tokens.indices.forEach(::infrastructure)
+        tokens.indices.forEach { advices.archOption(tokens, it) }
         // only the project file of Jason names the architecture of each agent reliably
         if (file.name.endsWith(".mas2j")) agents().forEach { withoutArch(it, needArch) }
         return advices.all

@@ -1,5 +1,7 @@
 package argo.tools.samples
 
+import argo.tools.command.ExitStatus
+import argo.tools.command.ToolException
 import argo.tools.command.ownJar
 import argo.tools.command.runJava
 import picocli.CommandLine.Command
@@ -19,8 +21,23 @@ internal abstract class SampleProgramCommand(private vararg val words: String) :
     private var arguments: MutableList<String> = ArrayList()
 
     override fun call(): Int {
-        val program = listOf("-Dargo.command=${spec.root().name()}", "-cp", samplesClassPath(ownJar() ?: Path.of("")), "samples.MainKt")
-        return runJava(program + words + arguments)
+        val classPath = try {
+            samplesClassPath(ownJar() ?: Path.of(""))
+        } catch (missing: ToolException) {
+            return if (arguments.any { it in HELP }) help(missing) else throw missing
+        }
+        return runJava(listOf("-Dargo.command=${spec.root().name()}", "-cp", classPath, "samples.MainKt") + words + arguments)
+    }
+
+    /** What there is to say without the samples, which list their options themselves. */
+    private fun help(missing: ToolException): Int {
+        spec.commandLine().usage(spec.commandLine().out)
+        spec.commandLine().out.println("\nIts options cannot be listed: ${missing.message}")
+        return ExitStatus.DONE
+    }
+
+    private companion object {
+        val HELP = setOf("-h", "--help")
     }
 }
 

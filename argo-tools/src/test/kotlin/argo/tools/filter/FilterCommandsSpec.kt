@@ -34,6 +34,19 @@ class FilterCommandsSpec : FunSpec({
         argo("filter", "check", front).status shouldBe 0
     }
 
+    test("check warns of what has no effect, and the exit status is 0") {
+        val never = "<parameter operator=\"GT\" id=\"0\">5</parameter><parameter operator=\"LT\" id=\"0\">3</parameter>"
+        val file = file("never.xml", "<PerceptionFilter><filter><predicate>d</predicate>$never</filter></PerceptionFilter>")
+        val said = argo("filter", "check", file)
+        val warning = "rule 1 (d where argument 0 is greater than 5 and argument 0 is less than 3) matches no percept: " +
+            "argument 0 is greater than 5 and argument 0 is less than 3"
+        said.status shouldBe 0
+        said.out.lines()[1] shouldBe "$file: warning: $warning"
+        val json = Json.parseToJsonElement(argo("filter", "check", file, front, "--json").out).jsonArray
+        json.map { check -> check.jsonObject.getValue("warnings").jsonArray.map { it.jsonPrimitive.content } } shouldBe
+            listOf(listOf(warning), emptyList())
+    }
+
     test("check goes on behind a file that is not there") {
         val said = argo("filter", "check", "no-such.xml", folder.path + "/none.txt", front)
         said.status shouldBe 1
@@ -76,7 +89,7 @@ class FilterCommandsSpec : FunSpec({
         val said = argo("filter", "explain", front, "dist(b,3);dist(f,3);", "light(1)")
         said.status shouldBe 0
         said.out.lines()[0] shouldBe
-            "dist(b,3) is dropped by filter front: rule 2 meets it: dist where there are 2 arguments and argument 0 is not f"
+            "dist(b,3) is dropped by filter front: it matches rule 2: dist where there are 2 arguments and argument 0 is not f"
         said.out.lines()[1] shouldContain "dist(f,3) is kept"
         said.out.lines()[2] shouldContain "light(1) is kept"
         val json = Json.parseToJsonElement(argo("filter", "explain", front, "dist(b,3)", "--json").out).jsonArray.single().jsonObject

@@ -43,6 +43,8 @@ class MigrationSpec : FunSpec({
             "+port(ttyACM0,on)[source(percept)] <- .print(x). +!s <- .argo.port(ttyACM0).",
             "+!s <- .send(bob, tell, port(1,2,3)); .my.act(x); .wait(1000).",
             "+!s <- argo.limit(1000); argo.limit(2000).",
+            "+!s : o(O) <- argo.port(P, O); argo.port(P, [baud(Rate), as(left), protocol(auto)]); argo.act(x, [urgent, timeout(T), port(P)]).",
+            "-!s[error(no_such_port)] <- true. -!t[error(E)] <- true. -!u[error(no_relevant)] <- .fail(error(mine)).",
         ).forEach { line -> test(line) { of(line).shouldBeEmpty() } }
     }
 
@@ -68,6 +70,14 @@ class MigrationSpec : FunSpec({
             "+!s <- .Port(ttyACM0)." to "there is no internal action .Port",
             "+!s <- .argo.Percepts(open)." to "there is no internal action .argo.Percepts",
             "+!s <- Argo.act(front)." to "there is no internal action Argo.act",
+            "+!s <- argo.port(P, [bawd(1)])." to "bawd is no option of argo.port",
+            "+!s <- argo.port(P, [baud(115200), timeout(0)])." to "timeout of argo.port is a whole number from 1 to 600000, not 0",
+            "+!s <- argo.port(P, [mode(sing)])." to "mode of argo.port is request or listen, not sing",
+            "+!s <- argo.port(P, [baud])." to "baud of argo.port needs a value",
+            "+!s <- argo.ports([a, port(b, [az(right)])])." to "az is no option of a port",
+            "+!s <- argo.act(stop, [urgnt])." to "urgnt is no option of argo.act",
+            "+!s <- argo.act(stop, [timeout(-5)])." to "timeout of argo.act is a whole number from 1 to 600000, not -5",
+            "+!s <- argo.act(stop, [latest(1)])." to "latest of argo.act has no value, and here it is 1",
             "+port(P,S)[source(interoception)] <- true." to "no belief has source(interoception) here",
             "+port(P,broken) <- true." to "a port is never broken here",
             "+port(ttyUSB0,on) <- true. +!s <- .port(\"/dev/ttyUSB0\")." to "so that ttyUSB0 never matches",
@@ -92,6 +102,8 @@ class MigrationSpec : FunSpec({
 
     context("what may matter is a note") {
         listOf(
+            "+!s <- argo.port(\"COM5\", [as(Left)])." to "Left is a variable to Jason; while it is unbound, argo.port fails",
+            "-!s[error(no_such_prt)] <- true." to "no action of ARGO fails with error(no_such_prt)",
             "+!s <- .port(COM5)." to "COM5 is a variable to Jason",
             "+!s <- .argo.limit(50); .argo.limit(1000); .argo.limit(2000)." to "one perception in 1000 ms",
             "+!s <- .act(\"led\")." to "the string \"led\" is sent without its quotes here",
@@ -132,6 +144,25 @@ class MigrationSpec : FunSpec({
         advices("new.mas2j" to "MAS m { agents: bob agentArchClass robots.Arc; }").shouldBeEmpty()
     }
 
+    test("options of the architecture that it does not have, or not with this value, are reported") {
+        fun of(options: String) = advices("new.mas2j" to "MAS m { agents: bob [$options] agentArchClass argo.Arch; }")
+        of("argo_sensng=every").single().run { must to remedy.substringBefore(';') } shouldBe (true to "probably argo_sensing")
+        of("argo_percepts=abc").single().what shouldBe "argo_percepts of argo.Arch is a whole number from 1 to 2147483647, not abc"
+        of("argo_view=99999999").single().what shouldBe "argo_view of argo.Arch is a whole number from 0 to 65535, not 99999999"
+        of("argo_sensing=never").single().what shouldBe "argo_sensing of argo.Arch is fresh or every or in_cycle, not never"
+        of("argo_diary=on").single().must shouldBe false
+        of("verbose=2, argo_sensing=every, argo_view=8080, argo_record=\"last(5)\", argo_ros=\"0.0.0.0:9090\"").shouldBeEmpty()
+    }
+
+    test("NE is noted where a program may be for another version, and what has no effect everywhere") {
+        val rule = "<filter><predicate>d</predicate><parameter operator=\"NE\" id=\"0\">f</parameter></filter>"
+        fun of(agent: String, rules: String) =
+            advices("a.asl" to agent, "filters/front.xml" to "<PerceptionFilter>$rules</PerceptionFilter>").map { it.what }
+        of("+!s <- argo.change_filter(front).", rule).shouldBeEmpty()
+        of("+!s <- .change_filter(front).", rule).single() shouldStartWith "NE means differs"
+        of("+!s <- argo.change_filter(front).", rule + rule).single() shouldStartWith "rule 2 (d where argument 0 is not f) has no effect"
+    }
+
     test("projects of JaCaMo and Gradle that bring another version are found") {
         val advices = advices(
             "p.jcm" to "mas hello {\n agent bob: a.asl {\n  ag-arch: jason.Argo\n }\n" +
@@ -153,6 +184,7 @@ class MigrationSpec : FunSpec({
         )
         advices.map { it.line to it.must } shouldBe listOf(3 to false, 4 to true, 4 to false)
         advices[1].what shouldContain "for a regular expression the operator is MATCHES"
+        advices[1].place shouldContain "front.xml:4:"
     }
 
     test("no text makes a check throw") {
@@ -221,6 +253,12 @@ class MigrationSpec : FunSpec({
                 .filter { (name, text) -> name[0].isLowerCase() && "open class $name " in text }.map { it.first }.toSet()
         }
         ArgoActions.NAMES shouldBe actions
+        fun options(file: String) = Regex("\"([a-z]+)\"(?: ->| && literal.arity)").findAll(sources.resolve(file).readText())
+            .map { it.groupValues[1] }.toSet()
+        KnownOption.OF_PORT.keys shouldBe options("connecting/PortOptions.kt")
+        KnownOption.OF_ACT.keys shouldBe options("acting/CommandOptions.kt")
+        ArgoActions.ERRORS shouldBe Regex("^\\| `(\\w+)`", RegexOption.MULTILINE).findAll(Path.of("../docs/errors.md").readText())
+            .map { it.groupValues[1] }.toSet()
         val dotForms = Path.of("../argo-arch/src/stdlib/kotlin/jason/stdlib/DotForms.kt").readText()
         ArgoActions.DOT_NAMES shouldBe Regex("^class (\\w+)", RegexOption.MULTILINE).findAll(dotForms).map { it.groupValues[1] }.toSet()
     }

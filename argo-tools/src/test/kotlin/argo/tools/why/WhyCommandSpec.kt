@@ -89,7 +89,7 @@ class WhyCommandSpec : FunSpec({
         said.out shouldContain "the computer of agent robot sent, before the agent reasoned, stop to ttyACM0\n"
         said.out shouldContain "  as the reflex of the critical rule on dist where argument 1 is less than 15; no plan did\n"
         said.out shouldContain "  because dist(front,9) was perceived from "
-        said.out shouldContain "critical rule 1 meets it"
+        said.out shouldContain "it matches critical rule 1"
         said.out shouldContain "whose last byte came at"
     }
 

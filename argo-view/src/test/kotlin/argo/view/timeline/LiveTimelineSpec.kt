@@ -54,7 +54,7 @@ class LiveTimelineSpec : FunSpec({
                 text("#sentences") shouldContain "agent bob sent stop to"
                 text("#sentences") shouldContain "because of the step argo.act(stop), bob.asl:3"
                 text("#sentences") shouldContain "its context: D < 50, which was 38 < 50"
-                text("#sentences") shouldContain "let through: dist(front,38) is kept by filter near: rule 1 does not meet it"
+                text("#sentences") shouldContain "let through: dist(front,38) is kept by filter near: it does not match rule 1"
                 text("#sentences") shouldContain "whose last byte came at"
                 text("#sentences") shouldContain "it would not have sent stop, but nothing"
                 picture("live-timeline-light")

@@ -100,7 +100,7 @@ class TimelinePageSpec : FunSpec({
             type("0")
             await { text("#range") == all }
             press("After") // chooses the first one
-            await { text("#item-title") != "Nothing is chosen" }
+            await { text("#item-title") != "Select an item" }
             val first = run<Long>("return chosen.item.id")
             type(".")
             await { run<Long>("return chosen.item.id") != first }

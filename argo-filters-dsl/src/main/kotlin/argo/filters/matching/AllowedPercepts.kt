@@ -1,0 +1,78 @@
+package argo.filters.matching
+
+import argo.filters.Condition
+import argo.filters.GroundTerm
+import argo.filters.Operator
+import argo.filters.TermTest
+
+/** The percepts that meet all [conditions]. */
+internal class AllowedPercepts(private val conditions: List<Condition>) {
+    private val arguments =
+        conditions.filterIsInstance<Condition.Argument>().groupBy({ it.index }, { it.test }).mapValues { AllowedTerms(it.value) }
+    private val annotations = conditions.filterIsInstance<Condition.Annotation>().map { it.name to AllowedTerms(it.tests) }
+
+    /** The conditions on a term that no term meets together, in words; null: none are found. */
+    fun contradiction(): String? {
+        val argument = arguments.entries.find { it.value.isEmpty() }
+        if (argument != null) return conditions.filter { (it as? Condition.Argument)?.index == argument.key }.joinToString(" and ")
+        return conditions.filterIsInstance<Condition.Annotation>().find { AllowedTerms(it.tests).isEmpty() }?.toString()
+    }
+
+    /** Whether each of these percepts is known to meet [condition]. */
+    fun imply(condition: Condition): Boolean = when (condition) {
+        is Condition.Argument -> arguments[condition.index]?.imply(condition.test) == true
+        is Condition.Annotation -> annotations.any { (name, terms) -> name == condition.name && condition.tests.all(terms::imply) }
+    }
+}
+
+/** The terms that meet all [tests]. */
+private class AllowedTerms(private val tests: List<TermTest>) {
+    private val range =
+        tests.filterIsInstance<TermTest.Compare>().filter { it.operator.ordering }.map(::NumberRange).reduceOrNull(NumberRange::and)
+
+    /** The terms one by one, where the tests leave so few. */
+    private val values: Set<GroundTerm>? =
+        (tests.mapNotNull(::valuesOf) + listOfNotNull(range?.single()?.let(::setOf))).reduceOrNull { one, other -> one intersect other }
+            ?.filter { value -> tests.all { CompiledTest(it).isMetBy(value) } }?.toSet()
+
+    fun isEmpty(): Boolean = values?.isEmpty() ?: (range?.isEmpty() == true)
+
+    fun imply(test: TermTest): Boolean = when {
+        test in tests -> true
+        values != null -> values.all { CompiledTest(test).isMetBy(it) }
+        range == null || test !is TermTest.Compare -> false
+        test.operator == Operator.NE -> !range.holds((test.value as? GroundTerm.Number)?.value ?: Double.NaN)
+        else -> test.operator.ordering && (range and NumberRange(test)) == range
+    }
+
+    private fun valuesOf(test: TermTest): Set<GroundTerm>? = when (test) {
+        is TermTest.Compare -> setOf(test.value).takeIf { test.operator == Operator.EQ }
+        is TermTest.OneOf -> test.values
+        is TermTest.Matches -> null
+    }
+}
+
+/** Numbers between two limits, either of which may be [open][isFromOpen]: the limit itself is none of them. */
+private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to: Double, val isToOpen: Boolean) {
+    /** The numbers that meet [test], an ordering. */
+    constructor(test: TermTest.Compare) : this(test.operator, (test.value as GroundTerm.Number).value)
+
+    private constructor(operator: Operator, limit: Double) : this(
+        from = if (operator == Operator.GT || operator == Operator.GE) limit else Double.NEGATIVE_INFINITY,
+        isFromOpen = operator == Operator.GT,
+        to = if (operator == Operator.LT || operator == Operator.LE) limit else Double.POSITIVE_INFINITY,
+        isToOpen = operator == Operator.LT,
+    )
+
+    infix fun and(other: NumberRange) = NumberRange(
+        maxOf(from, other.from), from >= other.from && isFromOpen || other.from >= from && other.isFromOpen,
+        minOf(to, other.to), to <= other.to && isToOpen || other.to <= to && other.isToOpen,
+    )
+
+    fun isEmpty(): Boolean = from > to || from == to && (isFromOpen || isToOpen)
+
+    /** The one number that is in the range; null: there are none or several. */
+    fun single(): GroundTerm? = if (from == to && !isEmpty()) GroundTerm.Number(from) else null
+
+    fun holds(number: Double): Boolean = (number > from || number == from && !isFromOpen) && (number < to || number == to && !isToOpen)
+}

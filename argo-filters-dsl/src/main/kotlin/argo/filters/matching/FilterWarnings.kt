@@ -1,0 +1,80 @@
+package argo.filters.matching
+
+import argo.filters.Condition
+import argo.filters.CriticalRule
+import argo.filters.PerceptionFilter
+import argo.filters.PerceptionFilter.Mode
+import argo.filters.Rule
+
+/**
+ * The parts of the filter that have no effect, one sentence each: rules that no percept can match, rules and conditions that others make
+ * superfluous, deadbands on missing arguments, and a filter without rules. Rules are counted from 1. Each sentence is true for all percepts;
+ * some parts without effect are not found.
+ */
+fun PerceptionFilter.warnings(): List<String> {
+    val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
+    val first = critical.mapIndexed { number, rule -> ReviewedRule("critical rule ${number + 1}", rule.rule, rule) }
+    return listOfNotNull(emptiness()) + reviewed(first, emptyList()) + reviewed(ordinary, first)
+}
+
+private fun PerceptionFilter.emptiness(): String? = when {
+    rules.isNotEmpty() || critical.isNotEmpty() -> null
+    mode == Mode.KEEP -> "the filter has no rules, so it drops every percept"
+    else -> "the filter has no rules, so it keeps every percept"
+}
+
+/** What is said of each of [rules], which [first] are decided before. */
+private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
+    rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
+    val other = first.find { it.covers(rule) } ?: rules.withIndex().find { (at, other) ->
+        at != number && other.makesSuperfluous(rule) && (at < number || !rule.makesSuperfluous(other))
+    }?.value
+    if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
+}
+
+/** A rule of a filter called [name], with what its conditions allow. */
+private class ReviewedRule(private val name: String, private val rule: Rule, private val critical: CriticalRule? = null) {
+    private val allowed = AllowedPercepts(rule.conditions)
+
+    private fun sentence(finding: String) = "$name ($rule) $finding"
+
+    fun contradiction(): String? {
+        val missing = rule.conditions.filterIsInstance<Condition.Argument>().find { isMissing(it.index) }
+        val impossible = if (missing != null) "$missing" else allowed.contradiction()
+        return impossible?.let { sentence("matches no percept: $it" + if (missing != null) ", and there is no such argument" else "") }
+    }
+
+    /** Whether each percept that matches [other] matches this rule. */
+    fun covers(other: ReviewedRule): Boolean =
+        rule.predicate == other.rule.predicate && (rule.arity == null || rule.arity == other.rule.arity) &&
+            rule.conditions.all(other.allowed::imply)
+
+    /** Whether [other], of the same list, changes nothing beside this rule. */
+    fun makesSuperfluous(other: ReviewedRule): Boolean {
+        val doesAtLeastAsMuch = when {
+            critical != null -> other.critical?.reflex.let { it == null || it == critical.reflex }
+            else -> rule.rate == null || rule.rate == other.rule.rate
+        }
+        return doesAtLeastAsMuch && covers(other)
+    }
+
+    fun superfluousBeside(other: ReviewedRule): String {
+        val words = if (other.critical != null && critical == null) "keeps all percepts that match it" else "matches the same percepts"
+        return sentence("has no effect: ${other.name} (${other.rule}) $words")
+    }
+
+    fun superfluousConditions(): List<String> {
+        val needed = rule.conditions.toMutableList()
+        return rule.conditions.mapNotNull { condition ->
+            val others = needed.toMutableList().also { it.remove(condition) }
+            if (!AllowedPercepts(others).imply(condition)) return@mapNotNull null
+            needed.remove(condition)
+            sentence("does not need its condition '$condition': the other conditions imply it")
+        }
+    }
+
+    fun missingArguments(): List<String> = rule.rate?.deadbands.orEmpty().mapNotNull { it.argument }.filter(::isMissing)
+        .map { sentence("has a deadband on argument $it, and there is no such argument") }
+
+    private fun isMissing(index: Int) = rule.arity?.let { index >= it } == true
+}
