@@ -11,7 +11,7 @@ import kotlin.io.path.writeText
 class BuildErrorsSpec : FunSpec({
     fun errors(log: String): String {
         val file = tempdir().toPath().resolve("build.log").apply { writeText(log.trimIndent()) }
-        val bash = ProcessBuilder("bash", "-c", ". ../argo; errors '$file'").redirectErrorStream(true).start()
+        val bash = ProcessBuilder("bash", "-c", ". ../build-tools/common.bash; errors '$file'").redirectErrorStream(true).start()
         return bash.inputStream.readBytes().decodeToString().also { bash.waitFor() shouldBe 0 }
     }
 

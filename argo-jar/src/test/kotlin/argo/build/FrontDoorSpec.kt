@@ -34,7 +34,7 @@ class FrontDoorSpec : FunSpec({
         fun building(module: String) = "echo '[INFO] Building $module 0.1.0 [1/4]'"
         // the shell opens the log for the build in the background at a time of its own, mostly early enough
         val rounds = """
-            . ../argo; logs='$logs'
+            . ../build-tools/common.bash; logs='$logs'
             mvn() { ${building("later")}; }
             tail() { printf '%s\\n' "$(<'$log')"; }
             for round in {1..60}; do ${building("earlier")} >'$log'; maven '$log'; done
@@ -45,7 +45,7 @@ class FrontDoorSpec : FunSpec({
     test("a build ends with the command that waits for it") {
         val logs = tempdir().toPath()
         val begun = logs.resolve("begun")
-        val command = ". ../argo; logs='$logs'; mvn() { touch '$begun'; exec sleep 100; }; maven '$logs/build.log'"
+        val command = ". ../build-tools/common.bash; logs='$logs'; mvn() { touch '$begun'; exec sleep 100; }; maven '$logs/build.log'"
         val process = ProcessBuilder("bash", "-c", command).redirectErrorStream(true).start()
         eventually(30.seconds) { begun.exists() shouldBe true }
         process.destroy()
@@ -62,7 +62,7 @@ class FrontDoorSpec : FunSpec({
             tree.resolve(name).resolve("pom.xml").writeText("")
         }
         val maven = "mkdir -p \"\$logs\"; maven() { echo \"maven \$5\"; }"
-        val set = ". ../argo; here='$tree'; logs='$tree/.argo'; $maven"
+        val set = ". ../build-tools/common.bash; here='$tree'; logs='$tree/.argo'; $maven"
         fun built(modules: String) = bash("-c", "$set; build $modules 2>/dev/null").second.trim()
         built("one two") shouldBe "maven one,two"
         built("two") shouldBe ""
@@ -77,15 +77,20 @@ class FrontDoorSpec : FunSpec({
     mapOf("" to "formatting", "--check" to "checking the format").forEach { (option, work) ->
         test("./argo format $option says first what it does and how long that takes") {
             val folder = tempdir().toPath()
-            val set = "touch '$folder/format.classpath'; printf '#!/bin/sh' >'$folder/java'; chmod +x '$folder/java'; PATH=$folder:\$PATH"
-            bash("-c", "$set; . ../argo; logs='$folder'; format $option").second shouldStartWith "$work; takes about "
+            val java = "${System.getProperty("java.home")}/bin/java"
+            // formats nothing, and runs Maven
+            val formatters = "#!/bin/sh\ncase \"\$*\" in *ktlint*|*palantir*) ;; *) exec '$java' \"\$@\" ;; esac\n"
+            folder.resolve("java").apply { writeText(formatters) }.toFile().setExecutable(true)
+            val process = ProcessBuilder("bash", "-c", "PATH=$folder:\$PATH exec bash ../argo format $option").redirectErrorStream(true).start()
+            process.inputStream.bufferedReader().readLine() shouldStartWith "$work; takes about "
+            process.destroy()
         }
     }
 
     test("a release's library lies where Maven looks for it, with the checksum of the file that was packed") {
         val folder = tempdir().toPath()
         folder.resolve("packed.jar").writeText("bytes")
-        val (status, said) = bash("-c", ". ../argo; here='$folder'; in_repository argo-arch 0.1.0 '$folder/packed.jar' -sources.jar")
+        val (status, said) = bash("-c", ". ../build-tools/dist; here='$folder'; in_repository argo-arch 0.1.0 '$folder/packed.jar' -sources.jar")
         withClue(said) { status shouldBe 0 }
         val place = folder.resolve("dist/maven/argo/argo-arch/0.1.0")
         place.resolve("argo-arch-0.1.0-sources.jar").readText() shouldBe "bytes"
@@ -95,7 +100,7 @@ class FrontDoorSpec : FunSpec({
 
     test("checksums are made by the program of macOS where that of GNU is not there") {
         val folder = tempdir().toPath()
-        bash("-c", "printf '#!/bin/bash\necho shasum \"\$@\"' >'$folder/shasum'; chmod +x '$folder/shasum'; . ../argo; " +
+        bash("-c", "printf '#!/bin/bash\necho shasum \"\$@\"' >'$folder/shasum'; chmod +x '$folder/shasum'; . ../build-tools/dist; " +
             "PATH=$folder; checksums sha256sum 'a file'").second.trim() shouldBe "shasum -a 256 a file"
     }
 
@@ -111,7 +116,7 @@ class FrontDoorSpec : FunSpec({
 
     mapOf(
         "new" to "new takes the name of a project, such as my-robot", "sample" to "sample takes the name of one: blink",
-        "site here" to "site takes no arguments, not: here", "dist here" to "dist takes no arguments, not: here",
+        "site here" to "site takes --into FOLDER or nothing, not: here", "dist here" to "dist takes no arguments, not: here",
         "install here" to "install takes no arguments, not: here", "explore" to "explore takes the .asl of an agent",
         "sample blinc" to "there is no sample 'blinc'; there are: blink, collision",
     ).forEach { (line, reason) ->

@@ -1,0 +1,111 @@
+# shellcheck shell=bash
+# What the scripts of ./argo share: messages, the tools that they need, Maven. For ". build-tools/common.bash".
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+logs=$here/.argo
+jar=$here/argo-jar/target/argo.jar
+
+fail() { printf './argo: %s\n' "$*" >&2; exit 1; }
+misuse() { printf './argo: %s\n' "$*" >&2; exit 2; }
+
+# Ends with what is missing unless there are a JDK and a Maven that can build ARGO, and Maven runs on such a JDK too.
+need_tools() {
+  command -v javac >/dev/null 2>&1 || fail 'no JDK found (no javac on the PATH).' \
+    'ARGO needs a JDK, 17 or newer: "sudo apt install default-jdk", "brew install openjdk" or https://adoptium.net'
+  local javac java
+  javac=$(javac -version 2>&1) || fail "the JDK on the PATH does not run, ARGO needs 17 or newer: https://adoptium.net. javac says: $javac"
+  java=$(sed -n 's/^javac \([0-9]*\).*/\1/p' <<<"$javac")
+  [ "${java:-0}" -ge 17 ] ||
+    fail "the JDK on the PATH is $javac, ARGO needs 17 or newer: https://adoptium.net, then put its bin directory first on the PATH"
+  command -v mvn >/dev/null 2>&1 || fail 'no Maven found. ARGO needs Maven, 3.8 or newer:' \
+    '"sudo apt install maven", "brew install maven" or https://maven.apache.org/download.html'
+  local mvn maven major minor; mvn=$(mvn --version 2>&1) || fail "Maven does not run${JAVA_HOME:+ with JAVA_HOME=$JAVA_HOME}. It says: $mvn"
+  maven=$(sed -n 's/.*Apache Maven \([0-9.]*\).*/\1/p' <<<"$mvn" | head -n 1)
+  IFS=. read -r major minor _ <<<"$maven"
+  [ "${major:-0}" -gt 3 ] || { [ "${major:-0}" -eq 3 ] && [ "${minor:-0}" -ge 8 ]; } ||
+    fail "Maven on the PATH is ${maven:-of no known version}, ARGO needs 3.8 or newer: https://maven.apache.org/download.html"
+  java=$(sed -n 's/.*Java version: \([0-9]*\).*/\1/p' <<<"$mvn" | head -n 1)
+  [ "${java:-17}" -ge 17 ] ||
+    fail "Maven runs on Java $java, ARGO needs 17 or newer: have JAVA_HOME name such a JDK (now: ${JAVA_HOME:-not set})"
+}
+
+# Shows each line of the input in place of the one before on a terminal, and behind it elsewhere.
+show_one_line() {
+  local line
+  while IFS= read -r line; do if [ -t 2 ]; then printf '\r\033[K%s' "$line"; else printf '%s\n' "$line"; fi; done
+}
+
+# maven LOG ARGUMENT…: runs Maven with its output in LOG and the module at work on the terminal.
+maven() {
+  local log=$1; shift
+  mkdir -p "$logs"
+  : >"$log" # now: the lines of an earlier build would be shown as this one's
+  local status=0
+  mvn -B -f "$here/pom.xml" "$@" >"$log" 2>&1 < /dev/null &
+  local pid=$!
+  tail -n +1 -F --pid=$pid "$log" 2>/dev/null | sed -u -n 's/^\[INFO\] Building \([a-z-]*\) .*\[\(.*\)\]$/  \1 (\2)/p' | show_one_line >&2 &
+  local shown=$! # in the background: a signal interrupts waiting, and nothing else
+  trap 'kill $pid 2>/dev/null; exit 130' INT
+  trap 'kill $pid 2>/dev/null; exit 143' TERM
+  wait $pid || status=$?
+  wait $shown || true
+  [ ! -t 2 ] || printf '\r\033[K' >&2
+  trap - INT TERM
+  return $status
+}
+
+# What went wrong, from Maven's log without its advice on itself, and what to do where nothing could be fetched.
+errors() {
+  sed -nE 's/ *-> \[Help [0-9]+\]$//; /^\[ERROR\] *[^ ]/p' "$1" |
+    grep -vE '^\[ERROR\] (\[Help [0-9]|To see the full|Re-run|For more information|After correcting|  mvn <args>|See .*surefire|See dump)' |
+    awk '!seen[$0]++ && ++lines <= 25' || true
+  if grep -qE '^\[(ERROR|WARNING)\].*(Could not transfer |transfer failed|[Uu]nknown host|Connection refused|No plugin found for prefix)' "$1"; then
+    echo 'Maven Central cannot be reached, where the libraries are fetched from.' \
+      'Behind a proxy, name it in ~/.m2/settings.xml: https://maven.apache.org/guides/mini/guide-proxies.html'
+  fi
+}
+
+# Ends with what went wrong, from Maven's log.
+build_failed() { errors "$1" >&2; fail "the build failed; the whole log is in $1"; }
+
+# The modules' folders.
+modules() { sed -n 's|.*<module>\(.*\)</module>.*|\1|p' "$here/pom.xml"; }
+
+# build MODULE…: builds these and what they need, neither tests nor what only tests need, but those for which nothing has changed since the
+# last time.
+build() {
+  local all module log=$logs/build.log changed=''
+  IFS=$'\n' read -r -d '' -a all < <(modules) || true
+  all=("${all[@]/#/$here/}") # those alone: a project that "new" has made may lie beside them
+  local sources=("$here/pom.xml" "${all[@]/%//pom.xml}" "${all[@]/%//src}" "$here/samples")
+  for module; do
+    local stamp=$logs/built-$module
+    if [ -f "$stamp" ] && compgen -G "$here/$module/target/*.jar" >/dev/null &&
+       [ -z "$(find "${sources[@]}" -path '*/target' -prune -o -type f -newer "$stamp" -print -quit)" ]; then continue; fi
+    changed=${changed:+$changed,}$module
+  done
+  [ -n "$changed" ] || return 0
+  echo 'building (the first time fetches about 140 MB of libraries)' >&2
+  maven "$log" package -Dmaven.test.skip=true -pl "$changed" -am || build_failed "$log"
+  for module in ${changed//,/ }; do touch "$logs/built-$module"; done
+}
+
+# The version and the commit of ARGO, in words.
+version() {
+  local commit; commit=$(git -C "$here" describe --always --dirty --abbrev=10 2>/dev/null) || commit=unknown
+  printf '%s, commit %s' "$(sed -n 's|^  <version>\(.*\)</version>$|\1|p' "$here/pom.xml")" "$commit"
+}
+
+# run MODULE CLASS ARGUMENT…: runs a program of a module in place of this script.
+run() {
+  local module=$1; shift
+  build "$module"
+  # jSerialComm loads a native library, which newer Java machines warn about
+  exec java "-Dargo.build=$(version)" --enable-native-access=ALL-UNNAMED -cp "$here/$module/target/classes:$(cat "$here/$module/target/run.classpath")" "$@"
+}
+
+# The tools of the jar, in place of this script.
+tools() {
+  build argo-jar
+  exec java "-Dargo.command=./argo tools" -jar "$jar" "$@"
+}
