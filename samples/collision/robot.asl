@@ -47,7 +47,7 @@
 -!moving : port(_, off) <- +trouble("the board has gone").
 -!moving : status(front) <- !!moving. // nothing has been perceived yet
 
-/* Plans: lamps */
+/* Plans: lamps; a level is 0 to 1023, more where it is darker */
 
 +light(_, Level) : Level > 100  <- .act(ledLightOn).
 +light(_, Level) : Level <= 100 <- .act(ledLightOff).

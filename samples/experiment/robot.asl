@@ -1,5 +1,6 @@
-/* Drives towards a wall and stops in front of it: the agent of the case study in C. E. Pantoja et al., EMAS 2016, plan for plan.
-   It differs in that port, interval, limit and filter are beliefs, and that it says when it has stopped.
+/* Drives towards a wall and stops in front of it: the agent of the case study in C. E. Pantoja et al., EMAS 2016, Figure 7, with these
+   differences. Port, interval, limit and filter are beliefs. It says when it has stopped. For light of at most 100 it switches the lamp off,
+   where both published plans (lines 30 to 34) switch it on. The plans for failures, +trouble and +!halt are added.
 
    Its initial beliefs are in the .mas2j, or come from the experiment:
      board(Port, Options)   where the robot is

@@ -1,11 +1,12 @@
 // A robot with four driven wheels and, on each of its four sides, a distance, a light and a temperature sensor.
 //
-//   percepts  dist(Side,Cm)  light(Side,Percent)  temp(Side,Celsius)   Side is f, b, r or l
+//   percepts  dist(Side,Cm)  light(Side,Level)  temp(Side,Celsius)   Side is f, b, r or l; Level is 0 to 1023, more where it is darker
 //   actions   front  back  left  right  stop  speed(0..255)
 //             ledLightOn  ledLightOff  ledTempOn  ledTempOff
 //   agent     !start.
 //             +!start <- argo.port(ttyACM0); argo.percepts(open); argo.act(front).
 //             +dist(f,Cm) : Cm < 40 <- argo.act(stop).
+//             +light(f,Level) : Level > 100 <- argo.act(ledLightOn).
 //
 // It stops by itself when the computer has been silent for a second, and watches critical rules that the computer sets, such as
 // "stop when dist(f,_) is less than 40".
@@ -13,7 +14,7 @@
 // Wiring for an Uno:
 //   A0-A3   analogue outputs of four LV-MaxSonar-EZ: Vcc/512 an inch, which is half an inch a step
 //   A4, A5  the two common pins of a 74HC4052, which picks one side's light sensor (A4) and LM35 (A5);
-//           its select pins are 2 and 4
+//           its select pins are 2 and 4; a light sensor is a photoresistor to ground and 10 kilohms to 5 V
 //   5, 6    speed of the left and the right wheels (PWM); 7, 8 and 9, 10: their directions (L298N)
 //   11, 12  the LEDs
 
@@ -76,10 +77,6 @@ int centimetres(uint8_t pin) {
   return static_cast<int>(analogRead(pin) * 127L / 100);
 }
 
-int percent(uint8_t pin) {
-  return static_cast<int>(analogRead(pin) * 100L / 1023);
-}
-
 int celsius(uint8_t pin) {
   return static_cast<int>(analogRead(pin) * 500L / 1023);
 }
@@ -94,7 +91,7 @@ void look() {
     digitalWrite(SELECT_LOW, side & 1);
     digitalWrite(SELECT_HIGH, side & 2);
     if (light)
-      javino.percept("light", SIDES[side], percent(LIGHT_PIN));
+      javino.percept("light", SIDES[side], analogRead(LIGHT_PIN));
     if (temperature)
       javino.percept("temp", SIDES[side], celsius(TEMPERATURE_PIN));
   }

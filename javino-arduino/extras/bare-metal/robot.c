@@ -1,9 +1,9 @@
 /**
  * @file
- * A robot without Arduino: what examples/Robot4WD does, in C on the core, for every machine that machine.h is supplied for.
+ * A robot without Arduino: what examples/Robot4WD does, but its lamps, in C on the core, for every machine that machine.h is supplied for.
  *
  *   actions   front  back  left  right  stop  speed(0..255)
- *   percepts  dist(Side,Cm)  light(Side,Percent)  temp(Side,Celsius)   Side is f, b, r or l
+ *   percepts  dist(Side,Cm)  light(Side,Level)  temp(Side,Celsius)   Side is f, b, r or l; Level is 0 to 1023
  *
  * It stops by itself when the computer has been silent for a second, and watches critical rules that the computer sets.
  */
@@ -138,7 +138,7 @@ static void look(void *context)
         percept("dist", NAMES[side], pin_analogue(DISTANCE + side) * 127u / 100);
         pin_write(SELECT_LOW, side & 1);
         pin_write(SELECT_HIGH, side & 2);
-        percept("light", NAMES[side], pin_analogue(LIGHT) * 100u / 1023);
+        percept("light", NAMES[side], pin_analogue(LIGHT));
         percept("temp", NAMES[side], pin_analogue(TEMPERATURE) * 500u / 1023);
     }
 }

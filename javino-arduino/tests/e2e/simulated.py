@@ -90,7 +90,7 @@ def analogue_inputs_become_percepts(robot="Robot4WD"):
             board.command(f"set A4.{i} {1000 * (i + 1)}")
             board.command(f"set A5.{i} {200 + 50 * i}")
             steps = [mv * 1023 // 5000 for mv in (400 + 500 * i, 1000 * (i + 1), 200 + 50 * i)]
-            expected += f"dist({side},{steps[0] * 127 // 100});light({side},{steps[1] * 100 // 1023});"
+            expected += f"dist({side},{steps[0] * 127 // 100});light({side},{steps[1]});"
             expected += f"temp({side},{steps[2] * 500 // 1023});"
         board.line.ready()
         equal(board.line.ask(), expected)

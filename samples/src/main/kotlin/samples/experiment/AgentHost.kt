@@ -41,6 +41,18 @@ internal data class Orders(
     }
 }
 
+/** The orders for [trial] of an agent whose robot is on [port]. */
+internal fun orders(trial: Trial, port: String) = Orders(
+    port = port,
+    baud = trial.baud,
+    timeoutMs = answerLimitMs(trial),
+    protocol = trial.condition.protocol,
+    limit = trial.limit,
+    interval = trial.interval,
+    filter = trial.view.filter(trial.condition, trial.limit),
+    sensing = trial.condition.sensing,
+)
+
 /**
  * Jason, with as many agents `robot` of the project `experiment` as there are robots at the moment. One in a program, since Jason keeps the
  * running one in a static. Safe for use by several threads.

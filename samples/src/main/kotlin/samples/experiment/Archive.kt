@@ -8,7 +8,6 @@ import java.nio.file.Path
 import java.nio.file.StandardCopyOption
 import java.nio.file.StandardOpenOption
 import kotlin.io.path.exists
-import kotlin.io.path.extension
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readText
@@ -97,13 +96,15 @@ internal class Archive(val directory: Path) : AutoCloseable {
     /** Where the record of [trial] is, or will be. */
     fun file(trial: Trial): Path = runs.resolve("${trial.id}.jsonl")
 
+    private fun records(): List<Path> = if (runs.exists()) runs.listDirectoryEntries("*.jsonl") else emptyList()
+
     /** The runs that are over, in no order. Records that are not whole do not count: their runs have to be made anew. */
-    fun finished(): List<Finished> {
-        if (!runs.exists()) return emptyList()
-        return runs.listDirectoryEntries().filter { it.extension == "jsonl" }.mapNotNull { file ->
-            val record = readRecord(file)
-            val trial = (record?.first() as Entry.Begin?)?.trial
-            if (record == null || trial?.id != file.nameWithoutExtension) null else Finished(trial, record.last() as Entry.Result)
-        }
+    fun finished(): List<Finished> = records().mapNotNull { file ->
+        val record = readRecord(file)
+        val trial = (record?.first() as Entry.Begin?)?.trial
+        if (record == null || trial?.id != file.nameWithoutExtension) null else Finished(trial, record.last() as Entry.Result)
     }
+
+    /** How many records do not count in [finished]. */
+    fun unusable(): Int = records().size - finished().size
 }

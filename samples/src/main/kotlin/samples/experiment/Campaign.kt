@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicInteger
 /**
  * Makes the runs of an experiment that have not been made, [jobs] at a time in their order, and keeps their records.
  *
- * A run in which this machine was too late for its own simulation is repeated, at most [MAX_TRIES] times; the last one counts, and its
- * result records the delay.
+ * A run in which this machine was too late for its own simulation, by [maxLateMs], is repeated, until it was made [MAX_TRIES] times; the
+ * last one counts, and its result records the delay.
  */
 internal class Campaign(
     private val archive: Archive,
@@ -21,12 +21,13 @@ internal class Campaign(
     private val report: (Status) -> Unit,
 ) {
     /**
-     * How far it has come: [done] of [all] runs are over, [collisions] of them at the wall; [left] ms is an estimate for those that have not
-     * begun, 0 if all have.
+     * How far it has come: [done] of [all] runs are over, [collisions] of them at the wall; [left] ms is an estimate for those that have
+     * not begun, 0 if all have. Runs were repeated [repeated] times because this machine was late; the estimate expects that to go on.
      */
-    internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long) {
+    internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long, val repeated: Int = 0) {
         /** In words, for a line of progress. Minutes are whole, since [left] is no more exact. */
-        val words: List<String> get() = listOfNotNull("run $done of $all", "$collisions at the wall", rest)
+        val words: List<String> get() =
+            listOfNotNull("run $done of $all", "$collisions at the wall", "$repeated repeated: machine late".takeIf { repeated > 0 }, rest)
 
         private val rest: String?
             get() = when {
@@ -77,30 +78,29 @@ internal class Campaign(
 
     private fun makeAll(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
         while (!given.isUp) {
-            report(Status(over.size, all, over.count { it.result.outcome == Outcome.COLLIDED }, missing.sumOf(::expectedMs) / jobs))
+            val collisions = over.count { it.result.outcome == Outcome.COLLIDED }
+            val left = missing.sumOf(::expectedMs) / jobs
+            report(Status(over.size, all, collisions, left + left * repetitions / maxOf(1, over.size), repetitions))
             val trial = missing.poll() ?: return
-            over += Finished(trial, punctual(trial) ?: return)
+            over += punctual(trial) ?: return
         }
     }
 
-    private fun punctual(trial: Trial): Entry.Result? {
+    private fun punctual(trial: Trial): Finished? {
         repeat(MAX_TRIES - 1) {
-            val result = recorded(trial) ?: return null
-            if (result.lateMs <= MAX_LATE_MS) return result
+            val run = recorded(trial) ?: return null
+            if (!run.isLate) return run
             repeated.incrementAndGet()
         }
         return recorded(trial)
     }
 
-    private fun recorded(trial: Trial): Entry.Result? = RecordWriter(archive.file(trial)).use { record ->
+    private fun recorded(trial: Trial): Finished? = RecordWriter(archive.file(trial)).use { record ->
         record.write(Entry.Begin(trial, settings))
-        laboratory.run(trial, record, given)?.also(record::write).also { record.requireWhole() }
+        laboratory.run(trial, record, given)?.also(record::write).also { record.requireWhole() }?.let { Finished(trial, it) }
     }
 
     companion object {
-        /** How late the machine may be in a run, in ms: a third of what one exchange takes at 9600 baud. */
-        const val MAX_LATE_MS = 60.0
-
         /** How often a run is made at most. */
         const val MAX_TRIES = 3
 

@@ -134,6 +134,9 @@ internal class ExperimentCommand : Callable<Int> {
             "seed ${settings.seed}; agents reason " +
                 "${if (port == null) "${settings.slowdown} times slower than here" else "as fast as they can"} (${settings.computer})",
         )
+        archive.unusable().let {
+            if (it > 0) println("made anew, since their records are incomplete, damaged or of another version of ARGO: $it runs")
+        }
         return try {
             make(archive, settings, conditions, workers)
         } catch (unwritable: IOException) {

@@ -23,6 +23,12 @@ internal fun answerLimitMs(trial: Trial): Int =
  */
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
+/**
+ * The most that this machine may be late in a run of [condition], in ms: a third of the time that a request and the answer of the twelve
+ * sensors take there at 9600 baud.
+ */
+internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
+
 /** The bytes of a request and its answer; in version 2 the computer knows [known] texts. */
 private fun exchangeBytes(trial: Trial, known: Int): Int {
     val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM)

@@ -6,7 +6,6 @@ import java.io.BufferedReader
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
-import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
 /** Puts a real robot back before each run; returns false if the experiment is aborted. */
@@ -42,9 +41,9 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 }
 
 /**
- * A real robot on [port]; one run at a time. The front sensor is the only source of its position: the response time counts from the first
- * reading at or below the limit that the agent believes to the moment its `stop` has left, and the robot has collided when it believes
- * [WALL_CM] cm or less. A run that the agent does not end is ended with `stop`.
+ * A real robot on [port]; one run at a time. The front sensor is the only source of its position: both times are those of a [Sighting], to
+ * the moment at which the agent's `stop` has left, and the robot has collided when the agent believes [WALL_CM] cm or less. A run that the
+ * agent does not end is ended with `stop`.
  */
 internal class RealLaboratory(
     private val host: AgentHost,
@@ -57,23 +56,21 @@ internal class RealLaboratory(
     override fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result? {
         if (!assistant.ready(trial)) return null
         val begin = clock.nanos()
-        val crossed = AtomicReference<Long?>()
-        val observer = Observer { front, events, intentions ->
-            val now = clock.nanos()
-            if (front != null && front <= trial.limit) crossed.updateAndGet { it ?: now }
-            record.write(Entry.Belief(now - begin, front, events, intentions))
-        }
-        val agent = host.begin(trial.id, orders(trial), listOf(observer))
+        val sighting = Sighting(trial.limit)
+        val observer = sighting.observer(record, begin, clock)
+        val agent = host.begin(trial.id, orders(trial, port), listOf(observer))
         try {
             while (!given.await(LOOK_MS)) {
                 val now = clock.nanos()
-                val response = crossed.get()?.let { (now - it) / 1e6 } ?: 0.0
                 val outcome = outcome(observer, now - begin) ?: continue
                 halt(observer)
                 pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the newest readings are of the robot at rest
                 val reason = if (outcome != Outcome.FAILED) null else observer.trouble
                     ?: "the agent has not stopped the robot on $port within $MAX_S s; the front sensor says ${observer.believedFront}"
-                return Entry.Result(outcome, observer.believedFront ?: 0.0, response, 0, 0, 0.0, reason)
+                return Entry.Result(
+                    outcome, observer.believedFront ?: 0.0, msSince(sighting.crossed, now) ?: 0.0, msSince(sighting.perceived, now),
+                    commands = 0, frames = 0, lateMs = 0.0, reason,
+                )
             }
             halt(observer)
             pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the command has to go out
@@ -97,11 +94,6 @@ internal class RealLaboratory(
     private fun halt(observer: Observer) {
         if (!observer.hasStopped && observer.trouble == null) observer.haltRobot()
     }
-
-    private fun orders(trial: Trial) = Orders(
-        port, trial.baud, answerLimitMs(trial), trial.condition.protocol, trial.limit, trial.interval,
-        trial.view.filter(trial.condition, trial.limit), trial.condition.sensing,
-    )
 
     companion object {
         /** Nearer than this a robot is at the wall, in cm. */

@@ -40,8 +40,13 @@ internal sealed interface Entry {
         val outcome: Outcome,
         /** Where the robot stood at last; 0 when it ran into the wall. */
         val distance: Double,
-        /** From crossing the limit to stopping, or to running into the wall, in ms. */
-        val responseMs: Double,
+        /** From crossing the limit to stopping, or to running into the wall, in ms; estimated for a real robot, see [Sighting.crossed]. */
+        val sinceLimitMs: Double,
+        /**
+         * From the first reading at or below the limit that the agent believed to the same end, in ms. Negative: the board stopped the
+         * robot before. Null: the agent believed none.
+         */
+        val sincePerceivingMs: Double?,
         /** Commands that took effect. */
         val commands: Int,
         /** Answers of the board. */
@@ -131,4 +136,7 @@ internal fun readRecord(file: Path): List<Entry>? {
 internal data class Finished(val trial: Trial, val result: Entry.Result) {
     /** Whether there is something to measure. */
     val isMeasured: Boolean get() = result.outcome == Outcome.STOPPED || result.outcome == Outcome.COLLIDED
+
+    /** Whether this machine was later than its condition allows, see [maxLateMs]. */
+    val isLate: Boolean get() = result.lateMs > maxLateMs(trial.condition)
 }

@@ -46,19 +46,20 @@ internal class SimulatedLaboratory(
         val robot = Robot(clock, Sensors(Random(noiseSeed(trial, settings.seed)), trial.sensors / Sensors.PER_SET))
         val sketch = RecordedSketch(robot, record, begin, clock)
         SimulatedBoards.plugIn(trial.id, board(trial, sketch))
-        val observer = Observer { front, events, intentions ->
-            record.write(Entry.Belief(clock.nanos() - begin, front, events, intentions))
-        }
-        val agent = host.begin(trial.id, orders(trial), listOf(observer, SlowComputer(settings.slowdown)))
+        val sighting = Sighting(trial.limit)
+        val observer = sighting.observer(record, begin, clock)
+        val orders = orders(trial, "${SimulatedBoards.SCHEME}:${trial.id}")
+        val agent = host.begin(trial.id, orders, listOf(observer, SlowComputer(settings.slowdown)))
         try {
             while (!given.await(LOOK_MS)) {
                 val now = clock.nanos()
-                val measured = measured(robot.course, trial.limit, now)?.takeIf { isOver(trial, it, observer) }
+                val measured = measured(robot.course, trial.limit, sighting.perceived, now)?.takeIf { isOver(trial, it, observer) }
                 val reason = if (measured != null) null else observer.trouble ?: overdue(robot.course, now - begin) ?: continue
                 val outcome = if (observer.trouble == null && robot.course.departure == null) Outcome.IDLE else Outcome.FAILED
-                val (ending, distance, response) = measured ?: Measured(outcome, robot.course.distanceAt(now), 0.0)
+                val end = measured ?: Measured(outcome, robot.course.distanceAt(now), 0.0, null)
                 return Entry.Result(
-                    ending, distance, response, sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason,
+                    end.outcome, end.distance, end.sinceLimitMs, end.sincePerceivingMs,
+                    sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason,
                 )
             }
             return null
@@ -69,8 +70,8 @@ internal class SimulatedLaboratory(
     }
 
     /** A robot that its board has stopped drives on if a command of its agent was on the way; the agent then stops it. */
-    private fun isOver(trial: Trial, measured: Measured, observer: Observer) =
-        trial.condition != Condition.REFLEX || measured.outcome == Outcome.COLLIDED || observer.hasStopped
+    private fun isOver(trial: Trial, measured: Measured, observer: Observer) = measured.outcome == Outcome.COLLIDED ||
+        measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || observer.hasStopped)
 
     private fun overdue(course: Course, nanos: Long): String? = when {
         nanos <= TimeUnit.SECONDS.toNanos(MAX_S) -> null
@@ -85,38 +86,30 @@ internal class SimulatedLaboratory(
             else -> SimulatedBoard { FieldBoard(sketch, clock).run(it) }
         }
 
-    private fun orders(trial: Trial) = Orders(
-        port = "${SimulatedBoards.SCHEME}:${trial.id}",
-        baud = trial.baud,
-        timeoutMs = answerLimitMs(trial),
-        protocol = trial.condition.protocol,
-        limit = trial.limit,
-        interval = trial.interval,
-        filter = trial.view.filter(trial.condition, trial.limit),
-        sensing = trial.condition.sensing,
-    )
-
     private companion object {
         const val LOOK_MS = 20L
         const val MAX_S = 60L
     }
 }
 
-/** [distance] in cm from the wall at the end of a run, and [responseMs] from crossing the limit to that end. */
-internal data class Measured(val outcome: Outcome, val distance: Double, val responseMs: Double)
+/** A run that is over, [distance] cm from the wall; the times are those of [Entry.Result]. */
+internal data class Measured(val outcome: Outcome, val distance: Double, val sinceLimitMs: Double, val sincePerceivingMs: Double?)
 
 /**
- * What there is to measure of a robot on [course] whose agent was to stop it at [limit] cm; null while it drives or stands at the start.
+ * What there is to measure of a robot on [course] whose agent was to stop it at [limit] cm, and perceived the wall at [perceived], or null
+ * if it has not; null while the robot drives or stands at the start.
  */
-internal fun measured(course: Course, limit: Int, now: Long): Measured? {
-    val crossed = course.reached(limit.toDouble(), now)
-    fun sinceCrossed(end: Long?) = if (crossed == null || end == null) 0.0 else (end - crossed) / 1e6
-    return when (course.stateAt(now)) {
-        Course.State.STOPPED -> Measured(Outcome.STOPPED, course.distanceAt(now), sinceCrossed(course.halt))
-        Course.State.COLLIDED -> Measured(Outcome.COLLIDED, 0.0, sinceCrossed(course.reached(0.0, now)))
-        else -> null
+internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Measured? {
+    val (outcome, end) = when (course.stateAt(now)) {
+        Course.State.STOPPED -> Outcome.STOPPED to checkNotNull(course.halt)
+        Course.State.COLLIDED -> Outcome.COLLIDED to checkNotNull(course.reached(0.0, now))
+        else -> return null
     }
+    return Measured(outcome, course.distanceAt(now), msSince(course.reached(limit.toDouble(), now), end) ?: 0.0, msSince(perceived, end))
 }
+
+/** From the instant [start] to [end] in ms, null if there is no such instant. */
+internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it) / 1e6 }
 
 /** A robot whose senses and deeds are recorded, with the robot's true place. */
 internal class RecordedSketch(

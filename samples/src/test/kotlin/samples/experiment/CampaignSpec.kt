@@ -6,6 +6,8 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.doubles.plusOrMinus
+import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeInstanceOf
@@ -22,8 +24,11 @@ import kotlin.io.path.writeText
 
 internal val SETTINGS = Settings(Plan.QUICK, seed = 3, slowdown = 5.0, computer = "of a test")
 
-internal fun stopped(distance: Double = 39.0, responseMs: Double = 100.0, lateMs: Double = 0.0) =
-    Entry.Result(Outcome.STOPPED, distance, responseMs, commands = 2, frames = 4, lateMs = lateMs)
+internal fun stopped(
+    distance: Double = 39.0, sinceLimitMs: Double = 100.0, lateMs: Double = 0.0, sincePerceivingMs: Double = sinceLimitMs,
+) = Entry.Result(Outcome.STOPPED, distance, sinceLimitMs, sincePerceivingMs, commands = 2, frames = 4, lateMs = lateMs)
+
+internal fun collided(ms: Double) = Entry.Result(Outcome.COLLIDED, 0.0, ms, ms, commands = 9, frames = 9, lateMs = 0.0)
 
 private val FULL = Path.of("/dev/full")
 
@@ -92,6 +97,7 @@ class CampaignSpec : FunSpec({
         archive.file(trials[3]).writeText("")
         archive.file(trials[4]).appendText("nonsense\n")
         archive.finished().map { it.trial } shouldContainExactlyInAnyOrder listOf(trials[2], trials[5])
+        archive.unusable() shouldBe 4
     }
 
     test("a run that has failed is made anew when the experiment is continued") {
@@ -112,6 +118,12 @@ class CampaignSpec : FunSpec({
         over.getValue(trials[0]) shouldBe 500.0
         (over - trials[0]).values.toSet() shouldBe setOf(1.0)
         campaign.repetitions shouldBe 2 + 5
+    }
+
+    test("the machine may be late by a third of an exchange, which is shorter in version 2") {
+        maxLateMs(Condition.PUBLISHED) shouldBe (56.25 plusOrMinus 0.01)
+        maxLateMs(Condition.DEFAULTS) shouldBe maxLateMs(Condition.PUBLISHED)
+        listOf(Condition.VERSION_2, Condition.REFLEX).forEach { maxLateMs(it) shouldBeLessThan 30.0 }
     }
 
     test("a full disk ends the experiment, and what was recorded before is kept").config(enabled = FULL.exists()) {
@@ -192,6 +204,18 @@ class CampaignSpec : FunSpec({
         Campaign(archive(), SETTINGS, { _, _, _ -> stopped().copy(outcome = Outcome.COLLIDED) }, 1, GivenUp(), told::add).run(trials)
         told.first() shouldBe Campaign.Status(0, 6, 0, trials.sumOf(Campaign::expectedMs))
         told.last() shouldBe Campaign.Status(6, 6, 6, 0)
+    }
+
+    test("runs that the machine was too late for are told while they are repeated") {
+        val told = ConcurrentLinkedQueue<Campaign.Status>()
+        Campaign(archive(), SETTINGS, { _, _, _ -> stopped(lateMs = 500.0) }, 1, GivenUp(), told::add).run(trials.take(1))
+        told.last().words shouldBe listOf("run 1 of 1", "0 at the wall", "2 repeated: machine late")
+    }
+
+    test("the time left expects that runs go on being repeated") {
+        val told = ConcurrentLinkedQueue<Campaign.Status>()
+        Campaign(archive(), SETTINGS, { _, _, _ -> stopped(lateMs = 500.0) }, 1, GivenUp(), told::add).run(trials)
+        told.elementAt(1).left shouldBe 3 * trials.drop(1).sumOf(Campaign::expectedMs)
     }
 
     test("the time left is told in whole minutes, and never as none while there are runs") {

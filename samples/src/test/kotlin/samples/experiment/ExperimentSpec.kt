@@ -7,6 +7,7 @@ import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import samples.Program
@@ -44,6 +45,7 @@ class ExperimentSpec : FunSpec({
             it.result.outcome shouldBe Outcome.STOPPED
             it.result.distance shouldBeLessThan it.trial.limit.toDouble()
             it.result.frames shouldBeGreaterThan 2
+            it.result.sincePerceivingMs.shouldNotBeNull() shouldBeLessThan it.result.sinceLimitMs
         }
     }
 

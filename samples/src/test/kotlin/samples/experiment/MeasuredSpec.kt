@@ -14,26 +14,51 @@ class MeasuredSpec : FunSpec({
     val driving = Course.standing(0).drive(0)
 
     test("nothing is measured while the robot stands at the start or drives") {
-        measured(Course.standing(0), 80, 5 * S) shouldBe null
-        measured(driving, 80, 5 * S) shouldBe null
+        measured(Course.standing(0), 80, null, 5 * S) shouldBe null
+        measured(driving, 80, null, 5 * S) shouldBe null
     }
 
-    test("a stop is measured from the limit, which the robot crosses after 12 s") {
-        val (outcome, distance, response) = measured(driving.stop(12 * S + S / 4), 80, 20 * S).shouldNotBeNull()
-        outcome shouldBe Outcome.STOPPED
-        distance shouldBe (77.5 plusOrMinus 1e-6)
-        response shouldBe (250.0 plusOrMinus 1e-6)
+    test("a stop is measured from the limit, which the robot crosses after 12 s, and from when its agent perceived the wall") {
+        val stop = measured(driving.stop(12 * S + S / 4), 80, 12 * S + S / 10, 20 * S).shouldNotBeNull()
+        stop.outcome shouldBe Outcome.STOPPED
+        stop.distance shouldBe (77.5 plusOrMinus 1e-6)
+        stop.sinceLimitMs shouldBe (250.0 plusOrMinus 1e-6)
+        stop.sincePerceivingMs.shouldNotBeNull() shouldBe (150.0 plusOrMinus 1e-6)
+    }
+
+    test("a board that stops its robot does so before the agent perceives the wall") {
+        val stop = measured(driving.stop(12 * S + S / 4), 80, 12 * S + S / 2, 20 * S).shouldNotBeNull()
+        stop.sincePerceivingMs.shouldNotBeNull() shouldBe (-250.0 plusOrMinus 1e-6)
+    }
+
+    test("the wall is perceived with the first reading at or below the limit, and the limit crossed since the one before") {
+        val sighting = Sighting(80)
+        sighting.see(83.0, S)
+        sighting.see(null, 2 * S)
+        sighting.see(82.0, 3 * S)
+        listOf(sighting.perceived, sighting.crossed) shouldBe listOf(null, null)
+        sighting.see(78.0, 5 * S)
+        sighting.see(82.0, 6 * S)
+        sighting.see(70.0, 7 * S)
+        sighting.perceived shouldBe 5 * S
+        sighting.crossed shouldBe 4 * S
+    }
+
+    test("a robot that is first seen behind the limit has crossed it by then") {
+        Sighting(80).apply { see(80.0, S) }.crossed shouldBe S
     }
 
     test("a collision is measured to the wall, 8 s behind a limit of 80 cm") {
-        val (outcome, distance, response) = measured(driving, 80, 30 * S).shouldNotBeNull()
-        outcome shouldBe Outcome.COLLIDED
-        distance shouldBe 0.0
-        response shouldBe (8000.0 plusOrMinus 1e-6)
+        val wall = measured(driving, 80, 15 * S, 30 * S).shouldNotBeNull()
+        wall.outcome shouldBe Outcome.COLLIDED
+        wall.distance shouldBe 0.0
+        wall.sinceLimitMs shouldBe (8000.0 plusOrMinus 1e-6)
+        wall.sincePerceivingMs.shouldNotBeNull() shouldBe (5000.0 plusOrMinus 1e-6)
+        measured(driving, 80, null, 30 * S).shouldNotBeNull().sincePerceivingMs shouldBe null
     }
 
     test("a stop before the limit took no time") {
-        measured(driving.stop(S), 80, 2 * S).shouldNotBeNull().responseMs shouldBe 0.0
+        measured(driving.stop(S), 80, null, 2 * S).shouldNotBeNull().sinceLimitMs shouldBe 0.0
     }
 
     test("more sensors are further sets with names of their own, and all of them change") {

@@ -4,6 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.doubles.shouldBeBetween
+import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -29,6 +30,7 @@ class RealLaboratorySpec : FunSpec({
         val result = RecordWriter(file).use { RealLaboratory(host, "sim:real", { true }).run(trial, it, GivenUp()) }.shouldNotBeNull()
         result.outcome shouldBe Outcome.STOPPED
         result.distance.shouldBeBetween(150.0, 190.0, 0.0)
+        result.sincePerceivingMs.shouldNotBeNull() shouldBeLessThanOrEqual result.sinceLimitMs
         robot.course.stateAt(LineClock.system().nanos()) shouldBe Course.State.STOPPED
         file.toFile().readLines().map { JSON.decodeFromString(Entry.serializer(), it) }.filterIsInstance<Entry.Belief>().shouldNotBeEmpty()
         SimulatedBoards.unplug("real")

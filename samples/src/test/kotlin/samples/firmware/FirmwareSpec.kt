@@ -25,13 +25,30 @@ class FirmwareSpec : FunSpec({
     context("on an Uno") { agentsDrive(BoardKind.UNO, "Robot4WD") }
     context("on a Cortex-M3") { agentsDrive(BoardKind.CORTEX_M, "robot") }
     context("on a RISC-V microcontroller") { agentsDrive(BoardKind.RISC_V, "robot") }
+
+    test("on an Uno the lamp of the robot lights in the dark and goes off in the light").config(
+        enabledOrReasonIf = built(BoardKind.UNO, "Robot4WD"),
+    ) {
+        SimulatedBoard("Robot4WD").use { robot ->
+            robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
+            robot.setMillivolts(LIGHT, DARK_MV)
+            robot.watch(LIGHT_LAMP)
+            Program.samples("collision", "--port", robot.port, "--filter", "none").use {
+                robot.awaitPin(LIGHT_LAMP, "high")
+                robot.setMillivolts(LIGHT, BRIGHT_MV)
+                robot.awaitPin(LIGHT_LAMP, "low")
+            }
+        }
+    }
 })
 
+private fun built(kind: BoardKind, vararg programs: String): EnabledOrReasonIf = {
+    if (kind.isBuilt(*programs)) Enabled.enabled
+    else Enabled.disabled("the firmware is not built: ./argo firmware says what it needs")
+}
+
 private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProgram: String) {
-    val built: EnabledOrReasonIf = {
-        if (kind.isBuilt("Blink", "Echo", robotProgram)) Enabled.enabled
-        else Enabled.disabled("the firmware is not built: ./argo firmware says what it needs")
-    }
+    val built = built(kind, "Blink", "Echo", robotProgram)
 
     test("the LED on pin 13 follows argo.act(ledOn) and argo.act(ledOff)").config(enabledOrReasonIf = built) {
         SimulatedBoard("Blink", kind).use { board ->
@@ -128,6 +145,12 @@ private val SPEEDS = 10..109
 private const val ANSWER_LIMIT_MS = 20_000
 private const val LEFT_FORWARD = 7
 private const val FRONT_DISTANCE = "A0"
+private const val LIGHT = "A4"
+private const val LIGHT_LAMP = 11
+
+// The agent's limit is level 100 of 1023, which is 489 mV.
+private const val DARK_MV = 4500
+private const val BRIGHT_MV = 300
 
 // The sonar gives Vcc/512 an inch: 5000 mV / 512 / 2.54 for a centimetre.
 private const val TWO_METRES_MV = 769

@@ -18,13 +18,13 @@ import kotlin.math.sqrt
 /** What the tables of shares show, and what their intervals suppose. */
 internal val ALLOCATION_METHOD = """<p>By the method of R. Jain, <em>The Art of Computer Systems Performance Analysis</em>: the share of
 each factor and interaction in the variation of a response, as sums of squares of the effects over the total one.</p>
-<p>Errors have part in the means of which effects are made. So a factor without any effect has a share in the sample too, and the error's
-share is less by that. The 95 % intervals are those of the shares as they would be if each combination were run without end; a small share
+<p>Estimated effects contain some random error. So a factor without any effect has a share in the sample, too, and the error's
+share is smaller by it. The 95 % intervals are those of the shares as they would be if each combination were run without end; a small share
 can lie above its interval, and the error's below. 0 is in the interval of an effect that is none in 97.5 % of experiments. The intervals
-are generalized confidence intervals (S. Weerahandi, JASA 88, 1993), which for one effect alone, and for the error, are those of the
+are generalized confidence intervals (S. Weerahandi, JASA 88, 1993), which for a single effect, and for the error, are those of the
 noncentral F distribution (J. H. Steiger, Psychological Methods 9, 2004). They suppose errors that are normal and of one variance in all
-combinations; that of an effect which happens to vary less than errors alone make likely is short, or nothing but 0. The shares of a
-condition have no more digits than the widest of their intervals leaves a meaning.</p>
+combinations; the interval of an effect that varies less than errors make likely is short, or only 0. The shares of a
+condition have as many digits as the widest of their intervals allows.</p>
 """
 
 /** The tables of the shares in the variation of [response], of whose analyses there is one for each condition in [columns]. */
@@ -33,11 +33,12 @@ internal class Allocation(private val response: Response, private val columns: M
     private val decimals = intervals.mapValues { (_, all) ->
         minOf(all?.widest()?.let(::percent)?.decimals ?: UNSURE_DECIMALS, MOST_DECIMALS)
     }
-    private val isPublished = response != Response.DISTANCE
 
     /** What the tables are about. */
     fun heading(): String = "<h3>${response.title.replaceFirstChar(Char::uppercase)}</h3>\n<p>In percent. A robot that ran into the wall " +
-        "enters ${escaped(response.collisions)}. The last row is the variance of what is divided up.</p>\n"
+        "enters ${escaped(response.collisions)}. The last row is the variance that is divided up." +
+        (if (response.isPublished) " The published shares are those of the paper's Table 2, which add up to " +
+            "${rounded(Published.sumPercent, 2)} %." else "") + "</p>\n"
 
     /** The shares in the sample as the table that is called [number], beside those that were published. */
     fun shares(number: String): String {
@@ -67,7 +68,7 @@ internal class Allocation(private val response: Response, private val columns: M
 
     private fun heads() = columns.keys.map { "(${it.letter})" }
 
-    private fun published(text: String) = if (isPublished) listOf(text) else emptyList()
+    private fun published(text: String) = if (response.isPublished) listOf(text) else emptyList()
 
     private fun variances(): List<String> {
         val variances = columns.values.map { it.total / (it.count - 1) }
@@ -89,17 +90,17 @@ internal class Allocation(private val response: Response, private val columns: M
     }
 }
 
-/** The effects of the factors of [plan] on the response time in [analysis] of [condition], as the table that is called [number]. */
+/** The effects of the factors of [plan] on the time from perceiving the wall in [condition], as the table that is called [number]. */
 internal fun effects(number: String, condition: Condition, analysis: Factorial, plan: Plan): String {
     val effects = listOf(Source.A, Source.B, Source.C).flatMap { analysis.effects(it, CONFIDENCE) }
     val mean = analysis.mean(CONFIDENCE)
     val scale = TimeScale.of(effects.flatMap { listOf(it.value, it.low, it.high) } + analysis.mean)
     val table = table(
-        "$number. Effects on the response time in condition (${condition.letter}).",
+        "$number. Effects on the time from perceiving the wall in condition (${condition.letter}).",
         listOf("factor", "level", "effect, ${scale.unit}", "95 % interval, ${scale.unit}", "differs from 0"),
         effects.map { row(it, plan, scale) }, words = 2,
     )
-    return "<details><summary>Effects on the response time, (${condition.letter}) ${escaped(condition.title)}: mean " +
+    return "<details><summary>Effects on the time from perceiving the wall, (${condition.letter}) ${escaped(condition.title)}: mean " +
         "${scale.text(analysis.mean, scale.decimals(mean))} ${scale.unit}</summary>\n$table</details>"
 }
 

@@ -15,6 +15,7 @@ import samples.experiment.limitNanos
 import java.math.BigDecimal
 import java.math.MathContext
 import java.util.Locale
+import kotlin.math.abs
 
 /** Whether something that was published, or is promised, is found in these runs. */
 internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found"), UNTESTED("not tested") }
@@ -32,10 +33,15 @@ private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
     it.trial.view == view && (limits.isEmpty() || it.trial.limit in limits)
 }
 private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
-private fun List<Finished>.seconds() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }
+private fun List<Finished>.sinceLimit() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 }
 
-/** `, 350 ms after the limit (median)`; nothing if none has stopped. */
-private fun List<Finished>.afterLimit() = seconds().let { if (it.isEmpty()) "" else ", ${time(median(it))} after the limit (median)" }
+/** `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`; nothing if none has stopped. */
+private fun List<Finished>.medians(): String {
+    if (stopped() == 0) return ""
+    val perceived = median(filter { it.result.outcome == Outcome.STOPPED }.map { (it.result.sincePerceivingMs ?: 0.0) / 1000 })
+    val order = if (perceived < 0) "before" else "after"
+    return ", ${time(median(sinceLimit()))} after the limit and ${time(abs(perceived))} $order the agent perceived the wall (medians)"
+}
 
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
@@ -65,8 +71,8 @@ private fun frontDistance(runs: List<Finished>): Claim? {
     return Claim(
         "With the front distance filter it stops in every run at limits of 80 and 120 cm.",
         finding(front.stopped(), front.size),
-        "${front.stopped()} of ${front.size} runs stopped${front.afterLimit()}.",
-        "One event a frame is what an agent can handle that takes one a cycle.",
+        "${front.stopped()} of ${front.size} runs stopped${front.medians()}.",
+        "A frame adds one event, and a cycle handles one.",
     )
 }
 
@@ -86,16 +92,16 @@ private fun frontSide(runs: List<Finished>): Claim? {
         "${side.stopped()} of ${side.size} runs at 120 cm stopped$where; of all limits ${runs.of(View.FRONT_SIDE).stopped()} of " +
             "${runs.of(View.FRONT_SIDE).size}.",
         "Three events a frame and one handled: the queue grows by two each cycle, so each step of the driving goal waits three times " +
-            "as long as the one before. The steps come so far apart that it is a matter of when the agent began whether one of them " +
+            "as long as the one before. The steps come so far apart that the start of the agent decides whether one of them " +
             "falls between the limit and the wall. " +
             "That instant depends on the speed of the computer, which is an assumption here.",
     )
 }
 
 private fun shortest(runs: List<Finished>, plan: Plan): Claim? {
-    val claim = "At a limit of 40 cm and an interval of 50 ms neither filter avoids the wall."
+    val claim = "At a limit of 40 cm and an interval of 50 ms neither filter avoids the wall (Figure 8 of the paper)."
     if (40 !in plan.limits || 50 !in plan.intervals) {
-        return Claim(claim, Finding.UNTESTED, "These runs have no such limit or interval.", "The full plan has, and does not find it.")
+        return Claim(claim, Finding.UNTESTED, "These runs have no such limit or interval.", "The full plan has them, and does not find it.")
     }
     val cell = runs.filter { it.trial.limit == 40 && it.trial.interval == 50 && it.trial.view != View.NONE }.ifEmpty { return null }
     val hit = cell.size - cell.stopped()
@@ -104,7 +110,7 @@ private fun shortest(runs: List<Finished>, plan: Plan): Claim? {
         claim,
         finding(hit, cell.size),
         "$hit of ${cell.size} such runs ended at the wall; with front distance ${front.stopped()} of ${front.size} " +
-            "stopped${front.afterLimit()}.",
+            "stopped${front.medians()}.",
         "40 cm leave 4 s at 10 cm/s. The model's sensors take no time to be read, its board runs nothing else, and its robot stops at " +
             "once; a real one spends time on each of these, and the paper does not say how much. A request and its answer take " +
             "${exchangeNanos(cell.first().trial) / 1_000_000} ms at 9600 baud, more than any of the intervals, so the interval cannot " +
@@ -117,11 +123,12 @@ private fun allocation(analysis: Factorial?): Claim? {
     val share = 100 * analysis.share(Source.C)
     val others = Source.entries.filter { it != Source.C }.maxOf { 100 * analysis.share(it) }
     return Claim(
-        "The filter explains by far the most of the variation of the response time: ${Published.percent.getValue(Source.C)} %.",
+        "The filter explains by far the most of the variation of the time from perceiving the wall: " +
+            "${Published.percent.getValue(Source.C)} % (Table 2 of the paper).",
         if (share > 4 * others && share > 50) Finding.YES else if (share > others) Finding.PARTLY else Finding.NO,
         "${one(share)} %; the next largest share is ${one(others)} %.",
         "Whether a robot stops at all is decided by the filter. The shares of the limit and of L×F depend on how collisions enter: see " +
-            "the tables.",
+            "the tables. The published shares add up to ${rounded(Published.sumPercent, 2)} %, so one of them at least is not exact.",
     )
 }
 
@@ -130,11 +137,11 @@ internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
     val own = runs.filter { it.trial.condition == condition && leavesTime(it.trial) }.ifEmpty { return null }
     val none = own.of(View.NONE)
     val slowest = own.maxBy { leastStopNanos(it.trial) }.trial
-    val worst = none.seconds().maxOrNull()?.let { " and ${time(it)} at most" }.orEmpty()
+    val worst = none.sinceLimit().maxOrNull()?.let { "; ${time(it)} after the limit at most" }.orEmpty()
     return Claim(
-        "(${condition.letter}) ${condition.title}: every run stops whose limit leaves the physical time to stop, without a filter too.",
+        "(${condition.letter}) ${condition.title}: every run stops if its limit leaves enough physical time, also without a filter.",
         finding(own.stopped(), own.size),
-        "${own.stopped()} of ${own.size} runs stopped; without a filter ${none.stopped()} of ${none.size}${none.afterLimit()}$worst.",
+        "${own.stopped()} of ${own.size} runs stopped; without a filter ${none.stopped()} of ${none.size}${none.medians()}$worst.",
         why(condition) + ", ${leastStopNanos(slowest) / 1_000_000} ms at most here. The shortest limit leaves " +
             "${time(own.minOf { limitNanos(it.trial) } / 1e9)}, " +
             "so ${if (own.size == runs.count { it.trial.condition == condition }) "all runs have it" else "${own.size} runs have it"}.",
@@ -143,10 +150,10 @@ internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
 
 private fun why(condition: Condition) = if (condition == Condition.REFLEX)
     "The board reads its sensors every 5 ms and stops the robot itself. A command to drive that was on its way makes the robot drive on, " +
-        "until the board stops it again, or the agent, which the board informs at once; what counts is the last stop. The physical time " +
+        "until the board stops it again, or the agent, which the board informs at once; the last stop counts. The physical time " +
         "is the noise of the reading, and the next reading after a frame that the board is sending"
-else "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: what " +
-    "it acts on is never older than a few exchanges. The physical time is what the line and the sensors can take whatever " +
+else "The agent gets the newest frame, and gets it when it has handled the events of the one before and its commands are out: it " +
+    "never acts on one older than a few exchanges. The physical time is the longest that line and sensors take, whatever " +
     "program drives the robot: the noise of the reading, an exchange that began just before the limit, the next one and the command"
 
 /** The median of [values], of which there is one at least. */

@@ -2,7 +2,6 @@ package samples.experiment.report
 
 import samples.collision.Course
 import samples.collision.Sensors
-import samples.experiment.Campaign
 import samples.experiment.Finished
 import samples.experiment.RealLaboratory
 import samples.experiment.Settings
@@ -20,10 +19,13 @@ internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finis
     ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))
         .joinToString("\n", "<h2>How it was made</h2>\n<ul>\n", "\n</ul>") { (what, how) -> "<li><strong>$what</strong>: $how</li>" }
 
-private val AGENT = "Agent" to "the published one, plan for plan: <code>samples/experiment/robot.asl</code>. (a): " +
+private val AGENT = "Agent" to "<code>samples/experiment/robot.asl</code>, the one of Figure 7 of the paper, with these differences: " +
+    "port, interval, limit and filter are beliefs; it believes that it has stopped; for light of at most 100 it sends " +
+    "<code>ledLightOff</code>, where both published plans send <code>ledLightOn</code>, so a command in two is a byte longer; plans for " +
+    "failures, and one that stops a robot whose run is given up, are added. (a): " +
     "<code>argo_sensing=in_cycle</code>, <code>protocol(1)</code>, commands unpaced. " +
-    "(b): no option but the baud rate and the time an answer may take. (c): <code>protocol(2)</code>, and filters that say what they " +
-    "keep, so that the board is asked for that. (d): as (c), and each filter has a critical rule: a front distance of at most the limit, " +
+    "(b): no option but the baud rate and the time an answer may take. (c): <code>protocol(2)</code>, and keep filters, so that requests " +
+    "name the functors that the agent wants. (d): as (c), and each filter has a critical rule: a front distance of at most the limit, " +
     "with the reflex <code>stop</code>."
 
 private fun simulated(settings: Settings, runs: List<Finished>): List<Pair<String, String>> = listOf(
@@ -38,27 +40,21 @@ private fun simulated(settings: Settings, runs: List<Finished>): List<Pair<Strin
         "watches the critical rule, reads its sensors every 5 ms for that, and stops the robot itself.",
     AGENT,
     "Computer" to "the reasoning of each agent, not its sensing thread, is slowed ${settings.slowdown} times: " +
-        "${escaped(settings.computer)}. That compares whole-number division alone and stands for the single-board computers of 2016; " +
-        "it is an assumption, set with <code>--slowdown</code>. The published figure for the Raspberry Pi 3 Model B+ " +
+        "${escaped(settings.computer)}. The comparison is of whole-number division only, with a single-board computer of 2016; " +
+        "it is an assumption, and <code>--slowdown</code> sets another one. The published figure for the Raspberry Pi 3 Model B+ " +
         "(687.45 events a second at 1.4 GHz, " +
         "https://leoncode.co.uk/articles/raspberry-pi-benchmarks) is taken times 1.2/1.4 for the Model B of 2016, which has the same core.",
     "Time" to "real. ${lateness(runs)}",
 )
 
-private fun lateness(runs: List<Finished>): String {
-    val late = runs.map { it.result.lateMs }.ifEmpty { return "" }
-    return "A thread wakes every 5 ms during each run. Its largest delay was ${one(late.max())} ms, the median of the largest delays of " +
-        "${late.size} runs ${one(median(late))} ms. A run with a delay above ${Campaign.MAX_LATE_MS.toInt()} ms was repeated, up to " +
-        "${Campaign.MAX_TRIES} times; ${late.count { it > Campaign.MAX_LATE_MS }} of the counted runs still have one."
-}
-
 private fun real(port: String): List<Pair<String, String>> = listOf(
     "Robot" to "a real one, on the port <code>${escaped(port)}</code>, which a person put ${Course.START_CM.toInt()} cm from the wall " +
         "before each run. Its speed, its board and its sensors are its own; " +
-        "${Course.SPEED_CM_S.toInt()} cm/s is what collisions are reckoned with below, and what the physical time to stop supposes.",
-    "Measured" to "by its own front sensor, the only source of its position. The response time is measured from the first believed " +
-        "reading at or below the limit to the moment when <code>stop</code> has left, without the time that the reading took on its " +
-        "way. ${RealLaboratory.WALL_CM.toInt()} cm or less is the wall. Stopping distances are its last reading, a second later.",
+        "entries of collisions and the physical time to stop suppose ${Course.SPEED_CM_S.toInt()} cm/s.",
+    "Measured" to "by its own front sensor, the only source of its position. Both times end when <code>stop</code> has left. The agent " +
+        "perceives the wall with the first believed reading at or below the limit. The time of crossing the limit is estimated from that " +
+        "reading and the one before, for a constant speed, and leaves out the time that readings take on their way. " +
+        "${RealLaboratory.WALL_CM.toInt()} cm or less is the wall. Stopping distances are its last reading, a second later.",
     AGENT,
     "Computer" to "this one; reasoning is not slowed.",
 )

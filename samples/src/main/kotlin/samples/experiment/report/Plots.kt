@@ -101,9 +101,15 @@ internal fun words(view: View) = when (view) {
 }
 
 private val FILTERS = View.entries.map(::words)
-private val OUTCOMES = listOf("stopped", "ran into the wall")
 
-private fun outcome(run: Finished) = OUTCOMES[if (run.result.outcome == Outcome.COLLIDED) 1 else 0]
+/** The ends of a run with the shapes that show them: those of runs in which the machine was late are hollow. */
+private val ENDS = listOf("stopped" to 16, "ran into the wall" to 4, "stopped, busy machine" to 1, "wall, busy machine" to 13)
+
+private fun end(run: Finished) = ENDS[(if (run.result.outcome == Outcome.COLLIDED) 1 else 0) + if (run.isLate) 2 else 0].first
+
+private fun endShapes(runs: List<Finished>) = ENDS.take(if (runs.any { it.isLate }) ENDS.size else 2).let { ends ->
+    scaleShapeManual(values = ends.map { it.second }, limits = ends.map { it.first }, name = "")
+}
 
 /** What the axis of response times shows, in s. */
 private const val MIN_S = 0.002
@@ -115,9 +121,6 @@ private val HUES_S = listOf(0.01, 0.1, 1.0, 10.0)
 /** A tick at [seconds], as short as it gets. */
 private fun TimeScale.label(seconds: Double) = BigDecimal("$seconds").multiply(BigDecimal(perSecond)).stripTrailingZeros().toPlainString()
 
-private const val FULL_DOT = 16
-private const val CROSS = 4
-
 private fun conditions(runs: List<Finished>) = runs.distinctBy { it.trial.condition }.size
 
 /** Where the robots stood in the end, in all combinations: as the published figure, a row for each condition. */
@@ -127,7 +130,7 @@ internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): 
             runs.map { plan.intervals.indexOf(it.trial.interval) + 0.26 * (it.trial.view.ordinal - 1) + 0.06 * (it.trial.replication - 2) },
         "distance" to runs.map { it.result.distance },
         "filter" to runs.map { words(it.trial.view) },
-        "end" to runs.map(::outcome),
+        "end" to runs.map(::end),
         "limit" to runs.map { it.trial.limit },
         "condition" to runs.map { title(it.trial.condition) },
     )
@@ -142,7 +145,7 @@ internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): 
                 breaks = plan.intervals.indices.toList(), labels = plan.intervals.map { "$it" },
                 limits = -0.5 to plan.intervals.size - 0.5,
             ) +
-            filterColours(shades) + scaleShapeManual(values = listOf(FULL_DOT, CROSS), limits = OUTCOMES, name = "") +
+            filterColours(shades) + endShapes(runs) +
             labs(x = "sensing interval in ms", y = "distance from the wall in cm")
         ).dressed(shades, 960, 120 + 210 * conditions.size)
 }
@@ -153,8 +156,8 @@ private fun filterColours(shades: Shades) = scaleColorManual(values = shades.fil
 internal fun timesFigure(runs: List<Finished>, scale: TimeScale, shades: Shades): Plot {
     val data = mapOf(
         "filter" to runs.map { words(it.trial.view) },
-        "seconds" to runs.map { (it.result.responseMs / 1000).coerceIn(MIN_S, MAX_S) },
-        "end" to runs.map(::outcome),
+        "seconds" to runs.map { (it.result.sinceLimitMs / 1000).coerceIn(MIN_S, MAX_S) },
+        "end" to runs.map(::end),
         "condition" to runs.map { title(it.trial.condition) },
     )
     return (
@@ -164,8 +167,8 @@ internal fun timesFigure(runs: List<Finished>, scale: TimeScale, shades: Shades)
             scaleYLog10(
                 limits = MIN_S to (if (scale == TimeScale.SECONDS) MAX_S else 1.0), breaks = TIMES_S, labels = TIMES_S.map(scale::label),
             ) +
-            filterColours(shades) + scaleShapeManual(values = listOf(FULL_DOT, CROSS), limits = OUTCOMES, name = "") +
-            labs(x = "", y = "response time in ${scale.unit}")
+            filterColours(shades) + endShapes(runs) +
+            labs(x = "", y = "time from crossing the limit in ${scale.unit}")
         ).dressed(shades, maxOf(960, 320 * conditions(runs)), 420)
 }
 
@@ -187,12 +190,12 @@ internal fun sharesFigure(analyses: Map<Condition, Factorial>, shades: Shades): 
         ).dressed(shades, 960, 380)
 }
 
-/** What becomes of the response time with more sensors and faster lines, in units of [scale]. */
+/** What becomes of the time from crossing the limit with more sensors and faster lines, in units of [scale]. */
 internal fun scalingFigure(runs: List<Finished>, scale: TimeScale, shades: Shades): Plot {
     val data = mapOf(
         "baud" to runs.map { "${it.trial.baud}" },
         "sensors" to runs.map { "${it.trial.sensors}" },
-        "seconds" to runs.map { if (it.result.outcome == Outcome.STOPPED) maxOf(0.01, it.result.responseMs / 1000) else null },
+        "seconds" to runs.map { if (it.result.outcome == Outcome.STOPPED) maxOf(0.01, it.result.sinceLimitMs / 1000) else null },
         "label" to runs.map { fate(it, scale) },
         "view" to runs.map { words(it.trial.view) },
         "condition" to runs.map { title(it.trial.condition) },
@@ -205,7 +208,7 @@ internal fun scalingFigure(runs: List<Finished>, scale: TimeScale, shades: Shade
             scaleYDiscrete(limits = runs.map { it.trial.sensors }.distinct().sorted().map { "$it" }) +
             scaleFillGradient(
                 low = "#d3f0dc", high = "#f5b971", naValue = "#e58f88", trans = "log10", breaks = HUES_S,
-                labels = HUES_S.map(scale::label), name = "response time in ${scale.unit}",
+                labels = HUES_S.map(scale::label), name = "time from the limit in ${scale.unit}",
             ) +
             labs(x = "baud", y = "sensors")
         ).dressed(shades, maxOf(1180, 390 * conditions(runs)), 520)

@@ -17,7 +17,8 @@ import java.nio.file.Path
 import java.util.Base64
 
 /**
- * Writes the report on the [finished] runs as one page, `report.html`, its figures as SVG and PNG in `figures/`, and all runs as `runs.csv`.
+ * Writes the report on the [finished] runs as one page, `report.html`, its figures as SVG and PNG in `figures/`, and all runs as
+ * `runs.csv`.
  *
  * @return where the page is
  */
@@ -45,32 +46,35 @@ private class Report(private val figures: Path, private val settings: Settings, 
 
     private fun head(): String {
         val counts = table(
-            "${nextTable()}. Runs that stopped before the wall, and the share of runs that do, with its 95 % interval (Wilson).",
-            listOf("condition", "runs", "stopped", "share, %") + View.entries.map(::words),
-            Condition.entries.filter { condition -> runs.any { it.trial.condition == condition } }.map { condition ->
-                val own = runs.filter { it.trial.condition == condition }
-                listOf("(${condition.letter}) ${condition.title}", "${own.size}", "${stopped(own)}", proportion(own)) +
-                    View.entries.map { view -> own.filter { it.trial.view == view }.let { "${stopped(it)} of ${it.size}" } }
-            },
+            "${nextTable()}. Runs that stopped before the wall, for each limit and filter over all intervals; in brackets the 95 % " +
+                "interval of their share (Wilson), in %.",
+            listOf("condition", "limit, cm") + View.entries.map(::words),
+            runs.groupBy { it.trial.condition to it.trial.limit }.toSortedMap(compareBy({ it.first }, { it.second }))
+                .map { (row, own) ->
+                    val (condition, limit) = row
+                    listOf("(${condition.letter}) ${condition.title}", "$limit") +
+                        View.entries.map { view -> proportion(own.filter { it.trial.view == view }) }
+                },
         )
         return """<h1>The collision experiment</h1>
 <p>A robot with twelve sensors stands 2 m from a wall and drives towards it at 10 cm/s; its agent must stop it when the front distance
 falls below a limit.
 It is the case study of C. E. Pantoja, M. F. Stabile Jr., N. M. Lazarin and J. S. Sichman, “ARGO: An Extended Jason Architecture that
 Facilitates Embedded Robotic
-Agents Programming”, EMAS 2016, made anew on ${if (settings.port == null) "a simulated robot in real time" else "a real robot"}. Three
+Agents Programming”, EMAS 2016, repeated on ${if (settings.port == null) "a simulated robot in real time" else "a real robot"}. Three
 factors, each with its levels:
 the distance limit L (${plan.limits.joinToString()} cm), the perception interval I (${plan.intervals.joinToString()} ms), the filter F
 (none, front side, front distance);
 ${plan.replications} replications of each of the ${plan.limits.size * plan.intervals.size * View.entries.size} combinations.</p>
 <p>${escaped(made.sentence)} All runs are in <code>runs.csv</code>.</p>
-${leftOut()}$counts"""
+${busyMachine(runs + scaled)}${leftOut()}$counts"""
     }
 
     private fun nextTable() = "Table ${++tables}"
 
-    private fun proportion(runs: List<Finished>): String = proportionInterval(stopped(runs), runs.size).let {
-        "${whole(100.0 * stopped(runs) / runs.size)} (${whole(100 * it.low)} to ${whole(100 * it.high)})"
+    private fun proportion(runs: List<Finished>): String = if (runs.isEmpty()) "–"
+    else proportionInterval(stopped(runs), runs.size).let {
+        "${stopped(runs)} of ${runs.size} (${whole(100 * it.low)} to ${whole(100 * it.high)})"
     }
 
     /** What a shorter plan than the published one leaves out. */
@@ -81,16 +85,16 @@ ${leftOut()}$counts"""
         val missing = limits + intervals + listOfNotNull("$fewer of ${Plan.FULL.replications} replications".takeIf { fewer > 0 })
         if (missing.isEmpty()) return ""
         return "<p><strong>This is a shorter plan than the published one.</strong> It leaves out ${missing.joinToString()}. " +
-            "What was published about these is not tested here, and intervals are wider than with all replications.</p>\n"
+            "The published results about these are not tested here, and intervals are wider than with all replications.</p>\n"
     }
 
     private fun stopped(runs: List<Finished>) = runs.count { it.result.outcome == Outcome.STOPPED }
 
     private fun claims(): String {
-        val published = publishedClaims(runs, plan, analyses.getValue(Response.TIME)[Condition.PUBLISHED])
+        val published = publishedClaims(runs, plan, analyses.getValue(Response.PERCEIVED_TIME)[Condition.PUBLISHED])
         val own = (Condition.entries - Condition.PUBLISHED).mapNotNull { promise(runs, it) }
-        return "<h2>What was reproduced, what was not, and why</h2>\n" + published.joinToString("\n", transform = ::section) +
-            (if (own.isEmpty()) "" else "<h3>And this project's own conditions</h3>\n" + own.joinToString("\n", transform = ::section))
+        return "<h2>Published results, found here or not</h2>\n" + published.joinToString("\n", transform = ::section) +
+            (if (own.isEmpty()) "" else "<h3>This project's own conditions</h3>\n" + own.joinToString("\n", transform = ::section))
     }
 
     private fun section(claim: Claim) = """<section class="claim"><p><strong>${escaped(claim.claim)}</strong>
@@ -107,32 +111,41 @@ ${leftOut()}$counts"""
         ) { distancesFigure(runs, plan, it) }
 
     private fun times(): String {
-        val scale = TimeScale.of(runs.map { it.result.responseMs / 1000 })
-        val cells = Condition.entries.flatMap { condition ->
-            View.entries.map { view -> runs.filter { it.trial.condition == condition && it.trial.view == view } }
-        }
-        return "<h2>Response times</h2>\n" + figure(
+        val scale = TimeScale.of(runs.map { it.result.sinceLimitMs / 1000 })
+        return """<h2>Response times</h2>
+<p>Two times end when the robot stops. One begins when the robot crosses the limit. The other, which is the published one, begins when the
+agent perceives the wall: when it first believes a front distance at or below the limit. The first includes the noise of the reading and
+the time that the reading takes on its way to the agent. The second is negative if the board stopped the robot before its agent perceived
+the wall.</p>
+""" + figure(
             "times",
             "From crossing the limit to stopping, on a logarithmic axis (n = ${runs.size}). A cross is a robot that ran into the wall, " +
                 "at the time that its limit left: its agent needed longer. Boxes are quartiles of all runs, those at the wall too.",
             "A plot of the response times of all runs, by filter and condition; the table below has their median and range.",
-        ) { timesFigure(runs, scale, it) } + table(
-            "${nextTable()}. Response times of the runs that stopped: the median with its 95 % interval (order statistics; – for fewer " +
-                "than six).",
+        ) { timesFigure(runs, scale, it) } + timesTable(Response.LIMIT_TIME) + timesTable(Response.PERCEIVED_TIME)
+    }
+
+    private fun timesTable(response: Response): String {
+        val scale = TimeScale.of(runs.map { response.of(it.result, plan) })
+        return table(
+            "${nextTable()}. ${response.title.replaceFirstChar(Char::uppercase)} of the runs that stopped, over all limits and " +
+                "intervals: the median with its 95 % interval (order statistics; – for fewer than six).",
             listOf("condition", "filter", "stopped") + listOf("median", "95 % interval", "least", "most").map { "$it, ${scale.unit}" },
-            cells.filter { it.isNotEmpty() }.map { timesRow(it, scale) },
+            runs.groupBy { it.trial.condition to it.trial.view }.toSortedMap(compareBy({ it.first }, { it.second })).values
+                .map { timesRow(it, response, scale) },
             words = 2,
         )
     }
 
-    private fun timesRow(cell: List<Finished>, scale: TimeScale): List<String> {
-        val seconds = cell.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.responseMs / 1000 }.sorted()
+    /** All figures of a row end at the same place. */
+    private fun timesRow(cell: List<Finished>, response: Response, scale: TimeScale): List<String> {
+        val seconds = cell.filter { it.result.outcome == Outcome.STOPPED }.map { response.of(it.result, plan) }.sorted()
         val interval = medianInterval(seconds)
         val decimals = interval?.let(scale::decimals) ?: scale.fewDecimals
         val figures = if (seconds.isEmpty()) listOf("–", "–", "–", "–")
         else listOf(
             scale.text(median(seconds), decimals), interval?.let(scale::text) ?: "–",
-            scale.text(seconds.first()), scale.text(seconds.last()),
+            scale.text(seconds.first(), decimals), scale.text(seconds.last(), decimals),
         )
         return listOf(
             cell.first().trial.condition.let { "(${it.letter})" }, words(cell.first().trial.view), "${seconds.size} of ${cell.size}",
@@ -140,7 +153,7 @@ ${leftOut()}$counts"""
     }
 
     private fun allocation(): String {
-        val time = analyses.getValue(Response.TIME)
+        val time = analyses.getValue(Response.PERCEIVED_TIME)
         if (time.isEmpty()) return "<h2>Allocation of variation</h2>\n<p>Not all runs of a condition are made, so there is nothing to " +
             "analyse yet.</p>"
         return "<h2>Allocation of variation</h2>\n" + ALLOCATION_METHOD + Response.entries.joinToString("", transform = ::shares) +
@@ -151,7 +164,7 @@ ${leftOut()}$counts"""
         val columns = analyses.getValue(response)
         val allocation = Allocation(response, columns, settings.seed)
         val shares = allocation.heading() + allocation.shares(nextTable())
-        val figure = if (response != Response.TIME) ""
+        val figure = if (response != Response.PERCEIVED_TIME) ""
         else figure("shares", "The shares of Table $tables.", "A bar chart of the table above.") { sharesFigure(columns, it) }
         return shares + figure + allocation.intervals(nextTable())
     }
@@ -165,8 +178,8 @@ ${leftOut()}$counts"""
         return "<h2>Beyond the paper: more sensors, other lines</h2>\n" + scaling.introduction() + figure(
             "scaling",
             "Green: fast. Orange: slow. Red: no stop. ${scaling.explained()}",
-            "A map of what became of the robot for each number of sensors and each baud rate; the table below says the same.",
-        ) { scalingFigure(all, scaling.scale, it) } + "<h3>Where each condition begins to fail</h3>\n" + scaling.table(nextTable())
+            "A map of the outcomes for each number of sensors and each baud rate; the table below says the same.",
+        ) { scalingFigure(all, scaling.scale, it) } + "<h3>Slowest lines of each condition</h3>\n" + scaling.table(nextTable())
     }
 
     /**

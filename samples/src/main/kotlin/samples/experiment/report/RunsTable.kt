@@ -1,6 +1,7 @@
 package samples.experiment.report
 
 import samples.experiment.Finished
+import samples.experiment.maxLateMs
 
 /**
  * All of [runs] as comma-separated values (RFC 4180), a line for each and the names of the columns in the first.
@@ -9,8 +10,8 @@ import samples.experiment.Finished
  * @param build the version and the commit of ARGO, in words
  */
 internal fun csv(runs: List<Finished>, seed: Long, build: String): String {
-    val heads = "run,condition,filter,limit_cm,interval_ms,replication,baud,sensors,outcome,response_ms,distance_cm,commands,frames," +
-        "late_ms,reason,seed,argo"
+    val heads = "run,condition,filter,limit_cm,interval_ms,replication,baud,sensors,outcome,since_limit_ms,since_perceiving_ms," +
+        "distance_cm,commands,frames,late_ms,late_limit_ms,reason,seed,argo"
     val lines = runs.sortedBy { it.trial.id }.map { "${line(it)},$seed,${quoted(build)}" }
     return (listOf(heads) + lines).joinToString("") { "$it\r\n" }
 }
@@ -18,8 +19,8 @@ internal fun csv(runs: List<Finished>, seed: Long, build: String): String {
 private fun line(run: Finished): String = run.let { (trial, result) ->
     listOf(
         trial.id, trial.condition.letter, trial.view.word, trial.limit, trial.interval, trial.replication, trial.baud, trial.sensors,
-        result.outcome.name.lowercase(), three(result.responseMs), three(result.distance), result.commands, result.frames,
-        three(result.lateMs),
+        result.outcome.name.lowercase(), three(result.sinceLimitMs), result.sincePerceivingMs?.let(::three).orEmpty(),
+        three(result.distance), result.commands, result.frames, three(result.lateMs), three(maxLateMs(trial.condition)),
         quoted(result.reason.orEmpty()),
     ).joinToString(",")
 }
