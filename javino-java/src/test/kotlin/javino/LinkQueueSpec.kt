@@ -34,7 +34,7 @@ class LinkQueueSpec : FunSpec({
 
     fun link(name: String, work: suspend (FakeBoard, Link) -> Unit) = listOf(Protocol.V1, Protocol.V2).forEach { robot(name, it, work) }
 
-    fun Link.writing() = async { writeCommands() }
+    fun Link.writing() = async { writeCommandsUntilClosed() }
 
     link("commands go out in their order, urgent ones before the others, once a thread writes") { board, link ->
         val ordinary = listOf("a", "b", "c").map { link.send(it, SendOptions.defaults()) }

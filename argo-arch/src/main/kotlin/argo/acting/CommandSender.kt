@@ -65,7 +65,7 @@ internal class CommandSender(
 
     private fun writeCommands() {
         try {
-            link.writeCommands()
+            link.writeCommandsUntilClosed()
         } catch (_: PortException) {
             // the line is gone, and the commands that waited for it have failed
         }

@@ -101,7 +101,7 @@ internal class ServedBoard(
 
     private fun writeCommands(opened: BoardLink) {
         try {
-            opened.writeCommands()
+            opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
             // the thread that senses finds it gone
         }
