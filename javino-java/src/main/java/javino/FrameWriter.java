@@ -27,6 +27,8 @@ final class FrameWriter implements WaitingCommands<Command> {
         byte[] make() throws PortException;
     }
 
+    private static final System.Logger LOG = System.getLogger(FrameWriter.class.getName());
+
     private final Monitor monitor;
     private final CommandQueue commands = new CommandQueue();
     private final Transport transport;
@@ -39,6 +41,9 @@ final class FrameWriter implements WaitingCommands<Command> {
             isLeaving; // the command under way was written by who submitted it, and its last byte leaves at leavesAt
     private long leavesAt;
     private volatile long outcomeNanos;
+    private long writtenBytes;
+    private long readBytes; // of these the far end has proved to have read so many
+    private boolean isRefused; // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
 
     FrameWriter(Transport transport, Pacer pacer, LineClock clock) {
@@ -95,7 +100,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     @Override
     public void begin() {
-        monitor.change(() -> commands.head().begin());
+        monitor.change(() -> commands.head().begin(writtenBytes));
     }
 
     /**
@@ -140,12 +145,34 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> endReason == null && next() == own && beginNext() != null);
     }
 
+    /**
+     * Whether a frame can be written by a thread that may not wait: see {@link Transport#isWritableNow}. It stays so until that is written
+     * if the thread begins it under the same lock, with {@link #beginAtOnce} or {@link #beginFrame}. The caller holds the monitor's lock.
+     */
+    boolean isWritableNow() {
+        return !isWriting && hasRoom();
+    }
+
+    private boolean hasRoom() {
+        return transport.isWritableNow(writtenBytes - readBytes);
+    }
+
+    /** Bytes handed to the driver so far. */
+    long written() {
+        return monitor.get(() -> writtenBytes);
+    }
+
+    /** Records that the far end has proved to have read the first {@code bytes} of all that was {@link #written}. */
+    void provedRead(long bytes) {
+        monitor.change(() -> readBytes = Math.max(readBytes, bytes));
+    }
+
     private Command beginNext() {
         Command next = next();
         if (next == null || nanosUntilNext() > 0) {
             return null;
         }
-        next.begin();
+        next.begin(writtenBytes);
         underWay = next;
         isWriting = true;
         return next;
@@ -269,7 +296,7 @@ final class FrameWriter implements WaitingCommands<Command> {
                         + " ms; the line is busy with those before it");
     }
 
-    /** Writes a frame whose turn has come; as {@link #write}. */
+    /** Writes a frame whose turn has come; as {@link #write}. {@code timeoutMillis} may be 0 if it {@link #isWritableNow}. */
     long writeNow(Kind kind, int timeoutMillis, Content content) throws PortException {
         try {
             byte[] frame = content.make();
@@ -294,13 +321,40 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     private long hand(byte[] frame, int timeoutMillis, Written written) throws PortException {
         long start = clock.nanos();
+        boolean waits = monitor.get(() -> {
+            boolean isTight = timeoutMillis > 0 && !hasRoom();
+            writtenBytes += frame.length;
+            return isTight;
+        });
+        boolean isTaken = false;
         try {
-            transport.write(frame, 0, frame.length, timeoutMillis);
-        } catch (PortException | RuntimeException e) {
-            monitor.get(() -> written.at(start, clock.nanos())); // some bytes may have left
-            throw e;
+            transport.write(frame, 0, frame.length, waits ? timeoutMillis : 0);
+            isTaken = true;
+        } catch (PortTimeoutException refused) {
+            warnOnce(refused);
+            throw refused;
+        } finally {
+            if (!isTaken) {
+                monitor.get(() -> written.at(start, clock.nanos())); // some bytes may have left
+            }
         }
-        return monitor.get(() -> written.at(start, clock.nanos()));
+        return monitor.get(() -> {
+            isRefused = false;
+            return written.at(start, clock.nanos());
+        });
+    }
+
+    private void warnOnce(PortTimeoutException refused) {
+        boolean isNews = monitor.get(() -> {
+            boolean wasRefused = isRefused;
+            isRefused = true;
+            return !wasRefused;
+        });
+        if (isNews) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    refused.getMessage() + "; this is not reported again until it takes bytes again");
+        }
     }
 
     /** Whether a frame is being written. The caller holds the monitor's lock. */

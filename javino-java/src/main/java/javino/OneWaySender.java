@@ -24,8 +24,17 @@ final class OneWaySender {
 
     /** Writes the command whose turn has come; returns when its last byte leaves. */
     long write(Command command) throws PortException {
+        return write(command, MAX_WRITE_MILLIS);
+    }
+
+    /** The same, on a thread that may not wait. */
+    long writeAtOnce(Command command) throws PortException {
+        return write(command, 0);
+    }
+
+    private long write(Command command, int timeoutMillis) throws PortException {
         Frame frame = command.frame();
-        return writer.writeNow(FrameWriter.Kind.ACTION, MAX_WRITE_MILLIS, () -> {
+        return writer.writeNow(FrameWriter.Kind.ACTION, timeoutMillis, () -> {
             if (BoardRule.isIn(command.text())) {
                 throw new ActionRefusedException(
                         port, "the board at port " + port + " speaks version 1, in which it takes no rules");

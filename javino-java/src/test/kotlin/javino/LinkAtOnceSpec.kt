@@ -22,7 +22,7 @@ private class WatchedLine(private val line: Transport) : Transport by line {
     @Volatile
     var duringWrite: () -> Unit = { }
 
-    override fun isWritableNow() = isWritable && line.isWritableNow()
+    override fun isWritableNow(unread: Long) = isWritable && line.isWritableNow(unread)
 
     override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
         writers += Thread.currentThread() to len
