@@ -394,12 +394,12 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     @Override
-    public void dropped(int bytes) {
+    public void dropped() {
         if (!hasDropped) {
             LOG.log(
                     System.Logger.Level.WARNING,
-                    "port " + transport.name() + " sent percepts of " + bytes + " bytes, more than " + answerLimit
-                            + ", which are dropped; others are dropped without a warning until an answer comes that is not too long");
+                    "port " + transport.name() + " sent percepts of more than " + answerLimit
+                            + " bytes, which are dropped; others are dropped without a warning until an answer comes that is not too long");
         }
         hasDropped = true;
     }
@@ -416,7 +416,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             reports.add(() -> {
                 try {
                     call.accept(called);
-                } catch (RuntimeException broken) {
+                } catch (RuntimeException | Error broken) { // who reads the line must go on
                     LOG.log(System.Logger.Level.ERROR, "who was called with what the board reports has failed", broken);
                 }
             });
