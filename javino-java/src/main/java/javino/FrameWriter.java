@@ -181,7 +181,19 @@ final class FrameWriter implements WaitingCommands<Command> {
     private long nanosUntilNext() {
         return isWriting || turnsAwaited > 0
                 ? Monitor.FOREVER
-                : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
+                : isHeldBack() && !next().isUrgent()
+                        ? pacer.nanosHeld(clock.nanos())
+                        : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
+    }
+
+    /** Whether only urgent commands of version 1 are written until the board answers. The caller holds the monitor's lock. */
+    private boolean isHeldBack() {
+        return pacer.holdsActions(clock.nanos());
+    }
+
+    /** Whether the board seems to take longer for its {@code loop()} than commands are apart: see {@link Pacer#isSlow}. */
+    boolean isBoardSlow() {
+        return monitor.get(pacer::isSlow);
     }
 
     /**
@@ -239,7 +251,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.getInterruptibly(() -> {
             long submitted = commands.submitted();
             long deadline = clock.nanos() + nanos;
-            awaitZero(() -> commands.areOver(submitted) ? 0 : deadline - clock.nanos());
+            awaitZero(() -> commands.areOver(submitted) || isHeldBack() ? 0 : deadline - clock.nanos());
             return null;
         });
     }
@@ -290,10 +302,13 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /** Why a frame was not written whose turn did not come. */
     PortTimeoutException noTime(int bytes, long timeoutMillis) {
+        String reason = monitor.get(this::isHeldBack)
+                ? "the board does not answer, and would lose commands, which wait until it does"
+                : "the line is busy with those before it";
         return new PortTimeoutException(
                 transport.name(),
                 "port " + transport.name() + " had no time for a message of " + bytes + " bytes within " + timeoutMillis
-                        + " ms; the line is busy with those before it");
+                        + " ms; " + reason);
     }
 
     /** Writes a frame whose turn has come; as {@link #write}. {@code timeoutMillis} may be 0 if it {@link #isWritableNow}. */
@@ -415,6 +430,11 @@ final class FrameWriter implements WaitingCommands<Command> {
     /** Records that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
+    }
+
+    /** Records that a request of version 1 was not answered in its time, which is over at {@code now}. */
+    void unanswered(long now) {
+        monitor.change(() -> pacer.unanswered(now));
     }
 
     /** Ends the line: who waits here, or comes later, gets a {@link PortGoneException} with {@code reason}. */

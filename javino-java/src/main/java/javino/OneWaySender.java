@@ -1,6 +1,7 @@
 package javino;
 
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javino.wire.BoardRule;
 
 /** Sends commands to a version 1 board, which acknowledges nothing: a command has arrived when its last byte has left. */
@@ -10,10 +11,13 @@ final class OneWaySender {
 
     private static final int MAX_WRITE_MILLIS = 5000;
 
+    private static final System.Logger LOG = System.getLogger(OneWaySender.class.getName());
+
     private final String port;
     private final FrameWriter writer;
     private final Inbox inbox;
     private final LineClock clock;
+    private final AtomicBoolean hasWarned = new AtomicBoolean();
 
     OneWaySender(String port, FrameWriter writer, Inbox inbox, LineClock clock) {
         this.port = port;
@@ -34,6 +38,13 @@ final class OneWaySender {
 
     private long write(Command command, int timeoutMillis) throws PortException {
         Frame frame = command.frame();
+        if (writer.isBoardSlow() && !hasWarned.getAndSet(true)) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "the board at port " + port + " begins its answers more than " + LoopTime.MAX_MILLIS
+                            + " ms late: a board of version 1 loses commands that come while its loop() does something else;"
+                            + " give the port the option spacing(Ms) with the longest time of a loop(), or use version 2");
+        }
         return writer.writeNow(FrameWriter.Kind.ACTION, timeoutMillis, () -> {
             if (BoardRule.isIn(command.text())) {
                 throw new ActionRefusedException(

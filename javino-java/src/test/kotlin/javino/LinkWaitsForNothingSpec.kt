@@ -13,12 +13,8 @@ import javino.sim.MemoryLine
 import javino.tcp.Loopback
 import javino.wire.WireDecoder
 import java.util.concurrent.ConcurrentHashMap
-import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
-import java.util.logging.Handler
-import java.util.logging.LogRecord
-import java.util.logging.Logger
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
@@ -78,28 +74,6 @@ private class DeafBoard(private val end: Transport, protocol: Protocol) : AutoCl
             override fun percepts(request: String) = "dist(front,1);"
         }
     }
-}
-
-/** What the javino loggers report meanwhile. */
-private fun logged(work: () -> Unit): List<String> {
-    val messages = CopyOnWriteArrayList<String>()
-    val logger = Logger.getLogger("javino")
-    val handler = object : Handler() {
-        override fun publish(record: LogRecord) {
-            messages += record.message
-        }
-
-        override fun flush() = Unit
-
-        override fun close() = Unit
-    }
-    logger.addHandler(handler)
-    try {
-        work()
-    } finally {
-        logger.removeHandler(handler)
-    }
-    return messages
 }
 
 /** Who sends a command waits for no line, whatever the far end does. */
