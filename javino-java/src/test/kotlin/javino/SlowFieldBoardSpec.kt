@@ -9,17 +9,18 @@ import javino.virtual.LineEnd
 
 private const val COMMANDS = 100
 
-/** A board that answers while it [answers], and takes commands as long as its receive buffer of 63 bytes is not full. */
+/** A board that reads, acts and answers, once in [loopMillis], while it [answers]. */
 private class SlowBoard(private val loopMillis: Double, private val answers: (Double) -> Boolean) : LineEnd {
     val commands = mutableListOf<String>()
     private val buffer = ArrayDeque<Byte>()
+    val unread get() = buffer.toByteArray().decodeToString()
     private val decoder = FrameDecoder(Long.MAX_VALUE) { pending += it.text() }
     private val pending = mutableListOf<String>()
     private var nextLoop = 0.0
 
     override fun look(end: Transport, now: Double) {
         val bytes = ByteArray(256)
-        for (i in 0 until end.read(bytes, 0, bytes.size, 0)) if (buffer.size < 63) buffer += bytes[i]
+        for (i in 0 until end.read(bytes, 0, bytes.size, 0)) buffer += bytes[i]
         if (now < nextLoop || !answers(now)) return
         nextLoop = now + loopMillis
         decoder.accept(buffer.toByteArray(), 0, buffer.size, 0)
@@ -46,9 +47,10 @@ class SlowFieldBoardSpec : FunSpec({
             val sent = List(COMMANDS) { bench.link.send("c$it", SendOptions.defaults()) }
             repeat(5) { bench.link.asks() }
             sent.count { it.isDone } shouldBe 0
+            board.unread.windowed(2).none { it == "c1" } shouldBe true
             while (bench.millis < 3_000) bench.link.asks()
             bench.link.asks().isSuccess shouldBe true
-            bench.link.sendAndAwait("last", SendOptions.defaults())
+            bench.link.sendAndAwait("last", 20_000)
             bench.awayFor(100)
             board.commands shouldContainExactly List(COMMANDS) { "c$it" } + "last"
         }
