@@ -38,7 +38,8 @@ public abstract class DriverTransport implements Transport {
     protected abstract int writeToDriver(byte[] bytes);
 
     /**
-     * Whether {@link #writeToDriver} certainly returns at once with a frame, as {@link #isWritableNow} says, if no other write is under way.
+     * Whether {@link #writeToDriver} certainly returns at once with a frame, as {@link #isWritableNow} says, if no other write is under
+     * way.
      */
     protected boolean hasRoom(long unread) {
         return false;

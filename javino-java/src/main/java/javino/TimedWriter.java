@@ -32,7 +32,8 @@ final class TimedWriter {
 
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
-    private final AtomicInteger underWay = new AtomicInteger(); // writes of its thread that have not returned, or not begun
+    private final AtomicInteger underWay =
+            new AtomicInteger(); // writes of its thread that have not returned, or not begun
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
     /**
@@ -54,11 +55,13 @@ final class TimedWriter {
      */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
-        AtomicBoolean isTaken = new AtomicBoolean(); // by the thread that writes it, or by its caller, who has given it up
+        AtomicBoolean isTaken =
+                new AtomicBoolean(); // by the thread that writes it, or by its caller, who has given it up
         CompletableFuture<Outcome> write;
         underWay.incrementAndGet();
         try {
-            write = CompletableFuture.supplyAsync(() -> isTaken.getAndSet(true) ? Outcome.TOO_LATE : writeAway(bytes), thread);
+            write = CompletableFuture.supplyAsync(
+                    () -> isTaken.getAndSet(true) ? Outcome.TOO_LATE : writeAway(bytes), thread);
         } catch (RejectedExecutionException e) {
             underWay.decrementAndGet();
             return Outcome.CLOSED;

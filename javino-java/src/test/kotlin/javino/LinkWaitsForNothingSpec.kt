@@ -3,6 +3,7 @@ package javino
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -21,6 +22,9 @@ import kotlin.time.Duration.Companion.seconds
 private const val COMMANDS = 10_000
 private const val LIMIT_MS = 100
 private const val LIMIT_S = 40L
+private fun unpaced(protocol: Protocol) =
+    LinkSettings.defaults().withBootMillis(0).withSpacingMillis(0).withProtocol(protocol).withPaced(false)
+
 private val COMMAND = "say(" + "x".repeat(200) + ")"
 
 /** The computer's end of a line, which notes how many bytes each thread has written, and with which time limits. */
@@ -84,7 +88,7 @@ class LinkWaitsForNothingSpec : FunSpec({
                 .config(enabledOrReasonIf = { available }, timeout = 120.seconds, blockingTest = true) {
                     open().use { line ->
                         val computer = NotedWrites(line.computer)
-                        val settings = LinkSettings.defaults().withBootMillis(0).withSpacingMillis(0).withProtocol(protocol).withPaced(false)
+                        val settings = unpaced(protocol)
                         val board = DeafBoard(line.board, protocol)
                         Link.over(computer, settings, LineClock.system()).use { link ->
                             link.request("getPercepts", 20_000)
@@ -95,16 +99,19 @@ class LinkWaitsForNothingSpec : FunSpec({
                             val sender = async {
                                 val sent = List(COMMANDS) {
                                     val start = System.nanoTime()
-                                    link.send(COMMAND, SendOptions(false, LIMIT_MS)).also { longest = maxOf(longest, System.nanoTime() - start) }
+                                    val outcome = link.send(COMMAND, SendOptions(false, LIMIT_MS))
+                                    longest = maxOf(longest, System.nanoTime() - start)
+                                    outcome
                                 }
                                 Thread.currentThread() to sent
                             }
                             val (thread, sent) = sender.get(LIMIT_S, TimeUnit.SECONDS)
                             (computer.bytes[thread] ?: 0) shouldBeLessThanOrEqual mostAtOnce
                             (computer.limits[thread].orEmpty() - 0).shouldBeEmpty()
-                            val trouble = sent.map { runCatching { it.get(LIMIT_S, TimeUnit.SECONDS) }.exceptionOrNull() }
-                            trouble.count { it is ExecutionException && (it.cause is CommandWithdrawnException || it.cause is ActionUnconfirmedException) } +
-                                trouble.count { it == null } shouldBe COMMANDS // those went into the driver, or were carried out before
+                            val trouble = sent.mapNotNull { runCatching { it.get(LIMIT_S, TimeUnit.SECONDS) }.exceptionOrNull() }
+                            trouble.size shouldBeGreaterThan COMMANDS / 2 // the others went into the driver, or were carried out before
+                            trouble.map { (it as ExecutionException).cause }
+                                .filterNot { it is CommandWithdrawnException || it is ActionUnconfirmedException }.shouldBeEmpty()
                             println("measured: $name, $protocol: ${computer.bytes[thread] ?: 0} bytes written by who sends, " +
                                 "longest of $COMMANDS calls ${longest / 1000} µs")
                         }
@@ -142,7 +149,7 @@ class LinkWaitsForNothingSpec : FunSpec({
                 if (isDeaf) throw PortTimeoutException(name(), "port ${name()} did not take $len bytes; the far end does not read")
             }
         }
-        val settings = LinkSettings.defaults().withBootMillis(0).withSpacingMillis(0).withProtocol(Protocol.V1).withPaced(false)
+        val settings = unpaced(Protocol.V1)
         fun Link.tries() = runCatching { sendAndAwait("on", 20_000) }.exceptionOrNull()?.message.orEmpty()
         Link.over(line, settings, LineClock.system()).use { link ->
             val first = logged { repeat(3) { link.tries() shouldContain "the far end does not read" } }

@@ -103,7 +103,8 @@ class HostileBoardsSpec : FunSpec({
             LocalMas().use { mas ->
                 mas.agent("bob", """
                     !start.
-                    +!start <- argo.port("sim:bomb", [baud(10000000), boot(0), timeout(2000)]); argo.limit(0); argo.percepts(open); !beat(1).
+                    +!start <- argo.port("sim:bomb", [baud(10000000), boot(0), timeout(2000)]);
+                        argo.limit(0); argo.percepts(open); !beat(1).
                     +!beat(N) <- argo.act(beat(N)); .wait(5); !beat(N+1).
                 """)
                 eventually(LIMIT) { board.answers shouldBeGreaterThan 4 }
@@ -118,7 +119,7 @@ class HostileBoardsSpec : FunSpec({
     }
 
     for (isRead in listOf(true, false)) for (error in listOf(OutOfMemoryError("planted"), StackOverflowError("planted"))) {
-        test("${error.javaClass.simpleName} in ${if (isRead) "reading" else "writing"} ends no thread for good: the agent perceives and acts") {
+        test("${error.javaClass.simpleName} in ${if (isRead) "reading" else "writing"} ends no thread: the agent perceives and acts") {
             val fault = AtomicReference<Throwable?>()
             FussyProvider.opening = { address, line -> FaultyLine(FussyProvider.openSimulated(address, line), isRead, fault) }
             FakeBoard.plugIn("robot").lenient().use { board ->
@@ -145,7 +146,7 @@ class HostileBoardsSpec : FunSpec({
         }
     }
 
-    test("a far end that talks and does not read holds up neither the agent nor its reflexes").config(enabledOrReasonIf = { withTerminals }) {
+    test("a far end that talks and does not read holds up neither agent nor reflexes").config(enabledOrReasonIf = { withTerminals }) {
         val bytes = ConcurrentHashMap<String, Long>()
         val waiting = ConcurrentHashMap.newKeySet<String>()
         val terminals = PseudoTerminals.open()

@@ -21,6 +21,8 @@ final class SerialTransport extends DriverTransport {
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     /** How long closing waits for a read that should have ended. */
     private static final int READ_END_MILLIS = 2_000;
+    /** How long the driver may take to close the port, behind a write that waits. */
+    private static final int CLOSE_MILLIS = 2_000;
     /** How often the driver is asked, when less than a slice is left, while bytes are on their way or an answer may be near. */
     private static final long POLL_NANOS = 250_000L;
     /** How often it is asked on a line that has been still for long: an unasked message comes seldom, and each question costs. */
@@ -163,18 +165,38 @@ final class SerialTransport extends DriverTransport {
         } catch (InterruptedException e) {
             interrupted = true;
         }
-        if (readingEnded) {
-            port.closePort(); // ends a write that waits
-            reading.unlock();
+        if (!readingEnded) {
+            warnGivenUp("reading");
         } else {
-            System.getLogger(SerialTransport.class.getName())
-                    .log(
-                            System.Logger.Level.WARNING,
-                            "port " + name() + " is given up as it is: its driver does not return from reading");
+            if (!closePort()) {
+                warnGivenUp("closing");
+            }
+            reading.unlock();
         }
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    /** Closes the port, which ends a write that waits; returns whether the driver returns from it in time, unless this is interrupted. */
+    private boolean closePort() {
+        Thread closing = new Thread(port::closePort, "close " + name());
+        closing.setDaemon(true);
+        closing.start();
+        try {
+            closing.join(CLOSE_MILLIS);
+            return !closing.isAlive();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return true;
+        }
+    }
+
+    private void warnGivenUp(String call) {
+        System.getLogger(SerialTransport.class.getName())
+                .log(
+                        System.Logger.Level.WARNING,
+                        "port " + name() + " is given up as it is: its driver does not return from " + call);
     }
 
     /** Waits until what was written has left the driver, but not for a device that takes no more. */
