@@ -30,6 +30,7 @@ import argo.perception.PerceptEvents
 import argo.perception.PerceptIntentions
 import argo.perception.Snapshot
 import argo.platform.Platform
+import argo.platform.ThinnedLog
 import argo.platform.Waker
 import argo.platform.nowMs
 import argo.sensing.SensingPolicy
@@ -92,6 +93,7 @@ internal class AgentIo(
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
 
     private val instant = OneInstant(platform, waker::wake)
+    private val portLines = ThinnedLog(platform.nowMs, platform::later)
 
     /** Other boards are perceived than the agent's beliefs are about. */
     @Volatile
@@ -339,7 +341,7 @@ internal class AgentIo(
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {
         val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
         observers().portChanged("$port", status.word, reason)
-        log.log(level, "port $port is ${status.word}" + reason?.let { ": $it" }.orEmpty())
+        portLines.report("$port") { more -> log.log(level, "port $port is ${status.word}" + reason?.let { ": $it" }.orEmpty() + more) }
         waker.wake { !states.hasNews() }
     }
 

@@ -7,13 +7,13 @@ import javino.Transport
 import javino.TransportProvider
 import javino.Transports
 
-/** Ports that may refuse to be opened: `fussy:robot` is `sim:robot`, if [refusal] has nothing against it. */
+/** Ports that may refuse to be opened: `fussy:robot` is `sim:robot`, or what [opening] makes, if [refusal] has nothing against it. */
 class FussyProvider : TransportProvider {
     override fun scheme() = "fussy"
 
     override fun open(address: String, line: LineSettings): Transport {
         refusal("fussy:$address", line)?.let { throw it }
-        return Transports.open("sim:$address", line)
+        return opening(address, line)
     }
 
     override fun ports() = listOf<String>()
@@ -26,5 +26,11 @@ class FussyProvider : TransportProvider {
         /** What opening a port at a rate fails with, or null. */
         @Volatile
         var refusal: (String, LineSettings) -> PortException? = { _, _ -> null }
+
+        /** The line to an address. */
+        @Volatile
+        var opening: (String, LineSettings) -> Transport = ::openSimulated
+
+        fun openSimulated(address: String, line: LineSettings): Transport = Transports.open("sim:$address", line)
     }
 }

@@ -17,6 +17,9 @@ final class ActionCheck {
         if (actions.isEmpty() || BoardRule.isIn(command)) {
             return null;
         }
+        if (command.isEmpty()) {
+            return "it is empty; the board has " + words(actions);
+        }
         String name = Command.functorOf(command);
         int arguments = name.length() == command.length() ? 0 : argumentsBehind(command, name.length());
         BoardAction known = null;
@@ -37,31 +40,51 @@ final class ActionCheck {
             return "it does not know the action, or not with these arguments";
         }
         String trouble = trouble(command, actions);
-        return trouble == null
+        if (trouble != null) {
+            return trouble;
+        }
+        return isClosed(command)
                 ? "it has the action, and its program has refused what was asked now; it has " + words(actions)
-                : trouble;
+                : "its brackets or quotes are not closed; the board has " + words(actions);
     }
 
-    /** The commas outside of brackets and quotes, and one more. */
-    private static int argumentsBehind(String command, int open) {
-        int depth = 0;
-        int arguments = command.startsWith(")", open + 1) ? 0 : 1;
-        boolean isQuoted = false;
-        for (int i = open + 1; i < command.length(); i++) {
-            char c = command.charAt(i);
-            if (c == '\\' && isQuoted) {
-                i++;
-            } else if (c == '"') {
-                isQuoted = !isQuoted;
-            } else if (!isQuoted && (c == '(' || c == '[')) {
-                depth++;
-            } else if (!isQuoted && (c == ')' || c == ']')) {
-                depth--;
-            } else if (!isQuoted && c == ',' && depth == 0) {
-                arguments++;
+    private static boolean isClosed(String command) {
+        Arguments read = new Arguments(command, 0);
+        return read.depth == 0 && !read.isQuoted;
+    }
+
+    /** What stands behind a functor: the commas outside of brackets and quotes, and what is left open. */
+    private static final class Arguments {
+        private int commas;
+        private int depth;
+        private boolean isQuoted;
+
+        Arguments(String text, int from) {
+            for (int i = from; i < text.length(); i++) {
+                char c = text.charAt(i);
+                if (c == '\\' && isQuoted) {
+                    i++;
+                } else if (c == '"') {
+                    isQuoted = !isQuoted;
+                } else if (!isQuoted) {
+                    take(c);
+                }
             }
         }
-        return arguments;
+
+        private void take(char c) {
+            if (c == '(' || c == '[') {
+                depth++;
+            } else if (c == ')' || c == ']') {
+                depth--;
+            } else if (c == ',' && depth == 0) {
+                commas++;
+            }
+        }
+    }
+
+    private static int argumentsBehind(String command, int open) {
+        return command.startsWith(")", open + 1) ? 0 : new Arguments(command, open + 1).commas + 1;
     }
 
     private static String words(List<BoardAction> actions) {

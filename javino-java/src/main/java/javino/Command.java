@@ -18,6 +18,7 @@ final class Command implements SessionCommand {
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
     private volatile State state = State.WAITING;
     private long number;
+    private long beganBehind; // bytes
 
     /** @param now when it was submitted, by the link's clock */
     Command(Frame frame, SendOptions options, long now) {
@@ -78,9 +79,15 @@ final class Command implements SessionCommand {
         return state == State.WAITING && !isOver();
     }
 
-    /** Marks it as going out; the caller has found that it waits. */
-    void begin() {
+    /** Marks it as going out behind so many bytes of its line; the caller has found that it waits. */
+    void begin(long bytes) {
         state = State.BEGUN;
+        beganBehind = bytes;
+    }
+
+    /** Bytes that were written to its line before it began to go out. */
+    long beganBehind() {
+        return beganBehind;
     }
 
     /** Marks it as one that never goes out, unless it has begun. */

@@ -25,7 +25,6 @@ final class CommandLoop {
 
     private final String port;
     private final Monitor monitor;
-    private final Transport transport;
     private final FrameWriter writer;
     private final SessionLine line;
     private final RequestChannel channel;
@@ -45,7 +44,6 @@ final class CommandLoop {
             Start start) {
         port = transport.name();
         this.monitor = monitor;
-        this.transport = transport;
         this.writer = writer;
         this.line = line;
         this.channel = channel;
@@ -73,7 +71,7 @@ final class CommandLoop {
             queue(command);
         } catch (PortGoneException gone) {
             fail(command, gone);
-        } catch (PortException | RuntimeException | LinkageError unforeseen) { // a transport's
+        } catch (PortException | RuntimeException | Error unforeseen) { // a transport's
             fail(command, unforeseen);
         }
         if (options.limitMillis() > 0 && !command.isOver()) {
@@ -90,11 +88,10 @@ final class CommandLoop {
 
     /** Queues a command. What may be written now is begun under the same lock, so that no thread is woken for it, and written here. */
     private void queue(Command command) throws PortException {
-        boolean mayWrite = transport.isWritableNow();
         List<Command> replaced = new ArrayList<>();
         Writing writing = monitor.get(() -> {
             replaced.addAll(writer.submit(command));
-            return mayWrite ? beginAtOnce(command) : null;
+            return writer.isWritableNow() ? beginAtOnce(command) : null;
         });
         replaced.forEach(earlier -> fail(earlier, replaced(earlier, command)));
         if (writing != null) {
@@ -112,8 +109,8 @@ final class CommandLoop {
 
     private void writeAtOnce(Command command) throws PortException {
         try {
-            writer.leaves(oneWay.write(command));
-        } catch (PortException | RuntimeException | LinkageError trouble) {
+            writer.leaves(oneWay.writeAtOnce(command));
+        } catch (PortException | RuntimeException | Error trouble) {
             writer.finish();
             throw trouble;
         }
@@ -141,7 +138,7 @@ final class CommandLoop {
                     () -> !line.isVersion2() || writer.isLeaving() || writer.head() != null && isStuck(writer.head()),
                     clock.nanos() + Monitor.FOREVER,
                     false);
-        } catch (RuntimeException | LinkageError unforeseen) { // a transport's
+        } catch (RuntimeException | Error unforeseen) { // a transport's
             LOG.log(System.Logger.Level.ERROR, "port " + port + " failed while commands were sent", unforeseen);
             line.abandon(unforeseen);
         }
@@ -202,7 +199,7 @@ final class CommandLoop {
             if (channel.mustAsk()) {
                 start.await();
             }
-        } catch (RuntimeException | LinkageError unforeseen) { // a transport's
+        } catch (RuntimeException | Error unforeseen) { // a transport's
             fail(writer.withdrawNext(), unforeseen);
         }
         if (line.isVersion2() || line.hasLapsed()) {
@@ -249,7 +246,7 @@ final class CommandLoop {
             return null;
         } catch (PortTimeoutException trouble) {
             return goneOr(trouble);
-        } catch (PortException | RuntimeException | LinkageError trouble) {
+        } catch (PortException | RuntimeException | Error trouble) {
             return trouble; // the commands behind it must go on, whatever a transport throws
         }
     }

@@ -3,23 +3,17 @@ package javino;
 import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * A transport over a driver whose calls block: a read waits for a slice of its time after the other, and a write, for which drivers have no
- * time limit, is done on a thread of this transport, which ends when it is closed. What the driver takes at once is written by the caller.
+ * time limit, is done on a thread of this transport, which ends when it is closed. Only what the driver certainly takes at once is written
+ * by the caller.
  */
 public abstract class DriverTransport implements Transport {
-    /** Less than the smallest buffer of a pseudo-terminal, which is not seen to be full. */
-    private static final int MAX_UNHEARD = 2048;
-
     private final String name;
     private final LineSettings line;
     private final TimedWriter writer;
     private final AtomicBoolean closed = new AtomicBoolean();
-    /** Bytes written since something was last read: a driver that holds no more than this has room for a frame whatever it says. */
-    private final AtomicInteger unheard = new AtomicInteger();
-
     private volatile String loss; // why the device cannot be reached any more; null while it can
 
     /**
@@ -43,8 +37,11 @@ public abstract class DriverTransport implements Transport {
     /** Writes all the bytes, however long it takes; returns how many were written, fewer or -1 if the device is not there any more. */
     protected abstract int writeToDriver(byte[] bytes);
 
-    /** Whether {@link #writeToDriver} would return at once with a frame, as far as the driver knows. */
-    protected boolean hasWrittenAll() {
+    /**
+     * Whether {@link #writeToDriver} certainly returns at once with a frame, as {@link #isWritableNow} says, if no other write is under
+     * way.
+     */
+    protected boolean hasRoom(long unread) {
         return false;
     }
 
@@ -71,9 +68,6 @@ public abstract class DriverTransport implements Transport {
             requireLine();
             long left = deadline - System.nanoTime();
             int count = readFromDriver(b, off, len, left);
-            if (count > 0) {
-                unheard.set(0);
-            }
             if (count > 0 || left <= 0) {
                 return count;
             }
@@ -87,9 +81,7 @@ public abstract class DriverTransport implements Transport {
     public final void write(byte[] b, int off, int len, int timeoutMillis) throws PortException {
         requireLine();
         try {
-            boolean isAtOnce = len <= MAX_UNHEARD && isWritableNow();
-            unheard.addAndGet(len);
-            TimedWriter.Outcome outcome = isAtOnce
+            TimedWriter.Outcome outcome = timeoutMillis == 0
                     ? writer.writeHere(Arrays.copyOfRange(b, off, off + len))
                     : writer.write(b, off, len, timeoutMillis);
             if (outcome == TimedWriter.Outcome.TOO_LATE) {
@@ -107,8 +99,8 @@ public abstract class DriverTransport implements Transport {
     }
 
     @Override
-    public final boolean isWritableNow() {
-        return !closed.get() && loss == null && unheard.get() <= MAX_UNHEARD && !writer.isWriting() && hasWrittenAll();
+    public final boolean isWritableNow(long unread) {
+        return !closed.get() && loss == null && !writer.isWriting() && hasRoom(unread);
     }
 
     /** What a read throws when the device is gone; only the first reason counts, and none once this was closed. */

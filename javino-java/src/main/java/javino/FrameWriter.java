@@ -27,6 +27,8 @@ final class FrameWriter implements WaitingCommands<Command> {
         byte[] make() throws PortException;
     }
 
+    private static final System.Logger LOG = System.getLogger(FrameWriter.class.getName());
+
     private final Monitor monitor;
     private final CommandQueue commands = new CommandQueue();
     private final Transport transport;
@@ -39,6 +41,9 @@ final class FrameWriter implements WaitingCommands<Command> {
             isLeaving; // the command under way was written by who submitted it, and its last byte leaves at leavesAt
     private long leavesAt;
     private volatile long outcomeNanos;
+    private long writtenBytes;
+    private long readBytes; // of these the far end has proved to have read so many
+    private boolean isRefused; // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
 
     FrameWriter(Transport transport, Pacer pacer, LineClock clock) {
@@ -95,7 +100,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     @Override
     public void begin() {
-        monitor.change(() -> commands.head().begin());
+        monitor.change(() -> commands.head().begin(writtenBytes));
     }
 
     /**
@@ -140,12 +145,34 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> endReason == null && next() == own && beginNext() != null);
     }
 
+    /**
+     * Whether a frame can be written by a thread that may not wait: see {@link Transport#isWritableNow}. It stays so until that is written
+     * if the thread begins it under the same lock, with {@link #beginAtOnce} or {@link #beginFrame}. The caller holds the monitor's lock.
+     */
+    boolean isWritableNow() {
+        return !isWriting && hasRoom();
+    }
+
+    private boolean hasRoom() {
+        return transport.isWritableNow(writtenBytes - readBytes);
+    }
+
+    /** Bytes handed to the driver so far. */
+    long written() {
+        return monitor.get(() -> writtenBytes);
+    }
+
+    /** Records that the far end has proved to have read the first {@code bytes} of all that was {@link #written}. */
+    void provedRead(long bytes) {
+        monitor.change(() -> readBytes = Math.max(readBytes, bytes));
+    }
+
     private Command beginNext() {
         Command next = next();
         if (next == null || nanosUntilNext() > 0) {
             return null;
         }
-        next.begin();
+        next.begin(writtenBytes);
         underWay = next;
         isWriting = true;
         return next;
@@ -154,7 +181,19 @@ final class FrameWriter implements WaitingCommands<Command> {
     private long nanosUntilNext() {
         return isWriting || turnsAwaited > 0
                 ? Monitor.FOREVER
-                : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
+                : isHeldBack() && !next().isUrgent()
+                        ? pacer.nanosHeld(clock.nanos())
+                        : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
+    }
+
+    /** Whether only urgent commands of version 1 are written until the board answers. The caller holds the monitor's lock. */
+    private boolean isHeldBack() {
+        return pacer.holdsActions(clock.nanos());
+    }
+
+    /** Whether the board seems to take longer for its {@code loop()} than commands are apart: see {@link Pacer#isSlow}. */
+    boolean isBoardSlow() {
+        return monitor.get(pacer::isSlow);
     }
 
     /**
@@ -212,7 +251,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.getInterruptibly(() -> {
             long submitted = commands.submitted();
             long deadline = clock.nanos() + nanos;
-            awaitZero(() -> commands.areOver(submitted) ? 0 : deadline - clock.nanos());
+            awaitZero(() -> commands.areOver(submitted) || isHeldBack() ? 0 : deadline - clock.nanos());
             return null;
         });
     }
@@ -263,13 +302,16 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /** Why a frame was not written whose turn did not come. */
     PortTimeoutException noTime(int bytes, long timeoutMillis) {
+        String reason = monitor.get(this::isHeldBack)
+                ? "the board does not answer, and would lose commands, which wait until it does"
+                : "the line is busy with those before it";
         return new PortTimeoutException(
                 transport.name(),
                 "port " + transport.name() + " had no time for a message of " + bytes + " bytes within " + timeoutMillis
-                        + " ms; the line is busy with those before it");
+                        + " ms; " + reason);
     }
 
-    /** Writes a frame whose turn has come; as {@link #write}. */
+    /** Writes a frame whose turn has come; as {@link #write}. {@code timeoutMillis} may be 0 if it {@link #isWritableNow}. */
     long writeNow(Kind kind, int timeoutMillis, Content content) throws PortException {
         try {
             byte[] frame = content.make();
@@ -294,13 +336,40 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     private long hand(byte[] frame, int timeoutMillis, Written written) throws PortException {
         long start = clock.nanos();
+        boolean waits = monitor.get(() -> {
+            boolean isTight = timeoutMillis > 0 && !hasRoom();
+            writtenBytes += frame.length;
+            return isTight;
+        });
+        boolean isTaken = false;
         try {
-            transport.write(frame, 0, frame.length, timeoutMillis);
-        } catch (PortException | RuntimeException e) {
-            monitor.get(() -> written.at(start, clock.nanos())); // some bytes may have left
-            throw e;
+            transport.write(frame, 0, frame.length, waits ? timeoutMillis : 0);
+            isTaken = true;
+        } catch (PortTimeoutException refused) {
+            warnOnce(refused);
+            throw refused;
+        } finally {
+            if (!isTaken) {
+                monitor.get(() -> written.at(start, clock.nanos())); // some bytes may have left
+            }
         }
-        return monitor.get(() -> written.at(start, clock.nanos()));
+        return monitor.get(() -> {
+            isRefused = false;
+            return written.at(start, clock.nanos());
+        });
+    }
+
+    private void warnOnce(PortTimeoutException refused) {
+        boolean isNews = monitor.get(() -> {
+            boolean wasRefused = isRefused;
+            isRefused = true;
+            return !wasRefused;
+        });
+        if (isNews) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    refused.getMessage() + "; this is not reported again until it takes bytes again");
+        }
     }
 
     /** Whether a frame is being written. The caller holds the monitor's lock. */
@@ -361,6 +430,11 @@ final class FrameWriter implements WaitingCommands<Command> {
     /** Records that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
+    }
+
+    /** Records that a request of version 1 was not answered in its time, which is over at {@code now}. */
+    void unanswered(long now) {
+        monitor.change(() -> pacer.unanswered(now));
     }
 
     /** Ends the line: who waits here, or comes later, gets a {@link PortGoneException} with {@code reason}. */

@@ -13,8 +13,9 @@ import javino.wire.BoardAction;
  * An open port that one owner exchanges messages through.
  *
  * <p>Methods are safe on any thread. Typically one thread calls {@link #request} or {@link #listen}, which read the line on that thread and
- * take turns with each other. {@link #send} never waits: it queues a command, and a thread that is in {@link #writeCommands} takes
- * it to the board. Frames go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
+ * take turns with each other. {@link #send} never waits: it queues a command, and a thread that is in {@link #writeCommandsUntilClosed}
+ * takes it to the board. Frames go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle
+ * them.
  *
  * <p>Opening a port resets most boards, which then take a second or two to start. A link finds out by asking: until the first message has
  * come from the board, or {@link LinkSettings#bootMillis()} since opening have passed, a request is repeated every 250 ms (or its own time
@@ -244,7 +245,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Queues a command, urgent ones before the others, and returns at once. It goes out while a thread is in {@link #writeCommands}.
+     * Queues a command, urgent ones before the others, and returns at once. It goes out while a thread is in
+     * {@link #writeCommandsUntilClosed}.
      *
      * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's
      * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is repeated,
@@ -263,10 +265,24 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Takes the commands that are queued to the board, in their turn, on the calling thread, until the link is closed, its device has gone
-     * or the thread is interrupted; then throws.
+     * Takes the commands that are queued to the board, those of now and those to come, in their turn. This is no flush: it is the work of a
+     * thread of its own, and ends only when the link is closed, its device has gone or the thread is interrupted; then it throws.
+     *
+     * <pre>{@code
+     * new Thread(() -> {
+     *     try {
+     *         link.writeCommandsUntilClosed();
+     *     } catch (PortException ended) {
+     *         System.err.println(ended.getMessage());
+     *     }
+     * }).start();
+     * link.send("speed(120)", SendOptions.defaults()).join();
+     * }</pre>
+     *
+     * @throws PortGoneException if the link is closed, or its device has gone
+     * @throws PortInterruptedException if the thread is interrupted
      */
-    public void writeCommands() throws PortException {
+    public void writeCommandsUntilClosed() throws PortException {
         noticing(() -> {
             commands.run();
             return null;

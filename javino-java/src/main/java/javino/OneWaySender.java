@@ -1,6 +1,7 @@
 package javino;
 
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javino.wire.BoardRule;
 
 /** Sends commands to a version 1 board, which acknowledges nothing: a command has arrived when its last byte has left. */
@@ -10,10 +11,13 @@ final class OneWaySender {
 
     private static final int MAX_WRITE_MILLIS = 5000;
 
+    private static final System.Logger LOG = System.getLogger(OneWaySender.class.getName());
+
     private final String port;
     private final FrameWriter writer;
     private final Inbox inbox;
     private final LineClock clock;
+    private final AtomicBoolean hasWarned = new AtomicBoolean();
 
     OneWaySender(String port, FrameWriter writer, Inbox inbox, LineClock clock) {
         this.port = port;
@@ -24,8 +28,24 @@ final class OneWaySender {
 
     /** Writes the command whose turn has come; returns when its last byte leaves. */
     long write(Command command) throws PortException {
+        return write(command, MAX_WRITE_MILLIS);
+    }
+
+    /** The same, on a thread that may not wait. */
+    long writeAtOnce(Command command) throws PortException {
+        return write(command, 0);
+    }
+
+    private long write(Command command, int timeoutMillis) throws PortException {
         Frame frame = command.frame();
-        return writer.writeNow(FrameWriter.Kind.ACTION, MAX_WRITE_MILLIS, () -> {
+        if (writer.isBoardSlow() && !hasWarned.getAndSet(true)) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "the board at port " + port + " begins its answers more than " + LoopTime.MAX_MILLIS
+                            + " ms late: a board of version 1 loses commands that come while its loop() does something else;"
+                            + " give the port the option spacing(Ms) with the longest time of a loop(), or use version 2");
+        }
+        return writer.writeNow(FrameWriter.Kind.ACTION, timeoutMillis, () -> {
             if (BoardRule.isIn(command.text())) {
                 throw new ActionRefusedException(
                         port, "the board at port " + port + " speaks version 1, in which it takes no rules");

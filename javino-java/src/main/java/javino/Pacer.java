@@ -14,7 +14,10 @@ import java.util.concurrent.TimeUnit;
  *       request, if no action was written since, starts at once. The board has handled all that it received;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
  *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms behind a byte of it,
- *       or for {@value #MAX_ANSWER_DELAY_MILLIS} ms behind the request.
+ *       or for {@value #MAX_ANSWER_DELAY_MILLIS} ms behind the request;
+ *   <li>while a board that has answered before does not answer in time, it gets requests and only urgent actions, until an answer comes,
+ *       or for {@value #HOLD_MILLIS} ms if it is not asked again: it does not read, and its buffer is soon full. A board that has never
+ *       answered may be one that only acts.
  * </ul>
  * Version 2 boards say how much they can receive, so for them the pace alone counts. A line that is not paced knows neither. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
@@ -25,6 +28,11 @@ final class Pacer {
     static final int MAX_ANSWER_DELAY_MILLIS = 150;
     /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
+
+    /** How long actions are held back behind the last request that was not answered. */
+    static final int HOLD_MILLIS = 2_000;
+    /** After so many late answers in a row the board is taken to be slow: one or two may be this computer's fault. */
+    private static final int MANY_LATE = 3;
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
     private static final int GAP_BYTES = 2;
@@ -45,6 +53,10 @@ final class Pacer {
     private int unanswered; // requests
     private boolean boardIsIdle; // it has nothing to handle, so what comes next meets no message
     private long busyUntil;
+    private boolean hasAnswered;
+    private boolean isSilent; // it has not answered the last request in time
+    private long heldUntil;
+    private int lateAnswers; // in a row
     private int actionsMeanwhile; // written while the board may have been busy with the last request
     private int bytesMeanwhile;
 
@@ -74,6 +86,21 @@ final class Pacer {
     long nanosUntilAction(int bytes, long now) {
         long free = boardIsIdle ? lineFreeAt : earliest();
         return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
+    }
+
+    /** Whether no action but an urgent one is to be written until an answer comes, or some time has passed. */
+    boolean holdsActions(long now) {
+        return paced && isSilent && hasAnswered && heldUntil - now > 0;
+    }
+
+    /** Nanoseconds until {@link #holdsActions} ends if no answer comes. */
+    long nanosHeld(long now) {
+        return Math.max(0, heldUntil - now);
+    }
+
+    /** Whether the board's answers begin so late that its {@code loop()} takes longer than the gap can be. */
+    boolean isSlow() {
+        return lateAnswers >= MANY_LATE;
     }
 
     /**
@@ -124,6 +151,7 @@ final class Pacer {
         bytesMeanwhile = 0;
         awaitingAnswer = true;
         busyUntil = requestEnd + TimeUnit.MILLISECONDS.toNanos(MAX_ANSWER_DELAY_MILLIS);
+        hold(requestEnd);
         return requestEnd;
     }
 
@@ -151,14 +179,33 @@ final class Pacer {
         if (awaitingAnswer) {
             if (!answerBegun) {
                 answerBegun = true;
-                loop.answeredAfter(now - (bytes - 1) * byteNanos - requestEnd);
+                long delay = now - (bytes - 1) * byteNanos - requestEnd;
+                loop.answeredAfter(delay);
+                lateAnswers = delay > maxGapNanos() ? lateAnswers + 1 : 0;
             }
             busyUntil = later(busyUntil, now + QUIET_NANOS);
         }
     }
 
+    /** Records that the last request has not been answered in its time, which is over at {@code now}. */
+    void unanswered(long now) {
+        isSilent = true;
+        lateAnswers += answerBegun ? 0 : 1;
+        hold(now);
+    }
+
+    private void hold(long from) {
+        heldUntil = from + TimeUnit.MILLISECONDS.toNanos(HOLD_MILLIS);
+    }
+
+    private long maxGapNanos() {
+        return Math.max(minGapNanos, TimeUnit.MILLISECONDS.toNanos(LoopTime.MAX_MILLIS));
+    }
+
     /** Records that a message is complete: the answer, if one is awaited. */
     void answered(long now) {
+        isSilent = false;
+        hasAnswered |= awaitingAnswer;
         if (!awaitingAnswer) {
             return;
         }

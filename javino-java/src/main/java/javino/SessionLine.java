@@ -13,6 +13,7 @@ import javino.session.ComputerSession;
 import javino.session.SessionListener;
 import javino.wire.BoardAction;
 import javino.wire.CriticalReport;
+import javino.wire.FrameKind;
 import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
@@ -31,6 +32,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final int MAX_WRITE_MILLIS = 5000;
+    private static final int NO_SESSION = -1;
 
     private final Monitor monitor;
     private final Transport transport;
@@ -50,6 +52,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private Reply answer;
     private boolean hasDropped; // an answer, and none has come since
     private Throwable failure; // of commands that are out while the session is closed; null: they are unconfirmed
+    private boolean isAsked; // what is requested has been asked for, behind so many bytes:
+    private long askedBehind;
     private int followers;
 
     /** @param monitor guards it, with the inbox and the writer */
@@ -119,12 +123,12 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     /** Sets who is called with what the board reports; called at once if a session has begun. */
     void onBoardEvents(BoardListener boardListener) {
-        boolean hasBegun = monitor.get(() -> {
+        int room = monitor.get(() -> {
             listener = boardListener;
-            return session.isOpen();
+            return session.isOpen() ? rules : NO_SESSION;
         });
-        if (hasBegun) {
-            boardListener.sessionBegan(rules);
+        if (room != NO_SESSION) {
+            boardListener.sessionBegan(room);
         }
     }
 
@@ -201,6 +205,10 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private WireFrame next(long now) {
         WireFrame frame = session.next(now, writer);
         if (frame != null) {
+            if (frame.kind() == FrameKind.ASK && !isAsked) {
+                isAsked = true;
+                askedBehind = writer.written();
+            }
             writer.beginFrame();
         }
         return frame;
@@ -209,20 +217,20 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     /**
      * Writes a frame, and those that have become due meanwhile: who reads has found the line taken, and may read until an answer comes.
      *
-     * @param mayWait whether the driver may be waited for
+     * @param mayWait whether the driver may be waited for; else the first has been found to be {@linkplain FrameWriter#isWritableNow
+     *     writable now}
      */
     private void write(WireFrame first, long left, boolean mayWait) throws PortException {
         for (WireFrame frame = first; frame != null; frame = nextBehind(mayWait)) {
-            writeOne(frame, left);
+            writeOne(frame, mayWait ? Math.max(1, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left))) : 0);
         }
     }
 
-    private WireFrame nextBehind(boolean mayWait) throws PortException {
-        return mayWait || transport.isWritableNow() ? monitor.get(this::nextAtOnce) : null;
+    private WireFrame nextBehind(boolean mayWait) {
+        return monitor.get(() -> mayWait || writer.isWritableNow() ? nextAtOnce() : null);
     }
 
-    private void writeOne(WireFrame frame, long left) throws PortException {
-        long millis = Math.max(1, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
+    private void writeOne(WireFrame frame, long millis) throws PortException {
         try {
             writer.writeFrame(frame.toBytes(), (int) millis, session::wrote);
         } catch (PortTimeoutException e) {
@@ -253,6 +261,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         inbox.look(); // what has come is no answer to this
         monitor.change(() -> {
             answer = null;
+            isAsked = false;
             session.request(functors, clock.nanos());
         });
         try {
@@ -332,6 +341,9 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     @Override
     public void ended(Command command, CommandOutcome outcome) {
+        if (outcome == CommandOutcome.DONE || outcome == CommandOutcome.REFUSED) {
+            writer.provedRead(command.beganBehind());
+        }
         Throwable why =
                 outcome == CommandOutcome.UNCONFIRMED && failure != null ? failure : failureOf(command, outcome);
         reports.add(() -> {
@@ -369,6 +381,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     @Override
     public void answered(String percepts) {
         hasDropped = false;
+        writer.provedRead(askedBehind);
         answer = new Reply(percepts, Protocol.V2, inbox.lastByteNanos());
     }
 
@@ -381,12 +394,12 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     @Override
-    public void dropped(int bytes) {
+    public void dropped() {
         if (!hasDropped) {
             LOG.log(
                     System.Logger.Level.WARNING,
-                    "port " + transport.name() + " sent percepts of " + bytes + " bytes, more than " + answerLimit
-                            + ", which are dropped; others are dropped without a warning until an answer comes that is not too long");
+                    "port " + transport.name() + " sent percepts of more than " + answerLimit
+                            + " bytes, which are dropped; others are dropped without a warning until an answer comes that is not too long");
         }
         hasDropped = true;
     }
@@ -403,7 +416,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             reports.add(() -> {
                 try {
                     call.accept(called);
-                } catch (RuntimeException broken) {
+                } catch (RuntimeException | Error broken) { // who reads the line must go on
                     LOG.log(System.Logger.Level.ERROR, "who was called with what the board reports has failed", broken);
                 }
             });

@@ -9,6 +9,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
 
@@ -31,7 +32,8 @@ final class TimedWriter {
 
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
-    private final AtomicBoolean isWriting = new AtomicBoolean();
+    private final AtomicInteger underWay =
+            new AtomicInteger(); // writes of its thread that have not returned, or not begun
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
     /**
@@ -53,19 +55,15 @@ final class TimedWriter {
      */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
+        AtomicBoolean isTaken =
+                new AtomicBoolean(); // by the thread that writes it, or by its caller, who has given it up
         CompletableFuture<Outcome> write;
+        underWay.incrementAndGet();
         try {
             write = CompletableFuture.supplyAsync(
-                    () -> {
-                        isWriting.set(true);
-                        try {
-                            return writeHere(bytes);
-                        } finally {
-                            isWriting.set(false);
-                        }
-                    },
-                    thread);
+                    () -> isTaken.getAndSet(true) ? Outcome.TOO_LATE : writeAway(bytes), thread);
         } catch (RejectedExecutionException e) {
+            underWay.decrementAndGet();
             return Outcome.CLOSED;
         }
         try {
@@ -76,7 +74,17 @@ final class TimedWriter {
             LOG.log(System.Logger.Level.ERROR, "the driver failed", e.getCause());
             return Outcome.FAILED;
         } finally {
-            write.cancel(false); // a write that has not begun does not
+            if (!isTaken.getAndSet(true)) { // a write that has not begun does not
+                underWay.decrementAndGet();
+            }
+        }
+    }
+
+    private Outcome writeAway(byte[] bytes) {
+        try {
+            return writeHere(bytes);
+        } finally {
+            underWay.decrementAndGet();
         }
     }
 
@@ -87,7 +95,7 @@ final class TimedWriter {
 
     /** Whether a write of this writer's thread has not returned, be it one that is {@link Outcome#TOO_LATE}. */
     boolean isWriting() {
-        return isWriting.get();
+        return underWay.get() > 0;
     }
 
     /** Ends the thread as soon as its write returns. Calls that wait get {@link Outcome#CLOSED}. */

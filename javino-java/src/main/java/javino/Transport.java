@@ -39,17 +39,24 @@ public interface Transport extends AutoCloseable {
     /**
      * Hands bytes to the line and returns when the driver has taken them all, which may be before they have left.
      *
-     * @param timeoutMillis milliseconds to wait at most while the driver takes no more
+     * @param timeoutMillis milliseconds to wait at most while the driver takes no more; 0: the caller has found that the line
+     *     {@linkplain #isWritableNow takes a frame now}, so the driver is called on the calling thread
      * @throws PortTimeoutException if the driver has not taken all of them by then; some may have left
      * @throws PortGoneException if the line is closed, or its device gone
      */
     void write(byte[] b, int off, int len, int timeoutMillis) throws PortException;
 
+    /** Bytes of the longest frame, each of which may be escaped. */
+    int LONGEST_FRAME = 600;
+
     /**
-     * Whether {@link #write} would hand a frame to the driver on the calling thread, without waiting for anything. Any thread; does not
-     * wait itself.
+     * Whether {@link #write} would hand a frame of {@value #LONGEST_FRAME} bytes to the driver without waiting for anything, while no other
+     * thread writes. True only if that is certain: because the line knows its room, or because {@code unread} leaves room in the smallest
+     * buffer that it may have. What the far end says by itself does not make it certain. Any thread; does not wait itself.
+     *
+     * @param unread bytes at the end of all that was written that the far end has not proved to have read
      */
-    default boolean isWritableNow() {
+    default boolean isWritableNow(long unread) {
         return false;
     }
 

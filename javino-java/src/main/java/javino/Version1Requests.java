@@ -38,7 +38,11 @@ final class Version1Requests {
             return askUntil(clock.nanos() + Math.max(starting, timeoutNanos), request, timeoutMillis);
         }
         Reply answer = inbox.next(ask(request, timeoutMillis) + timeoutNanos);
-        return answer == null ? null : completed(answer, timeoutMillis);
+        if (answer == null) {
+            writer.unanswered(clock.nanos());
+            return null;
+        }
+        return completed(answer, timeoutMillis);
     }
 
     /** Repeats the request until it is answered or the clock shows {@code giveUp}; null: no answer. */

@@ -123,7 +123,7 @@ class FieldFaultSpec : FunSpec({
             EventLine(FAST, board, toBoard = cut).use { line ->
                 line.link.request(REQUEST, 200).text() shouldBe percepts(1)
                 try { line.link.request(REQUEST, 200).text() } catch (_: PortTimeoutException) { null } shouldBe null
-                line.link.sendAndAwait("stop", 200)
+                line.link.sendAndAwait("stop", SendOptions(true, 200)) // one that is not urgent would wait for an answer
                 line.link.request(REQUEST, 200).text() shouldBe percepts(2)
             }
             board.actions shouldContainExactly listOf("stop")

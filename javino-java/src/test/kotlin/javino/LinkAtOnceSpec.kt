@@ -22,7 +22,7 @@ private class WatchedLine(private val line: Transport) : Transport by line {
     @Volatile
     var duringWrite: () -> Unit = { }
 
-    override fun isWritableNow() = isWritable && line.isWritableNow()
+    override fun isWritableNow(unread: Long) = isWritable && line.isWritableNow(unread)
 
     override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
         writers += Thread.currentThread() to len
@@ -57,12 +57,12 @@ class LinkAtOnceSpec : FunSpec({
             val sent = link.send("on", SendOptions.defaults())
             line.writers.map { it.first } shouldContainExactly listOf(here())
             sent.isDone shouldBe false
-            async { link.writeCommands() }
+            async { link.writeCommandsUntilClosed() }
             sent.get(20, TimeUnit.SECONDS)
         }
 
         link("a command behind another that is leaving is written by the writing thread, in its turn", baud = 300) { line, link, board ->
-            async { link.writeCommands() }
+            async { link.writeCommandsUntilClosed() }
             val sent = listOf("a", "b").map { link.send(it, SendOptions.defaults()) }
             line.writers.map { it.first } shouldContainExactly listOf(here())
             sent.forEach { it.get(20, TimeUnit.SECONDS) }
@@ -75,7 +75,7 @@ class LinkAtOnceSpec : FunSpec({
             line.isWritable = false
             val sent = link.send("on", SendOptions.defaults())
             line.writers.size shouldBe 0
-            async { link.writeCommands() }
+            async { link.writeCommandsUntilClosed() }
             sent.get(20, TimeUnit.SECONDS)
         }
 
@@ -83,14 +83,14 @@ class LinkAtOnceSpec : FunSpec({
             line.duringWrite = { async { link.vocabulary().also { link.send("b", SendOptions.defaults()) } }.get(20, TimeUnit.SECONDS) }
             val sent = link.send("a", SendOptions.defaults())
             line.duringWrite = { }
-            async { link.writeCommands() }
+            async { link.writeCommandsUntilClosed() }
             sent.get(20, TimeUnit.SECONDS)
             board.awaitMessage("a", 20_000)
             board.awaitMessage("b", 20_000)
         }
 
         link("the time from the call to the driver is measured", baud = 1_000_000) { line, link, _ ->
-            async { link.writeCommands() }
+            async { link.writeCommandsUntilClosed() }
             val nanos = LongArray(CALLS)
             for (i in nanos.indices) {
                 var written = 0L

@@ -217,6 +217,7 @@ class LinkDeliverySpec : FunSpec({
                 "it has no action fly; it has on, speed with 1 argument, say with any number of arguments"
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("speed(1,2)", 500) }.message shouldContain
                 "speed takes 1 argument, not 2"
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("", 500) }.message shouldContain "it is empty; the board has on,"
             board.received.size shouldBe frames
         }
     }
@@ -231,6 +232,8 @@ class LinkDeliverySpec : FunSpec({
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldEndWith
                 "it has the action, and its program has refused what was asked now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
                 "wave7, wave8, wave9, wave10 and 3 more"
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1", 500) }.message shouldContain
+                "its brackets or quotes are not closed; the board has wave1,"
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("fly", 500) }.message shouldEndWith
                 "it has no action fly; it has wave1, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10 and 3 more"
         }

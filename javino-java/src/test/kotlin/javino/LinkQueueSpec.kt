@@ -26,7 +26,7 @@ class LinkQueueSpec : FunSpec({
                 val settings = Bench.FAST.withBootMillis(0).withProtocol(protocol)
                 val line = Transports.open(board.port(), settings.line())
                 val slow = object : Transport by line {
-                    override fun isWritableNow() = false // all commands wait for who writes
+                    override fun isWritableNow(unread: Long) = false // all commands wait for who writes
                 }
                 Link.over(slow, settings, LineClock.system()).use { work(board, it) }
             }
@@ -34,7 +34,7 @@ class LinkQueueSpec : FunSpec({
 
     fun link(name: String, work: suspend (FakeBoard, Link) -> Unit) = listOf(Protocol.V1, Protocol.V2).forEach { robot(name, it, work) }
 
-    fun Link.writing() = async { writeCommands() }
+    fun Link.writing() = async { writeCommandsUntilClosed() }
 
     link("commands go out in their order, urgent ones before the others, once a thread writes") { board, link ->
         val ordinary = listOf("a", "b", "c").map { link.send(it, SendOptions.defaults()) }

@@ -54,7 +54,7 @@ class LinkThreadsSpec : FunSpec({
             FakeBoard.plugIn("threads${boards.incrementAndGet()}").version2().lenient().use { board ->
                 repeat(200) {
                     Link.open(board.port(), Bench.FAST.withProtocol(protocol), "the test").use { link ->
-                        val writer = async { runCatching { link.writeCommands() } }
+                        val writer = async { runCatching { link.writeCommandsUntilClosed() } }
                         val outcomes = CopyOnWriteArrayList<CompletableFuture<Void>>()
                         val sender = async { while (link.isOpen) outcomes += link.send("front", SendOptions.defaults()) }
                         Thread.sleep(1)

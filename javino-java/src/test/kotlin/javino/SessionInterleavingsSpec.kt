@@ -39,7 +39,7 @@ private class AnsweringLine(program: BoardProgram) : Transport {
 
     override fun line() = LineSettings(1_000_000)
 
-    override fun isWritableNow() = isWritable
+    override fun isWritableNow(unread: Long) = isWritable
 
     override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) = lock.withLock {
         requireOpen()

@@ -15,7 +15,7 @@ import kotlin.concurrent.withLock
  * carried out twice, by the board and by the computer, but no percept is missed by both.
  *
  * @param wanted the critical rules that the agent wants to be watched now; evaluated under the lock of this object, by any thread
- * @param submit queues a command to the board, and does not wait; calls its last argument once with the outcome, on any thread
+ * @param submit queues a command to the board; called outside of the lock; calls its last argument once with the outcome, on any thread
  */
 internal class BoardRules(
     private val wanted: () -> List<CriticalRule>,
@@ -26,32 +26,59 @@ internal class BoardRules(
         var isAcknowledged = false
     }
 
+    /** A command to the board: the rule [set], or else a removal. */
+    private class Message(val text: () -> String, val set: Held? = null)
+
     private val lock = ReentrantLock()
     private val held = LinkedHashMap<CriticalRule, Held>()
     private val refused = HashSet<CriticalRule>()
     private var wishes: List<CriticalRule> = emptyList()
     private var room = 0
     private var lastNumber = 0
+    private val unsent = ArrayDeque<Message>()
+    private var isSending = false
 
     /** Whether the board has been sent rules that it may report. */
     val isEmpty: Boolean get() = lock.withLock { held.isEmpty() }
 
     /** A session has begun: the board holds no rule, and has room for as many as [room]. */
-    fun began(room: Int) = lock.withLock {
+    fun began(room: Int) = changing {
         this.room = room
         held.clear()
         refused.clear()
+        unsent.clear()
         adjust()
     }
 
     /** Sends the board what has changed: the agent may want other rules. */
-    fun renew() = lock.withLock { if (room > 0) adjust() }
+    fun renew() = changing { if (room > 0) adjust() }
 
     /** Whether the board watches [rule]. */
     fun isWatching(rule: CriticalRule): Boolean = lock.withLock { held[rule]?.isAcknowledged == true }
 
     /** The rule that the board knows by [number]; null: there is none. */
     fun ruleOf(number: Int): CriticalRule? = lock.withLock { held.values.find { it.number == number }?.rule }
+
+    /** Makes a [change] under the lock, and sends what it asks for. */
+    private fun changing(change: () -> Unit) {
+        lock.withLock(change)
+        while (true) submit(nextToSend() ?: return)
+    }
+
+    /** The message that this thread is to send; null: there is none, or another thread sends, so that they go out in their order. */
+    private fun nextToSend(): Message? = lock.withLock {
+        if (isSending) null else unsent.removeFirstOrNull().also { isSending = it != null }
+    }
+
+    private fun submit(message: Message) {
+        try {
+            submit(message.text()) { failure -> message.set?.let { ended(it, failure) } }
+        } catch (unsendable: IllegalArgumentException) {
+            message.set?.let { ended(it, failureOf(unsendable)) }
+        } finally {
+            lock.withLock { isSending = false }
+        }
+    }
 
     private fun adjust() {
         val now = wanted().distinct()
@@ -61,19 +88,15 @@ internal class BoardRules(
             .mapNotNull { rule -> boardRuleOf(rule)?.let { rule to it } }.take(room).toMap()
         val leaving = held.values.filter { it.rule !in next }
         leaving.forEach { held -= it.rule }
-        if (held.isEmpty() && leaving.isNotEmpty()) submit(BoardRule.removal(ALL)) { }
-        else leaving.forEach { submit(BoardRule.removal(it.number)) { } }
+        if (held.isEmpty() && leaving.isNotEmpty()) unsent += Message({ BoardRule.removal(ALL) })
+        else leaving.forEach { unsent += Message({ BoardRule.removal(it.number) }) }
         for ((rule, boardRule) in next) if (rule !in held) set(rule, boardRule)
     }
 
     private fun set(rule: CriticalRule, boardRule: BoardRule) {
         val new = Held(freeNumber(), rule)
         held[rule] = new
-        try {
-            submit(boardRule.text(new.number)) { ended(new, it) }
-        } catch (unsendable: IllegalArgumentException) {
-            ended(new, failureOf(unsendable))
-        }
+        unsent += Message({ boardRule.text(new.number) }, new)
     }
 
     /** The number that was not used for longest, so that a report that is under way is not taken for one of another rule. */
@@ -83,13 +106,15 @@ internal class BoardRules(
     }
 
     /** What was not acknowledged stays with the computer. If it was not refused the board may have it all the same. */
-    private fun ended(entry: Held, failure: Failure?) = lock.withLock {
-        if (held[entry.rule] !== entry) return@withLock
-        entry.isAcknowledged = failure == null
-        if (failure?.error != "act_refused") return@withLock
-        held -= entry.rule
-        refused += entry.rule
-        adjust()
+    private fun ended(entry: Held, failure: Failure?) = changing {
+        if (held[entry.rule] === entry) {
+            entry.isAcknowledged = failure == null
+            if (failure?.error == "act_refused") {
+                held -= entry.rule
+                refused += entry.rule
+                adjust()
+            }
+        }
     }
 
     private companion object {

@@ -7,6 +7,7 @@ import argo.links.BoardLink
 import argo.links.SentCommand
 import argo.platform.Platform
 import javino.PortException
+import javino.PortFaultException
 import javino.PortGoneException
 import javino.SendOptions
 import java.util.logging.Level
@@ -14,11 +15,11 @@ import java.util.logging.Logger
 
 /**
  * Sends an agent's commands through the queue of one link, and reports their outcomes as failures of plans. A thread, which starts with the
- * first command, writes them until the link is closed. Safe for use by several threads.
+ * first command, writes them until the link is closed. If it ends otherwise, the port is lost. Safe for use by several threads.
  *
  * @param owner the agent's name, for the thread's
  * @param platform its threads
- * @param lost is called when sending finds that the port has gone; may be called again
+ * @param lost is called when sending finds that the port has gone; does not wait for it; may be called again, by any thread
  */
 internal class CommandSender(
     private val link: BoardLink,
@@ -50,10 +51,8 @@ internal class CommandSender(
         null
     } catch (trouble: PortException) {
         failed(trouble)
-    } catch (unforeseen: RuntimeException) { // whatever a transport throws
+    } catch (unforeseen: Throwable) { // whatever a transport throws
         failed(unforeseen)
-    } catch (unloadable: LinkageError) { // the driver's native library
-        failed(unloadable)
     }
 
     private fun CommandOptions.forLink() = SendOptions(urgent, timeoutMs ?: 0, latest)
@@ -65,9 +64,11 @@ internal class CommandSender(
 
     private fun writeCommands() {
         try {
-            link.writeCommands()
+            link.writeCommandsUntilClosed()
         } catch (_: PortException) {
             // the line is gone, and the commands that waited for it have failed
+        } catch (unforeseen: Throwable) { // without this thread no command would go out; the port is opened anew with another
+            lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }
     }
 

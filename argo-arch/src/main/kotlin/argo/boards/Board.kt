@@ -24,9 +24,9 @@ import jason.asSyntax.Atom
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
-import jason.bb.StructureWrapperForLiteral
 import javino.wire.BoardAction.ANY
 import javino.wire.ReflexOutcome
+import java.util.concurrent.atomic.AtomicReference
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 import javino.wire.BoardAction as RegisteredAction
@@ -52,21 +52,13 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     var port: OpenPort = port
         private set
 
+    private val believed = AtomicReference(BelievedPercepts.NONE)
+
     /** What of it the agent believes. Any thread may read. */
-    @Volatile
-    var sensed: List<Literal> = emptyList()
-        private set
+    val sensed: List<Literal> get() = believed.get().percepts
 
     /** When the readings in [sensed] came, by the platform's clock; null: there are none. Any thread may read. */
-    @Volatile
-    var sensedNanos: Long? = null
-        private set
-
-    @Volatile
-    private var before: List<Literal> = emptyList()
-
-    @Volatile
-    private var keys: Set<StructureWrapperForLiteral>? = null // of what is sensed, and was before
+    val sensedNanos: Long? get() = believed.get().nanos
 
     /** A sensing interval of its own, in ms; null: it has the agent's. Any thread. */
     @Volatile
@@ -118,10 +110,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     /** The agent begins to perceive it, through [port]. Any thread, before it is perceived. */
     fun begin(port: OpenPort, isBelieved: Boolean) {
         this.port = port
-        if (!isBelieved) {
-            sensed = emptyList()
-            sensedNanos = null
-        }
+        if (!isBelieved) believed.updateAndGet { it.then(emptyList(), null) }
         stale.renew()
     }
 
@@ -202,11 +191,8 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     fun isUrgent(): Boolean = handOver.isUrgent()
 
     /** Takes the snapshot that the agent perceives now; null: none is ready. */
-    fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also {
-        before = sensed
-        sensed = it.percepts
-        sensedNanos = it.receivedNanos
-        keys = null
+    fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also { taken ->
+        believed.updateAndGet { it.then(taken.percepts, taken.receivedNanos) }
     }
 
     /**
@@ -214,9 +200,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
      * @param isAlone whether no other board has its namespace
      */
     fun claims(percept: Literal, isAlone: Boolean): Boolean =
-        percept.ns == (space ?: Literal.DefaultNS) && (isAlone || StructureWrapperForLiteral(percept) in keys())
-
-    private fun keys() = keys ?: (sensed + before).mapTo(HashSet(), ::StructureWrapperForLiteral).also { keys = it }
+        percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())
 
     /** Recomputes whether it is stale; returns whether that, or the outcome of a reflex, has changed. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()

@@ -4,6 +4,7 @@ import argo.calls.failureOf
 import argo.platform.Platform
 import jason.asSyntax.Term
 import javino.PortInterruptedException
+import javino.Transports
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -46,30 +47,40 @@ internal class LostPorts(
     /** Forgets all of them. */
     fun clear() = lock.withLock { lost.clear() }
 
-    /** Looks for [port] now, and again until it is removed. */
+    /** Closes those that have the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
+    fun close(key: String) = lock.withLock { lost.map { it.port to it.name } }
+        .filter { (_, name) -> runCatching { Transports.canonicalName(name) }.getOrDefault(name) == key }
+        .forEach { (port, _) -> port.close() }
+
+    /** Closes [port] and looks for it, now and again until it is removed. Does not wait. */
     fun lookFor(port: LostPort) {
-        platform.start("argo-$owner-looking-for-${port.name}") { look(port) }
+        val trouble = troubleOf { platform.start("argo-$owner-looking-for-${port.name}") { look(port) } }
+        if (trouble != null) lookLater(port, trouble) // the machine has no thread for it
     }
 
-    private fun look(port: LostPort) {
-        if (port !in this) return
-        var isPresent = false
-        val unknown = troubleOf { isPresent = platform.isPresent(port.name) }
-        val isDue = port.looked(isPresent)
-        val trouble = unknown ?: if (isDue) troubleOf { reopen(port) } else null
+    private fun lookLater(port: LostPort, trouble: Throwable?) {
         if (trouble != null && trouble !is PortInterruptedException && port in this && port.failed(trouble)) {
             warn("port ${port.term} is still off: ${failureOf(trouble).cause}")
         }
         if (port in this) platform.later(port.nextLookMs()) { lookFor(port) }
     }
+
+    private fun look(port: LostPort) {
+        var isPresent = false
+        val unknown = troubleOf {
+            port.port.close() // at the first look: who finds that it is lost may be a thread that must not wait
+            isPresent = port in this && platform.isPresent(port.name)
+        }
+        if (port !in this) return
+        val isDue = port.looked(isPresent)
+        lookLater(port, unknown ?: if (isDue) troubleOf { reopen(port) } else null)
+    }
 }
 
-/** What [work] fails with, whatever a transport throws: a plan that waits for its port must go on. */
+/** What [work] fails with, whatever that is: a plan that waits for its port must go on, and so must the search for one that is lost. */
 internal fun troubleOf(work: () -> Unit): Throwable? = try {
     work()
     null
-} catch (trouble: Exception) {
+} catch (trouble: Throwable) {
     trouble
-} catch (unloadable: LinkageError) { // the driver's native library
-    unloadable
 }

@@ -162,6 +162,7 @@ internal class Ports(
         var opened: OpenPort? = null
         val tooLate: Boolean
         try {
+            lost.close(key)
             val link = platform.open(name, options.linkSettings(paced), owner)
             opened = OpenPort(names, link, options, platform.clock.nanos(), before?.losses ?: 0, user::use)
         } finally {
@@ -187,20 +188,19 @@ internal class Ports(
     fun report(port: OpenPort, status: PortStatus, reason: String? = null) =
         port.names.keys.forEach { states.set(it, status, reason) { lock.withLock { open.containsValue(port) } } }
 
-    /** Gives up [port], whose device has gone with [trouble], and searches for the device. Does nothing for a port given up before. */
-    fun lost(port: OpenPort, trouble: PortException) {
-        lose(port, trouble) { open.values.remove(port) }
-        port.close()
-    }
+    /**
+     * Gives up [port], whose device has gone with [trouble], and searches for the device. Does nothing for a port given up before. Never
+     * waits for the driver: another thread closes the port.
+     */
+    fun lost(port: OpenPort, trouble: PortException) = lose(port, trouble) { open.values.remove(port) }
 
-    /** Searches for the device of [port] under each of its names, if [isNews], which is evaluated under the lock. */
+    /** Searches for the device of [port], once that is closed, under each of its names, if [isNews], which is evaluated under the lock. */
     private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
         lock.withLock {
             if (stopped || !isNews()) return
             lost.add(ports)
         }
-        port.close()
         val reason = "${trouble.message}; it is opened again when its device is back"
         ports.forEach { states.set(it.term, PortStatus.OFF, reason) { it in lost } }
         ports.forEach(lost::lookFor)

@@ -14,7 +14,8 @@ import java.util.concurrent.CompletableFuture
  * what a [BoardLinkProvider] opens.
  *
  * Safe for use by several threads. Once the far end has gone, or the link is closed, every call but [close] and [wants] fails with
- * [PortGoneException], those that wait promptly. Only [listen], [request], [check], [watch], [writeCommands] and [sendAndAwait] may wait.
+ * [PortGoneException], those that wait promptly. Only [listen], [request], [check], [watch], [writeCommandsUntilClosed] and [sendAndAwait]
+ * may wait.
  */
 interface BoardLink : AutoCloseable {
     /** The port's name, as it was given. */
@@ -80,7 +81,7 @@ interface BoardLink : AutoCloseable {
 
     /** Takes queued commands to the board on the calling thread until the link is closed; returns at once if it needs no such thread. */
     @Throws(PortException::class)
-    fun writeCommands() = Unit
+    fun writeCommandsUntilClosed() = Unit
 
     /** Sets who is called when the board reports something of its own accord; it never does unless it can hold rules. */
     fun onBoardEvents(listener: BoardListener) = Unit

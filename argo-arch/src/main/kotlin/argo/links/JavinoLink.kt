@@ -34,7 +34,7 @@ class JavinoLink(private val link: Link) : BoardLink {
 
     override fun sendAndAwait(text: String, options: SendOptions) = link.sendAndAwait(text, options)
 
-    override fun writeCommands() = link.writeCommands()
+    override fun writeCommandsUntilClosed() = link.writeCommandsUntilClosed()
 
     override fun onBoardEvents(listener: BoardListener) = link.onBoardEvents(listener)
 

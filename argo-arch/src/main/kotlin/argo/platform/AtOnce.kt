@@ -4,8 +4,8 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Does [work] for each of [items], each on a thread of its own, and returns when all of it has ended. An exception of [work] ends its
- * thread alone.
+ * Does [work] for each of [items], each on a thread of its own, or on this one if the machine has no other, and returns when all of it has
+ * ended. What [work] throws ends only its thread.
  *
  * @param name what the thread for an item is called
  */
@@ -14,14 +14,21 @@ internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, wor
     val lock = clock.newLock(false)
     val ended = lock.newCondition()
     var underWay = items.size
-    for (item in items) start(name(item)) {
-        try {
-            work(item)
-        } finally {
-            lock.withLock {
-                underWay--
-                ended.signalAll()
+    for (item in items) {
+        val run = {
+            try {
+                work(item)
+            } finally {
+                lock.withLock {
+                    underWay--
+                    ended.signalAll()
+                }
             }
+        }
+        try {
+            start(name(item), run)
+        } catch (_: OutOfMemoryError) { // so says Java that there is no thread
+            run()
         }
     }
     lock.withLock { while (underWay > 0) clock.await(ended, LOOK_NANOS) }

@@ -12,6 +12,8 @@ import javino.LinkSettings
 import javino.Transports
 import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.TimeUnit
+import java.util.logging.Level
+import java.util.logging.Logger
 
 /**
  * What an [Arch] runs on: its time, its threads and its ports. [system] is the machine's; a test can pass one whose time is its own.
@@ -28,7 +30,10 @@ interface Platform {
     /** Starts [run] on a new thread, called [name], that does not keep the program alive. It ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 
-    /** Does [action], which does not wait for anything, in [delayMs] ms of [clock], unless everything has ended by then. */
+    /**
+     * Does [action], which does not wait for anything, in [delayMs] ms of [clock], unless everything has ended by then. What it throws is
+     * logged.
+     */
     fun later(delayMs: Long, action: () -> Unit)
 
     /**
@@ -56,10 +61,16 @@ interface Platform {
 
             override fun later(delayMs: Long, action: () -> Unit) {
                 try {
-                    SchedulerLayer.machine().schedule(action, delayMs, TimeUnit.MILLISECONDS)
+                    SchedulerLayer.machine().schedule({ carryOut(action) }, delayMs, TimeUnit.MILLISECONDS)
                 } catch (_: RejectedExecutionException) {
                     // the whole system is being stopped: nobody is left for it
                 }
+            }
+
+            private fun carryOut(action: () -> Unit) = try {
+                action()
+            } catch (broken: Throwable) { // Jason's scheduler would keep it to itself
+                Logger.getLogger(Platform::class.java.name).log(Level.SEVERE, "what was to be done later has failed", broken)
             }
 
             override fun open(port: String, settings: LinkSettings, owner: String): BoardLink =

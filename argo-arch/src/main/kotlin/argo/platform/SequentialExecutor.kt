@@ -21,8 +21,8 @@ internal class SequentialExecutor(private val platform: Platform, private val na
 
     private fun startUnlessWorking() {
         if (working) return
+        platform.start(name, ::doAll) // it takes the lock first; if the machine has no thread for it, the next work tries again
         working = true
-        platform.start(name, ::doAll)
     }
 
     private fun doAll() {

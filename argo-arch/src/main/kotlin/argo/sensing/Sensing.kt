@@ -156,9 +156,9 @@ internal class Sensing(
     } catch (trouble: PortException) {
         listener.lost(port, trouble)
         false
-    } catch (unforeseen: RuntimeException) {
-        unforeseen(unforeseen)
-    } catch (unforeseen: LinkageError) { // the driver's native library
+    } catch (ending: InterruptedException) {
+        throw ending
+    } catch (unforeseen: Throwable) {
         unforeseen(unforeseen)
     }
 

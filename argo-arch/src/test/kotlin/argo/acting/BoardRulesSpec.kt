@@ -12,6 +12,8 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import javino.wire.BoardRule
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
 
 /** A board of the test's, which answers commands when it is told to. */
 private class RulesBench {
@@ -204,5 +206,21 @@ class BoardRulesSpec : FunSpec({
             boardRuleOf(CriticalRule(Rule(argo.filters.Predicate.of("dist"), arity = 2))) shouldBe null
             boardRuleOf(CriticalRule(Rule("dist"), "x".repeat(255))) shouldBe null
         }
+    }
+
+    test("no lock is held while a command is sent, and commands go out in the order in which they were decided") {
+        val sent = ArrayList<String>()
+        lateinit var rules: BoardRules
+        var wanted = listOf(a, b)
+        rules = BoardRules({ wanted }, { command, _ ->
+            sent += BoardRule.read(command)?.functor() ?: "none"
+            val other = CompletableFuture.runAsync {
+                if (sent.size == 1) wanted = listOf(c)
+                rules.renew() // by another thread, which would wait for a lock
+            }
+            other.get(20, TimeUnit.SECONDS)
+        })
+        rules.began(8)
+        sent shouldBe listOf("a", "b", "none", "c")
     }
 })

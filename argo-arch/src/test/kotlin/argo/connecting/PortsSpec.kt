@@ -3,7 +3,9 @@ package argo.connecting
 import argo.FussyProvider
 import argo.calls.Failure
 import argo.jason.LIMIT
+import argo.links.BoardLink
 import argo.links.BoardMessage
+import argo.platform.Platform
 import argo.platform.TestTime
 import argo.sensing.Sensing
 import argo.sensing.SensingListener
@@ -21,9 +23,11 @@ import io.kotest.matchers.string.shouldEndWith
 import io.kotest.matchers.types.shouldBeSameInstanceAs
 import jason.asSyntax.ASSyntax
 import javino.Link
+import javino.LinkSettings
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortFaultException
+import javino.PortGoneException
 import javino.PortPermissionException
 import javino.PortTimeoutException
 import javino.sim.FakeBoard
@@ -43,6 +47,27 @@ private val QUICKLY = eventuallyConfig {
 private class PortsBench : AutoCloseable {
     val told = ConcurrentLinkedQueue<String>()
     val time = TestTime()
+    val closers = ConcurrentLinkedQueue<String>()
+
+    /** How many threads more the machine has none for. */
+    @Volatile
+    var missingThreads = 0
+    private val platform = object : Platform by time {
+        override fun open(port: String, settings: LinkSettings, owner: String): BoardLink {
+            val link = time.open(port, settings, owner)
+            return object : BoardLink by link {
+                override fun close() {
+                    closers += Thread.currentThread().name
+                    link.close()
+                }
+            }
+        }
+
+        override fun start(name: String, run: () -> Unit): Thread {
+            if (missingThreads > 0) throw OutOfMemoryError("unable to create native thread").also { missingThreads-- }
+            return time.start(name, run)
+        }
+    }
     val reasons = ConcurrentLinkedQueue<String>()
     private val states = PortStates { port, status, reason ->
         told += "$port ${status.word}"
@@ -64,7 +89,7 @@ private class PortsBench : AutoCloseable {
         override fun opened(port: OpenPort) = watches.getValue(port).start()
         override fun portInUseChanged() = Unit
     }
-    val ports: Ports = Ports("bob", states, user, paced = true, time) { told += it }
+    val ports: Ports = Ports("bob", states, user, paced = true, platform) { told += it }
 
     fun beliefs() = states.beliefs().map { "$it" }.toSet()
 
@@ -294,6 +319,39 @@ class PortsSpec : FunSpec({
             val port = ports.current
             choose("sim:robot", "[baud(9600)]") shouldBe null
             ports.current shouldBeSameInstanceAs port
+        }
+    }
+
+    test("who finds a port lost does not close it: the thread that looks for it does") {
+        bench("robot") { _ ->
+            choose("sim:robot") shouldBe null
+            val port = checkNotNull(ports.current)
+            ports.lost(port, PortGoneException("sim:robot", "a command found it gone"))
+            awaitBelief("port(\"sim:robot\",off)")
+            passUntil("port(\"sim:robot\",on)")
+            closers.toSet() shouldBe setOf("argo-bob-looking-for-sim:robot")
+        }
+    }
+
+    test("a lost port whose line is still being closed is opened by who asks for it, once it is free") {
+        bench("robot") { _ ->
+            repeat(20) {
+                choose("sim:robot") shouldBe null
+                ports.lost(checkNotNull(ports.current), PortGoneException("sim:robot", "a command found it gone"))
+            }
+            choose("sim:robot") shouldBe null
+        }
+    }
+
+    test("a port is looked for as soon as the machine has a thread for it") {
+        bench("robot") { (board) ->
+            choose("sim:robot") shouldBe null
+            missingThreads = 3
+            board.unplug()
+            awaitBelief("port(\"sim:robot\",off)")
+            board.replug()
+            passUntil("port(\"sim:robot\",on)")
+            missingThreads shouldBe 0
         }
     }
 })

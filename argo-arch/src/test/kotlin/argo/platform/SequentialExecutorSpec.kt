@@ -1,5 +1,6 @@
 package argo.platform
 
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.util.concurrent.ConcurrentLinkedQueue
@@ -43,5 +44,38 @@ class SequentialExecutorSpec : FunSpec({
         work.execute { done.countDown() }
         check(done.await(LIMIT_S, TimeUnit.SECONDS))
         thrown.map { it.message } shouldBe listOf("no such wheel")
+    }
+
+    test("does what waits with the next work where the machine had no thread for it") {
+        var isFull = true
+        val platform = object : Platform by Platform.system {
+            override fun start(name: String, run: () -> Unit): Thread {
+                if (isFull) throw OutOfMemoryError("unable to create native thread")
+                return Platform.system.start(name, run)
+            }
+        }
+        val done = ConcurrentLinkedQueue<String>()
+        val work = SequentialExecutor(platform, "serial")
+        shouldThrow<OutOfMemoryError> { work.execute { done += "first" } }
+        isFull = false
+        val last = CountDownLatch(1)
+        work.execute {
+            done += "second"
+            last.countDown()
+        }
+        check(last.await(LIMIT_S, TimeUnit.SECONDS))
+        done.toList() shouldBe listOf("first", "second")
+    }
+
+    test("what is to be done at once for several is done where the machine has too few threads") {
+        val platform = object : Platform by Platform.system {
+            override fun start(name: String, run: () -> Unit): Thread {
+                if (name != "a") throw OutOfMemoryError("unable to create native thread")
+                return Platform.system.start(name, run)
+            }
+        }
+        val done = ConcurrentLinkedQueue<String>()
+        platform.forEachAtOnce(listOf("a", "b", "c"), { it }) { done += it }
+        done.toSet() shouldBe setOf("a", "b", "c")
     }
 })

@@ -39,4 +39,7 @@ internal class TestTime : Platform by Platform.system {
     }
 
     fun isIdle() = dues.isEmpty()
+
+    /** When the next is due that was asked for first; there is one. */
+    fun nextMs(): Long = dues.element().atMs
 }

@@ -15,7 +15,7 @@ internal class GarbledLine(private val line: Transport, private val oneIn: () ->
 
     override fun doubt(): String = line.doubt()
 
-    override fun isWritableNow() = line.isWritableNow()
+    override fun isWritableNow(unread: Long) = line.isWritableNow(unread)
 
     override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
         val count = line.read(b, off, len, timeoutMillis)

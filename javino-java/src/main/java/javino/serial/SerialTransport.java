@@ -21,6 +21,8 @@ final class SerialTransport extends DriverTransport {
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     /** How long closing waits for a read that should have ended. */
     private static final int READ_END_MILLIS = 2_000;
+    /** How long the driver may take to close the port, behind a write that waits. */
+    private static final int CLOSE_MILLIS = 2_000;
     /** How often the driver is asked, when less than a slice is left, while bytes are on their way or an answer may be near. */
     private static final long POLL_NANOS = 250_000L;
     /** How often it is asked on a line that has been still for long: an unasked message comes seldom, and each question costs. */
@@ -33,6 +35,12 @@ final class SerialTransport extends DriverTransport {
 
     private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
+    /**
+     * Bytes that a driver takes that does not say how many wait in it, as that of a pseudo-terminal: a quarter of what one holds in Linux,
+     * and less than one in macOS holds at 9600 baud.
+     */
+    private static final int SMALLEST_BUFFER = 1024;
+
     private static final DriverOpening OPENING = new DriverOpening(Duration.ofSeconds(1));
 
     /** Held while the driver reads, so that it is not closed under it. */
@@ -42,6 +50,8 @@ final class SerialTransport extends DriverTransport {
     private volatile long lingerUntil = System.nanoTime();
     /** When bytes were last read or written. */
     private volatile long stillSince = System.nanoTime();
+    /** Whether the driver has shown that it knows how many bytes wait in it. */
+    private volatile boolean countsWaiting;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
         super(name, line);
@@ -126,14 +136,17 @@ final class SerialTransport extends DriverTransport {
     @Override
     protected int writeToDriver(byte[] bytes) {
         int count = port.writeBytes(bytes, bytes.length);
+        if (!countsWaiting) {
+            countsWaiting = port.bytesAwaitingWrite() > 0;
+        }
         stillSince = System.nanoTime();
         lingerUntil = stillSince + LINGER_NANOS;
         return count;
     }
 
     @Override
-    protected boolean hasWrittenAll() {
-        return port.bytesAwaitingWrite() == 0;
+    protected boolean hasRoom(long unread) {
+        return countsWaiting ? port.bytesAwaitingWrite() == 0 : unread <= SMALLEST_BUFFER - LONGEST_FRAME;
     }
 
     @Override
@@ -152,18 +165,38 @@ final class SerialTransport extends DriverTransport {
         } catch (InterruptedException e) {
             interrupted = true;
         }
-        if (readingEnded) {
-            port.closePort(); // ends a write that waits
-            reading.unlock();
+        if (!readingEnded) {
+            warnGivenUp("reading");
         } else {
-            System.getLogger(SerialTransport.class.getName())
-                    .log(
-                            System.Logger.Level.WARNING,
-                            "port " + name() + " is given up as it is: its driver does not return from reading");
+            if (!closePort()) {
+                warnGivenUp("closing");
+            }
+            reading.unlock();
         }
         if (interrupted) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    /** Closes the port, which ends a write that waits; returns whether the driver returns from it in time, unless this is interrupted. */
+    private boolean closePort() {
+        Thread closing = new Thread(port::closePort, "close " + name());
+        closing.setDaemon(true);
+        closing.start();
+        try {
+            closing.join(CLOSE_MILLIS);
+            return !closing.isAlive();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return true;
+        }
+    }
+
+    private void warnGivenUp(String call) {
+        System.getLogger(SerialTransport.class.getName())
+                .log(
+                        System.Logger.Level.WARNING,
+                        "port " + name() + " is given up as it is: its driver does not return from " + call);
     }
 
     /** Waits until what was written has left the driver, but not for a device that takes no more. */

@@ -130,9 +130,11 @@ final class Requests {
         if (answer == null) {
             return;
         }
-        Optional<String> text = answer.items() == null ? Optional.empty() : reader.read(answer.items());
-        if (text.isPresent() && text.get().length() > limit) {
-            listener.dropped(text.get().length());
+        Optional<String> text;
+        try {
+            text = answer.items() == null ? Optional.empty() : reader.read(answer.items(), limit);
+        } catch (PerceptReader.TooLongException e) {
+            listener.dropped();
             return;
         }
         if (answer.request() == 0) {

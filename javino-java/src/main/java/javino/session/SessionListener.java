@@ -21,7 +21,7 @@ public interface SessionListener<C> {
     void heard(String percepts);
 
     /** An answer of more bytes than the limit was dropped. */
-    void dropped(int bytes);
+    void dropped();
 
     /** A rule on the board has begun to be met. */
     void reported(CriticalReport report);

@@ -24,8 +24,6 @@ public final class MemoryLine {
     /** Bytes a direction that the line holds unread. */
     public static final int CAPACITY = 4096;
 
-    private static final int LONGEST_FRAME = 600; // each byte of which may be escaped
-
     private final Lock lock;
     private final String name;
     private final LineSettings line;
@@ -196,7 +194,7 @@ public final class MemoryLine {
         }
 
         @Override
-        public boolean isWritableNow() {
+        public boolean isWritableNow(long unread) {
             lock.lock();
             try {
                 return end == null && out.room() >= LONGEST_FRAME;

@@ -23,19 +23,26 @@ public final class PerceptReader {
     /**
      * The text of an answer; empty if an item cannot be read, and then all shapes are forgotten.
      *
-     * @param items those of all parts of the answer
+     * @param items those of all parts of the answer; a few of their bytes may stand for thousands
+     * @param limit bytes that the text has at most
+     * @throws TooLongException if it has more; no more of it is made, and the shapes up to there are kept
      */
-    public Optional<String> read(String items) {
+    public Optional<String> read(String items, int limit) {
         try {
-            String text = new Reading(items).text();
-            while (known < shapes.length && shapes[known] != null) {
-                known++;
-            }
-            return Optional.of(text);
+            return Optional.of(new Reading(items, limit).text());
         } catch (IndexOutOfBoundsException | UnreadableException e) {
             forget();
             return Optional.empty();
+        } finally {
+            while (known < shapes.length && shapes[known] != null) {
+                known++;
+            }
         }
+    }
+
+    /** The text of an answer has more bytes than it may have. */
+    public static final class TooLongException extends RuntimeException {
+        private static final long serialVersionUID = 1;
     }
 
     private static final class UnreadableException extends RuntimeException {
@@ -45,11 +52,13 @@ public final class PerceptReader {
     /** One answer. What is cut is found by reading beyond its end. */
     private final class Reading {
         private final String items;
+        private final int limit;
         private final StringBuilder text = new StringBuilder();
         private int at;
 
-        Reading(String items) {
+        Reading(String items, int limit) {
             this.items = items;
+            this.limit = limit;
         }
 
         String text() {
@@ -76,6 +85,7 @@ public final class PerceptReader {
                 shapes[head] = Shape.of(piece);
             }
             text.append(piece);
+            requireShort();
             return head == PerceptItems.CONTINUED;
         }
 
@@ -89,8 +99,15 @@ public final class PerceptReader {
                     digits.appendRun(text);
                     text.append(piece);
                 }
+                requireShort();
             }
             at = digits.end();
+        }
+
+        private void requireShort() {
+            if (text.length() > limit) {
+                throw new TooLongException();
+            }
         }
 
         private void requireReadable(boolean isReadable) {

@@ -71,8 +71,8 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
         heard += percepts
     }
 
-    override fun dropped(bytes: Int) {
-        dropped = bytes
+    override fun dropped() {
+        dropped++
     }
 
     override fun reported(report: CriticalReport) {

@@ -51,11 +51,11 @@ internal class ComputerEnd(private val line: Transport) {
     /** The next answer, or percepts that were sent unasked. */
     fun percepts(): String {
         val first = next()
-        if (first.kind() == FrameKind.PERCEPTS) return reader.read(first.payload().drop(1)).get()
+        if (first.kind() == FrameKind.PERCEPTS) return reader.read(first.payload().drop(1), LIMIT).get()
         val parts = mutableListOf(first)
         while (parts.last().kind() == FrameKind.PERCEPTS_PART) parts += next()
         check(parts.last().kind() == FrameKind.PERCEPTS_LAST) { "an answer ended with ${parts.last()}" }
-        return reader.read(parts.joinToString("") { it.payload().drop(2) }).get()
+        return reader.read(parts.joinToString("") { it.payload().drop(2) }, LIMIT).get()
     }
 
     /** The answer to a request of version 1, which is repeated until there is one: a busy machine may leave too short a pause before it. */
@@ -80,3 +80,5 @@ internal class ComputerEnd(private val line: Transport) {
         const val PAUSE_MILLIS = 100
     }
 }
+
+private const val LIMIT = 65_536

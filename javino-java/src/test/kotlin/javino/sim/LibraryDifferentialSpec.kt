@@ -64,7 +64,7 @@ private class Observer {
 
     /** A part or a whole answer: where it is cut is the board's own matter. */
     private fun answer(head: String, request: Char, items: String) =
-        "PERCEPTS $head ${request.code} ${reader.read(items).orElse("unreadable")}"
+        "PERCEPTS $head ${request.code} ${reader.read(items, LIMIT).orElse("unreadable")}"
 }
 
 /** The board of this package, played as the library is. */
@@ -286,3 +286,5 @@ class LibraryDifferentialSpec : FunSpec({
             expected.count { named -> named.any { it.startsWith("85") } } shouldBeGreaterThan CONVERSATIONS
         }
 })
+
+private const val LIMIT = 65_536

@@ -1,5 +1,6 @@
 package javino.wire
 
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -32,7 +33,7 @@ class PerceptItemsPropertySpec : FunSpec({
             val computer = PerceptReader()
             answers.forEachIndexed { i, texts ->
                 val items = board.items(texts, if (i % 3 == 0) minOf(claimed, computer.known()) else computer.known())
-                if (!lost[i]) computer.read(items).get() shouldBe texts.joinToString("")
+                if (!lost[i]) computer.read(items, LIMIT).get() shouldBe texts.joinToString("")
             }
         }
     }
@@ -40,8 +41,8 @@ class PerceptItemsPropertySpec : FunSpec({
     test("a computer whose session begins anew is understood when it knows nothing") {
         checkAll(200, percepts, percepts) { first, second ->
             val board = PerceptWriter(126)
-            PerceptReader().read(board.items(first, 0))
-            PerceptReader().read(board.items(second, 0)).get() shouldBe second.joinToString("")
+            PerceptReader().read(board.items(first, 0), LIMIT)
+            PerceptReader().read(board.items(second, 0), LIMIT).get() shouldBe second.joinToString("")
         }
     }
 
@@ -49,7 +50,7 @@ class PerceptItemsPropertySpec : FunSpec({
         val board = PerceptWriter(126)
         val computer = PerceptReader()
         val texts = listOf("dist(f,123);", "light(f,95);")
-        computer.read(board.items(texts, 0))
+        computer.read(board.items(texts, 0), LIMIT)
         board.items(texts, computer.known()) shouldBe "\u0080\u0002\u0012\u003F\u0095\u00FF"
     }
 
@@ -57,20 +58,32 @@ class PerceptItemsPropertySpec : FunSpec({
         checkAll(1_000, percepts, Arb.int(0..2_000), texts(1..1)) { texts, at, octet ->
             val board = PerceptWriter(126)
             val computer = PerceptReader()
-            computer.read(board.items(texts, 0))
+            computer.read(board.items(texts, 0), LIMIT)
             val items = board.items(texts, computer.known())
             val cut = at % (items.length + 1)
-            computer.read(items.substring(0, cut) + octet + items.drop(cut + 1))
-            computer.read(items.substring(0, cut))
+            computer.read(items.substring(0, cut) + octet + items.drop(cut + 1), LIMIT)
+            computer.read(items.substring(0, cut), LIMIT)
             computer.forget()
-            computer.read(board.items(texts, computer.known())).get() shouldBe texts.joinToString("")
+            computer.read(board.items(texts, computer.known()), LIMIT).get() shouldBe texts.joinToString("")
         }
     }
 
     test("any bytes as items do no harm, and what cannot be read leaves nothing known") {
         checkAll(5_000, texts(0..40)) { items ->
             val computer = PerceptReader()
-            if (computer.read(items).isEmpty) computer.known() shouldBe 0
+            if (computer.read(items, LIMIT).isEmpty) computer.known() shouldBe 0
         }
     }
+
+    test("an answer whose items stand for more than the limit is given up there, and what it taught stays") {
+        val texts = (0 until 126).joinToString("") { "${it.toChar()}\u00ff" + "a".repeat(255) }
+        val bomb = texts + "\u0080\u007e".repeat(32_768) // a gigabyte
+        val computer = PerceptReader()
+        shouldThrow<PerceptReader.TooLongException> { computer.read(bomb, LIMIT) }
+        computer.known() shouldBe 126
+        computer.read("\u0080\u0002", LIMIT).get() shouldBe "a".repeat(510)
+        shouldThrow<PerceptReader.TooLongException> { computer.read("\u0080\u0002", 509) }
+    }
 })
+
+private const val LIMIT = 65_536

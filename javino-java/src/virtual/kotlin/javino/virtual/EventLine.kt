@@ -128,7 +128,7 @@ internal class EventLine(
             }
         }
 
-        override fun isWritableNow() = true
+        override fun isWritableNow(unread: Long) = true
 
         override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
             if (carried > goneAfter) throw PortGoneException(name, "port $name is gone: the plug was pulled")

@@ -1,5 +1,7 @@
 package argo.ros.serving
 
+import argo.platform.ThinnedLog
+import argo.platform.foreignText
 import org.java_websocket.WebSocket
 import org.java_websocket.WebSocketAdapter
 import org.java_websocket.WebSocketImpl
@@ -36,12 +38,15 @@ import java.util.logging.Logger
  *
  * @throws RefusedServer if the address cannot be had
  */
-internal class RosServer(private val access: Access, private val graph: Graph, private val log: (String) -> Unit) : AutoCloseable {
+internal class RosServer(private val access: Access, private val graph: Graph, private val tell: (String) -> Unit) : AutoCloseable {
     private val started = CompletableFuture<Unit>()
     private val rosApi = RosApiServices(graph, System::currentTimeMillis)
     private val channels = ConcurrentHashMap.newKeySet<LimitedChannel>()
     private val timer = ScheduledThreadPoolExecutor(1) { Thread(it, "argo-ros-timer").apply { isDaemon = true } }
         .apply { removeOnCancelPolicy = true }
+    private val lines = ThinnedLog({ TimeUnit.NANOSECONDS.toMillis(System.nanoTime()) }) { delayMs, action ->
+        later(TimeUnit.MILLISECONDS.toNanos(delayMs), action)
+    }
     private val server = Server()
 
     init {
@@ -62,10 +67,15 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
     /** How many connections there are. */
     val connections: Int get() = channels.size
 
-    private fun check() {
+    /** Anybody on the network may cause these. */
+    private fun log(kind: String, line: String) = lines.report(kind) { more -> tell(foreignText(line) + more) }
+
+    private fun check() = try {
         val now = System.nanoTime()
         channels.filter { it.isLate(now) }.forEach { it.close() }
         server.connections.forEach { sessionOf(it)?.subscriber?.check() }
+    } catch (broken: Throwable) { // the timer would never look again
+        log("check", "the server's look after its clients failed: $broken")
     }
 
     /** Ends all connections, and gives the port back. Waits for nothing but the end of the server's threads. */
@@ -105,7 +115,7 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
         }
 
         override fun end(reason: String) {
-            log("the client at ${connection.remoteSocketAddress} is left: $reason")
+            log("left", "the client at ${connection.remoteSocketAddress} is left: $reason")
             (connection as WebSocketImpl).closeConnection(CloseFrame.POLICY_VALIDATION, reason)
         }
 
@@ -133,7 +143,7 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
             val (authorization, origin) = listOf("Authorization", "Origin").map(request::getFieldValue)
             val refusal = access.refusal(request.resourceDescriptor, authorization, origin) ?: return super
                 .onWebsocketHandshakeReceivedAsServer(connection, draft, request)
-            log("the client at ${connection.remoteSocketAddress} is refused: $refusal")
+            log("refused", "the client at ${connection.remoteSocketAddress} is refused: $refusal")
             throw InvalidDataException(CloseFrame.POLICY_VALIDATION, refusal)
         }
 
@@ -175,7 +185,7 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
         }
 
         override fun onError(connection: WebSocket?, trouble: Exception) {
-            if (connection == null && !started.completeExceptionally(trouble)) log("the server is in trouble: $trouble")
+            if (connection == null && !started.completeExceptionally(trouble)) log("trouble", "the server is in trouble: $trouble")
         }
 
         override fun onStart() {

@@ -61,8 +61,9 @@ internal class ServedBoard(
             } catch (_: PortInterruptedException) {
                 return
             } catch (gone: PortException) {
-                link = null
-                report("off", "/$name: ${gone.message}; it is opened again as soon as it is there")
+                off("${gone.message}")
+            } catch (unforeseen: Throwable) { // nobody would ask the board any more
+                off("it failed: $unforeseen")
             }
             try {
                 closed.await(RETRY_MS, TimeUnit.MILLISECONDS)
@@ -70,6 +71,11 @@ internal class ServedBoard(
                 return
             }
         }
+    }
+
+    private fun off(why: String) {
+        link = null
+        report("off", "/$name: $why; it is opened again as soon as it is there")
     }
 
     private fun serve(opened: BoardLink) {
@@ -101,9 +107,12 @@ internal class ServedBoard(
 
     private fun writeCommands(opened: BoardLink) {
         try {
-            opened.writeCommands()
+            opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
             // the thread that senses finds it gone
+        } catch (unforeseen: Throwable) { // nobody would send commands any more
+            tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
+            opened.close()
         }
     }
 

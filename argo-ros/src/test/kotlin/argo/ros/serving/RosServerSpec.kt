@@ -9,6 +9,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -249,6 +250,18 @@ class RosServerSpec : FunSpec({
             RawClient(URI("ws://127.0.0.1:$port/?token=0123456789abcdef"), mapOf("Origin" to "https://studio.example")).close()
         }
     }
+    test("pages that are refused thousands of times, with long origins, fill no log") {
+        val origin = "https://evil.example/" + "x".repeat(2_000)
+        repeat(200) {
+            shouldThrow<ExecutionException> { RawClient(URI("ws://127.0.0.1:${server.server.port}/"), mapOf("Origin" to origin)) }
+        }
+        val lines = server.log.filter { "is refused" in it }
+        lines.size shouldBeLessThan 20
+        lines.forEach { it.length shouldBeLessThan 300 }
+        lines.first() shouldContain "https://evil.example"
+        with { isServed() }
+    }
+
     test("a port that is in use is refused, and given back by a server that has ended") {
         val port = server.server.port
         shouldThrow<RefusedServer> { TestServer(address = "$port") }.message.orEmpty() shouldContain "127.0.0.1:$port cannot be had"

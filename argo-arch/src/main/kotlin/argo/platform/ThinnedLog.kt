@@ -1,0 +1,72 @@
+package argo.platform
+
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * Keeps what happens again and again from filling a log: the first [FREE] lines of a kind go out at once, then ever fewer, first after a
+ * second and at last every five minutes. Each of these is the newest line and says how many were left out, so that the last word of a kind
+ * is always told. After a quiet minute a kind begins anew. Safe for use by several threads.
+ *
+ * @param nowMs a clock in ms that never goes back
+ * @param later does its last argument in so many ms
+ */
+class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Long, action: () -> Unit) -> Unit) {
+    private class Kind {
+        var told = 0
+        var lastMs = 0L
+        var delayMs = FIRST_DELAY_MS
+        var held = 0
+        var newest: ((String) -> Unit)? = null
+    }
+
+    private val lock = ReentrantLock()
+    private val kinds = HashMap<String, Kind>()
+
+    /**
+     * A line of [kind], of which there are few.
+     * @param line writes it, with its argument at the end; called once, now or later, or never if newer ones come before
+     */
+    fun report(kind: String, line: (more: String) -> Unit) {
+        var delayMs = 0L
+        val isNow = lock.withLock {
+            val now = nowMs()
+            val state = kinds[kind]?.takeIf { it.held > 0 || now - it.lastMs <= QUIET_MS } ?: Kind().also { kinds[kind] = it }
+            state.lastMs = now
+            (state.told++ < FREE).also { if (!it) delayMs = hold(state, line) }
+        }
+        if (isNow) line("") else if (delayMs > 0) later(delayMs) { tell(kind) }
+    }
+
+    /** Returns in how many ms the newest line is to be told; 0: that has been arranged. */
+    private fun hold(kind: Kind, line: (String) -> Unit): Long {
+        kind.newest = line
+        if (kind.held++ > 0) return 0
+        return kind.delayMs.also { kind.delayMs = minOf(2 * it, MAX_DELAY_MS) }
+    }
+
+    private fun tell(name: String) {
+        val (line, count) = lock.withLock {
+            val kind = kinds.getValue(name)
+            (kind.newest to kind.held).also {
+                kind.newest = null
+                kind.held = 0
+            }
+        }
+        line?.invoke(if (count > 1) " (and ${count - 1} more like this before)" else "")
+    }
+
+    companion object {
+        /** How many lines of a kind go out at once. */
+        const val FREE = 10
+        private const val FIRST_DELAY_MS = 1_000L
+        private const val MAX_DELAY_MS = 300_000L
+        private const val QUIET_MS = 60_000L
+    }
+}
+
+/** Text of somebody else for a line of a log: not longer than 200 characters, and without control characters. */
+fun foreignText(text: String): String =
+    text.take(MAX_FOREIGN).map { if (it.isISOControl()) '?' else it }.joinToString("") + if (text.length > MAX_FOREIGN) "…" else ""
+
+private const val MAX_FOREIGN = 200

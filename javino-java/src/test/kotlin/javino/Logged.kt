@@ -1,0 +1,28 @@
+package javino
+
+import java.util.concurrent.CopyOnWriteArrayList
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
+
+/** What the javino loggers report meanwhile. */
+internal fun logged(work: () -> Unit): List<String> {
+    val messages = CopyOnWriteArrayList<String>()
+    val logger = Logger.getLogger("javino")
+    val handler = object : Handler() {
+        override fun publish(record: LogRecord) {
+            messages += record.message
+        }
+
+        override fun flush() = Unit
+
+        override fun close() = Unit
+    }
+    logger.addHandler(handler)
+    try {
+        work()
+    } finally {
+        logger.removeHandler(handler)
+    }
+    return messages
+}
