@@ -89,8 +89,8 @@ internal class Commands(
         outcome.whenComplete { _, _ -> pending -= id }
         message.left.whenComplete { _, trouble -> left(entry, trouble) }
         limit(id, entry, options.limitMillis())
+        graph.sends(rule) { reason -> lost(id, entry, reason) }
         send(message)
-        graph.sent(rule) { reason -> lost(id, entry, reason) }
         return SentCommand(outcome, eitherOf(message.left, outcome))
     }
 

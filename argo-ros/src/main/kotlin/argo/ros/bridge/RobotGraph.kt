@@ -21,7 +21,7 @@ internal class RobotGraph(private val mapping: Mapping, private val api: RosApi,
         val topics = mapping.percepts.map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
         topics.distinct().forEach { (topic, type) -> compareType(topic, type) }
         mapping.commands.filter { it.kind == Kind.ACTION }.distinctBy { it.target }.forEach { rule ->
-            ifMissing(rule) { warn("no action server offers ${rule.target} yet") }
+            ifMissing(rule) { warn("rosapi shows no action server ${rule.target} yet") }
         }
     }
 
@@ -33,11 +33,11 @@ internal class RobotGraph(private val mapping: Mapping, private val api: RosApi,
     }
 
     /** Warns if [topic] has messages of another type than [type]; then the bridge passes none on, in either direction. */
-    private fun compareType(topic: String, type: String) {
-        typeOf(topic).thenAccept { known ->
-            if (known.isEmpty() || rosType(known) == rosType(type)) return@thenAccept
+    private fun compareType(topic: String, type: String) = typeOf(topic).thenApply { known ->
+        if (known.isNotEmpty() && rosType(known) != rosType(type)) {
             warn("$topic is of type $known on the robot, and the mapping says $type: its messages do not pass the bridge")
         }
+        known
     }
 
     /** The type of [topic]; empty: nobody uses it. */
@@ -54,17 +54,26 @@ internal class RobotGraph(private val mapping: Mapping, private val api: RosApi,
     }
 
     /**
-     * A command of [rule] was sent: warns if nobody takes what is published on its topic, at most once in [AGAIN_NANOS].
+     * A command of [rule] is about to be sent: warns if nobody takes what is published on its topic, at most once in [AGAIN_NANOS].
      *
-     * @param lost called if its goal has reached nobody, with the reason
+     * @param lost called if its goal reaches nobody, with the reason. In ROS 2 that is no more than probable, and the log has it
      */
-    fun sent(rule: CommandRule, lost: (String) -> Unit) {
-        if (rule.kind == Kind.ACTION) ifMissing(rule) { lost("no action server offers ${rule.target}") }
-        if (rule.kind != Kind.TOPIC || !isDue(rule.target)) return
-        compareType(rule.target, rule.type)
-        api.ask("/rosapi/subscribers", mapOf("topic" to rule.target)).thenAccept { answer ->
-            if (answer.texts("subscribers")?.isEmpty() == true) warn("no node subscribes to ${rule.target}, so that \"${rule.name}\" does nothing")
+    fun sends(rule: CommandRule, lost: (String) -> Unit) {
+        val reason = "rosapi shows no action server ${rule.target}"
+        when {
+            rule.kind == Kind.ACTION -> ifMissing(rule) {
+                if (isRos2Action(rule.type)) warn("$reason; a goal waits for one until its time is over") else lost(reason)
+            }
+            rule.kind == Kind.TOPIC && isDue(rule.target) -> lookForSubscribers(rule)
         }
+    }
+
+    /** A topic that is not shown, though the bridge publishes on it, is one that `rosapi` hides. */
+    private fun lookForSubscribers(rule: CommandRule) {
+        compareType(rule.target, rule.type).thenCompose { type ->
+            if (type.isEmpty()) CompletableFuture.completedFuture(null)
+            else api.ask("/rosapi/subscribers", mapOf("topic" to rule.target)).thenApply { it.texts("subscribers") }
+        }.thenAccept { if (it?.isEmpty() == true) warn("no node subscribes to ${rule.target}, so that \"${rule.name}\" does nothing") }
     }
 
     private fun isDue(topic: String): Boolean {

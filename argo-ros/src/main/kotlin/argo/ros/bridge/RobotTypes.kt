@@ -85,9 +85,12 @@ internal class RobotTypes(
 
     private fun take(question: Question, answer: RosApi.Answer?, trouble: Throwable?) = synchronized(this) {
         val type = answer?.let { MessageType.of(it.values, question.type) }
-        if (type != null) known[question] = type
-        else if (trouble is RosApi.NotKnown && trouble.isMissing) missing += question
-        else explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // then the paths that were searched
+        when {
+            type != null -> known[question] = type
+            answer != null -> explain(question, "$UNKNOWN by rosapi")
+            trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // then the paths that were searched
+        }
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }
 
@@ -131,7 +134,10 @@ internal class RobotTypes(
             "type is dropped there without a report, and ages count from the arrival"
         val NOTHING = Scope { Value.None("there is none") }
 
+        /** What `rosapi` of ROS 2 means by an answer without a description. */
+        const val UNKNOWN = "it is not described"
+
         /** How a bridge says that it has no such type. */
-        val UNLOADED = listOf("Unable to load", "Unable to import", "not a valid type string")
+        val UNLOADED = listOf("Unable to load", "Unable to import", "not a valid type string", UNKNOWN)
     }
 }

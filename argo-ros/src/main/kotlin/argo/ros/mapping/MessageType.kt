@@ -26,7 +26,7 @@ internal data class FieldType(val name: String, val length: Int) {
     companion object {
         const val SINGLE = -1
         const val ANY = 0
-        private val BYTES = setOf("uint8", "char", "octet")
+        private val BYTES = setOf("uint8", "char")
     }
 }
 
@@ -153,7 +153,9 @@ internal class MessageType private constructor(val name: String, private val own
             val types = definition.words("fieldtypes")
             val lengths = definition.words("fieldarraylen")
             return definition.words("fieldnames").withIndex().associate { (index, field) ->
-                field to FieldType(rosType(types.getOrElse(index) { "" }), lengths.getOrNull(index)?.toIntOrNull() ?: FieldType.SINGLE)
+                val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // which bound a list or a string of ROS 2
+                val length = lengths.getOrNull(index)?.toIntOrNull() ?: FieldType.SINGLE
+                field.removePrefix("_") to FieldType(rosType(type), length) // which rosapi of ROS 2 puts in front
             }
         }
 
