@@ -33,8 +33,8 @@ sealed interface GroundTerm {
     }
 
     /**
-     * A string. Where Jason's syntax has no way to write it, as for `C:\maps`, its backslashes and carriage returns are written `\u005C` and
-     * `\u000D`, which [of] and the reader of percepts understand, and Jason's parser does not.
+     * A string. Where Jason's syntax has no way to write it, as for `C:\maps`, its backslashes and carriage returns are written
+     * `\u005C` and `\u000D`, which [of] and the reader of percepts understand, and Jason's parser does not.
      *
      * @property text what stands between the quotes once it is read: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
      */

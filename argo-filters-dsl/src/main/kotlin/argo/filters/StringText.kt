@@ -10,7 +10,8 @@ internal object StringText {
     /** [text] in quotes: as Jason writes it if it can, else with `\uXXXX` for what it cannot write. */
     fun write(text: String): String {
         val written = quoted(text)
-        val isJasons = Syntax.stringEnd(written, 0, written.length) == written.length && read(written.substring(1, written.length - 1)) == text
+        val end = written.length
+        val isJasons = Syntax.stringEnd(written, 0, end) == end && read(written.substring(1, end - 1)) == text
         return if (isJasons) written else quoted(text.replace("\\", "\\u005C").replace("\r", "\\u000D"))
     }
 

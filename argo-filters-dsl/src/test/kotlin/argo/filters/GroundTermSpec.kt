@@ -46,7 +46,10 @@ class GroundTermSpec : StringSpec({
     }
 
     "a string that Jason's syntax cannot hold is written with escapes of its own, and read back" {
-        val texts = listOf("\\", "a\\", "\\x", "\r", "\\n", "C:\\robot\\map.yaml", "\\d+", "{\"a\": \"x\\ny\"}", "\\\"", "\\u005C", "\\\\u005C\n\\")
+        val texts = listOf(
+            "\\", "a\\", "\\x", "\r", "\\n", "C:\\robot\\map.yaml", "\\d+",
+            "{\"a\": \"x\\ny\"}", "\\\"", "\\u005C", "\\\\u005C\n\\",
+        )
         for (text in texts) GroundTerm.of("${GroundTerm.Text(text)}") shouldBe GroundTerm.Text(text)
         "${GroundTerm.Text("C:\\maps")}" shouldBe "\"C:\\u005Cmaps\""
         checkAll(5_000, Arb.list(Arb.element("\\", "u", "n", "0", "5", "C", "\"", "\n", "\r"), 0..8).map { it.joinToString("") }) { text ->

@@ -103,7 +103,7 @@ internal class RosLink private constructor(
         when (operation.text("op")) {
             "publish" -> published(operation, nowNanos)
             "status" -> if (operation.text("level") in TROUBLE) warn("the bridge reports: ${operation.text("msg")}")
-            "service_response", "action_result" -> warn("an answer of the robot came when the time of its command was over, and is not used")
+            "service_response", "action_result" -> warn("an answer came when the time of its command was over, and is not used")
             else -> warn("the bridge sends the operation ${operation.text("op")}, which is not read")
         }
     }
@@ -253,7 +253,7 @@ internal class RosLink private constructor(
         private val TROUBLE = setOf("error", "warning")
         private const val QUOTED = 60
         private const val MAX_WARNED = 100
-        private const val CHECKING_MS = 1_000L
+        private const val CHECKING_MS = 3_000L
 
         /**
          * Connects to the bridge at [address], and has the fields of [mapping] checked against what the bridge knows of their types, if it

@@ -34,7 +34,8 @@ import java.util.concurrent.atomic.AtomicLong
 private val TYPES = mapOf(
     "std_msgs/String" to "data string", "std_msgs/Bool" to "data bool", "std_msgs/UInt8" to "data uint8", "std_msgs/Int64" to "data int64",
     "std_msgs/Float32" to "data float32", "std_msgs/Empty" to "",
-    "geometry_msgs/Twist" to "linear geometry_msgs/Vector3, angular geometry_msgs/Vector3", "geometry_msgs/Vector3" to "x float64, y float64",
+    "geometry_msgs/Twist" to "linear geometry_msgs/Vector3, angular geometry_msgs/Vector3",
+    "geometry_msgs/Vector3" to "x float64, y float64",
     "geometry_msgs/Pose" to "position geometry_msgs/Vector3",
     "my_msgs/Arm" to "joints float64[3], names string[], raw uint8[], at time, on bool, poses geometry_msgs/Pose[]",
     "my_msgs/DockGoal" to "station string", "std_srvs/SetBool" to "data bool", "time" to "secs int32, nsecs int32",
@@ -156,8 +157,8 @@ class RosChecksSpec : FunSpec({
         describe()
         open(COMMANDS).use { link ->
             listOf(
-                "say(true)", "say(word)", "say(\"☃ \\u005Cd\")", "on(true)", "level(255)", "id(9007199254740993)", "id(-9e18)", "part(1)", "arm([1,2.5,-3])",
-                "names([a,\"b\",true])", "raw([0,255])", "raw(\"AQID\")", "at(now)", "later(7)",
+                "say(true)", "say(word)", "say(\"☃ \\u005Cd\")", "on(true)", "level(255)", "id(9007199254740993)", "id(-9e18)", "part(1)",
+                "arm([1,2.5,-3])", "names([a,\"b\",true])", "raw([0,255])", "raw(\"AQID\")", "at(now)", "later(7)",
             ).forEach { link.outcomeOf(it) shouldBe "done" }
         }
         eventually(LIMIT) {
@@ -169,7 +170,7 @@ class RosChecksSpec : FunSpec({
         }
     }
 
-    test("fields and constant values of commands, and nested fields of percepts, are refused with line and column when the port is opened") {
+    test("fields and constants of commands, and nested fields of percepts, are refused with line and column when the port is opened") {
         describe()
         fun refusal(mapping: String) = shouldThrow<PortFaultException> { open(mapping) }.message.orEmpty()
         refusal("commands:\n  - go(V) -> /cmd_vel geometry_msgs/Twist(linear.q = V)") shouldContain
@@ -177,11 +178,13 @@ class RosChecksSpec : FunSpec({
         refusal("commands:\n  - go -> /level std_msgs/UInt8(data = -1)") shouldContain
             "robot.ros.yaml:2:33: data of std_msgs/UInt8 is a uint8: -1 is not within 0 to 255"
         refusal("commands:\n  - go -> /level std_msgs/Empty(data = 1)") shouldContain "std_msgs/Empty has no field data"
-        refusal("commands:\n  - go -> service /lamp std_srvs/SetBool(on = 'true')") shouldContain "std_srvs/SetBool has no field on; it has data"
+        refusal("commands:\n  - go -> service /lamp std_srvs/SetBool(on = 'true')") shouldContain
+            "std_srvs/SetBool has no field on; it has data"
         refusal("commands:\n  - go -> action /dock my_msgs/DockAction(home = 'true')") shouldContain "my_msgs/DockGoal has no field home"
         refusal("percepts:\n  - /p geometry_msgs/Pose -> at(position.z)") shouldContain
             "robot.ros.yaml:2:33: geometry_msgs/Vector3 has no field z; it has x, y"
-        refusal("percepts:\n  - /a my_msgs/Arm -> at(poses.position)") shouldContain "poses of my_msgs/Arm is a list; take an item of it, as poses[0].position"
+        refusal("percepts:\n  - /a my_msgs/Arm -> at(poses.position)") shouldContain
+            "poses of my_msgs/Arm is a list; take an item of it, as poses[0].position"
         refusal("percepts:\n  - /a my_msgs/Arm -> at(on[0])") shouldContain "on of my_msgs/Arm is a bool, and no list"
         refusal("percepts:\n  - /a my_msgs/Arm -> at(on.x)") shouldContain "on of my_msgs/Arm is a bool, and has no field x"
         open("percepts:\n  - /a my_msgs/Arm -> at(poses[0].position.x, joints[2], at.secs)").close()
@@ -205,7 +208,8 @@ class RosChecksSpec : FunSpec({
         val path = """{"type": "my_msgs/Path", "fieldnames": ["_points", "_name", "_ids"],
             "fieldtypes": ["geometry_msgs/Point", "string<10>", "uint8, 4"], "fieldarraylen": [0, -1, 0]}"""
         bridge.serve("/rosapi/message_details") {
-            true to Json.parseToJsonElement(if ("Path" in it.text("type").orEmpty()) """{"typedefs": [$path, $point]}""" else """{"typedefs": []}""")
+            val known = if ("Path" in it.text("type").orEmpty()) "$path, $point" else ""
+            true to Json.parseToJsonElement("""{"typedefs": [$known]}""")
         }
         val commands = "commands:\n  - name(N) -> /path my_msgs/msg/Path(name = N)\n  - grip -> /grip gripper_msgs/msg/Grip(force = 1)"
         open("percepts:\n  - /path my_msgs/msg/Path -> path(points[0].x, count(ids))\n$commands").use { link ->
@@ -234,7 +238,9 @@ class RosChecksSpec : FunSpec({
             type = "std_msgs/String"
             publishers = listOf("/node")
             ahead.addAndGet(2 * SilentTopics.LIMIT_NANOS)
-            link.awaitWarning("/late is of type std_msgs/String on the robot, and the mapping says std_msgs/Bool: its messages do not pass the bridge")
+            link.awaitWarning(
+                "/late is of type std_msgs/String on the robot, and the mapping says std_msgs/Bool: its messages do not pass the bridge",
+            )
         }
     }
 
@@ -249,7 +255,9 @@ class RosChecksSpec : FunSpec({
             link.outcomeOf("say(b)") shouldBe "done" // within five seconds nothing is asked
             ahead.addAndGet(2 * SilentTopics.LIMIT_NANOS)
             link.outcomeOf("say(c)") shouldBe "done"
-            link.awaitWarning("/say is of type std_msgs/Bool on the robot, and the mapping says std_msgs/String: its messages do not pass the bridge")
+            link.awaitWarning(
+                "/say is of type std_msgs/Bool on the robot, and the mapping says std_msgs/String: its messages do not pass the bridge",
+            )
         }
         bridge.heard("call_service").filter { it.text("service") == "/rosapi/subscribers" } shouldHaveSize 2
     }
@@ -271,7 +279,8 @@ class RosChecksSpec : FunSpec({
             servers = listOf("/dock")
             bridge.onPublish = { topic, message ->
                 val id = message.part("goal_id")?.text("id")
-                if (topic == "/dock/goal") bridge.publish("/dock/result", """{"status": {"goal_id": {"id": "$id"}, "status": 3, "text": ""}}""")
+                val result = """{"status": {"goal_id": {"id": "$id"}, "status": 3, "text": ""}}"""
+                if (topic == "/dock/goal") bridge.publish("/dock/result", result)
             }
             link.outcomeOf("dock(home)") shouldBe "done"
         }

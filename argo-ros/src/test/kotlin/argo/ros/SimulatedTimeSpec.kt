@@ -22,7 +22,7 @@ private const val STEP_MS = 10L
 /** How old a message is when it comes. */
 private const val DELAY_MS = 30L
 
-/** A robot in a simulator, in virtual time: each step it shows its time on `/clock`, and each fifth a message that was true [DELAY_MS] ago. */
+/** A robot in a simulator, in virtual time: each fifth step it shows its time on `/clock`, and a message that was true [DELAY_MS] ago. */
 private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
     private var nowMs = 1_000L
     private var simMs = 5_000.0
@@ -48,8 +48,9 @@ private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
             if (history.size > DELAY_MS / STEP_MS + 1) history.removeFirst()
             if (isShown && step % 5 == 0) publish("/clock", """{"clock": ${time(simMs)}}""")
             if (step % 5 == 2) publish("/d", """{"header": {"stamp": ${time(history.first())}}, "range": $step}""")
-            val isOver = step % 5 == 2
-            if (isOver) link.listen(1_000)?.let { ages += TimeUnit.NANOSECONDS.toMillis(it.receivedNanos - it.seenNanos.getValue("d($step)")) }
+            if (step % 5 == 2) link.listen(1_000)?.let {
+                ages += TimeUnit.NANOSECONDS.toMillis(it.receivedNanos - it.seenNanos.getValue("d($step)"))
+            }
         }
         return ages
     }
@@ -62,7 +63,8 @@ private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
 
     val topics: Set<String> get() = subscribed
 
-    private fun time(ms: Double): String = (ms * 1_000_000).toLong().let { """{"secs": ${it / 1_000_000_000}, "nsecs": ${it % 1_000_000_000}}""" }
+    private fun time(ms: Double): String =
+        (ms * 1_000_000).toLong().let { """{"secs": ${it / 1_000_000_000}, "nsecs": ${it % 1_000_000_000}}""" }
 
     private fun publish(topic: String, message: String) {
         if (topic in subscribed) listener.text("""{"op": "publish", "topic": "$topic", "msg": $message}""")
@@ -76,10 +78,11 @@ private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
             "call_service" -> {
                 val values = when (operation.text("service")) {
                     "/rosapi/get_time" -> """{"time": ${time(simMs)}}"""
-                    "/rosapi/topic_type" -> if (hasClock && "/clock" in message.text) """{"type": "rosgraph_msgs/Clock"}""" else """{"type": ""}"""
+                    "/rosapi/topic_type" -> """{"type": "${if (hasClock && "/clock" in message.text) "rosgraph_msgs/Clock" else ""}"}"""
                     else -> "{}"
                 }
-                listener.text(operation("service_response", "id" to operation.text("id"), "values" to Json.parseToJsonElement(values), "result" to true))
+                val answer = Json.parseToJsonElement(values)
+                listener.text(operation("service_response", "id" to operation.text("id"), "values" to answer, "result" to true))
             }
         }
         message.left.complete(Unit)

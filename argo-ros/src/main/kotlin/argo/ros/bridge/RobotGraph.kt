@@ -13,7 +13,12 @@ import java.util.concurrent.ConcurrentHashMap
  * Who else is on the robot's graph, as `rosapi` sees it: warns if nothing can come of a topic or of a command. Safe for use by several
  * threads.
  */
-internal class RobotGraph(private val mapping: Mapping, private val api: RosApi, private val clock: LineClock, private val warn: (String) -> Unit) {
+internal class RobotGraph(
+    private val mapping: Mapping,
+    private val api: RosApi,
+    private val clock: LineClock,
+    private val warn: (String) -> Unit,
+) {
     private val askedNanos = ConcurrentHashMap<String, Long>() // by the topics that commands go to
 
     /** Compares the types of the topics that are there, and looks for the actions. */

@@ -22,8 +22,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * The types of the robot's topics, services and actions, as `rosapi` describes them, and the check of a mapping against them. Safe for use by
- * several threads.
+ * The types of the robot's topics, services and actions, as `rosapi` describes them, and the check of a mapping against them. Safe for use
+ * by several threads.
  *
  * @param warn takes why nothing can come of a topic, or of a command
  * @param tell takes that nothing can be checked
@@ -94,13 +94,14 @@ internal class RobotTypes(
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }
 
-    private fun unchecked() = missing.joinToString(", ") { it.type } + " is not checked, since this rosapi does not describe it: a request or goal that " +
-        "does not fit fails, or is dropped, on the robot"
+    private fun unchecked() = missing.joinToString(", ") { it.type } +
+        " is not checked, since this rosapi does not describe it: a request or goal that does not fit fails, or is dropped, on the robot"
 
     private fun explain(question: Question, reason: String) {
         val name = question.type
         when {
-            UNLOADED.none { it in reason } -> if (reason.isNotEmpty()) warn("the bridge does not describe the type $name, which is not checked: $reason")
+            UNLOADED.none { it in reason } ->
+                if (reason.isNotEmpty()) warn("the bridge does not describe the type $name, which is not checked: $reason")
             mapping.percepts.any { questionFor(it) == question } ->
                 warn("the bridge does not know the type $name, so that nothing comes of it: $reason")
             else -> warn("the bridge does not know the type $name, so that no command with it leaves: $reason")
@@ -112,8 +113,9 @@ internal class RobotTypes(
         val type = known[question] ?: return emptyList()
         val percepts = mapping.percepts.filter { questionFor(it) == question }.flatMap { it.fields() }
         val values = mapping.commands.filter { questionFor(it) == question }.flatMap { it.fields }
-        return (percepts.mapNotNull { problem(it.place) { type.typeAt(it.path) } } + values.mapNotNull { problem(it.place) { check(it, type) } })
-            .distinct()
+        val inPercepts = percepts.mapNotNull { problem(it.place) { type.typeAt(it.path) } }
+        val inCommands = values.mapNotNull { problem(it.place) { check(it, type) } }
+        return (inPercepts + inCommands).distinct()
     }
 
     private fun check(field: FieldValue, type: MessageType) {
@@ -130,8 +132,8 @@ internal class RobotTypes(
 
     private companion object {
         const val MESSAGE = "/rosapi/message_details"
-        const val NO_ROSAPI = "rosapi does not run beside the bridge, so that types and fields are not checked: a message that does not fit its " +
-            "type is dropped there without a report, and ages count from the arrival"
+        const val NO_ROSAPI = "rosapi does not run beside the bridge, so types and fields are not checked: a message that does not fit " +
+            "its type is dropped there without a report, and ages count from the arrival"
         val NOTHING = Scope { Value.None("there is none") }
 
         /** What `rosapi` of ROS 2 means by an answer without a description. */

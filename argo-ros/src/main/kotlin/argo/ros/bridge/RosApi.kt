@@ -10,8 +10,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Asks the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so that asking is the only
- * way to find them. Safe for use by several threads.
+ * Asks the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so that asking is the
+ * only way to find them. Safe for use by several threads.
  *
  * @param send sends a message to the bridge
  */
@@ -27,13 +27,17 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     private val calls = ConcurrentHashMap<String, CompletableFuture<Answer>>()
     private val number = AtomicLong()
 
-    /** Calls [service]. The answer comes on the bridge's thread; there is none, with a [NotKnown], if the call fails or takes [LIMIT_NANOS]. */
+    /**
+     * Calls [service]. The answer comes on the bridge's thread; there is none, with a [NotKnown], if the call fails or takes longer than
+     * [LIMIT_NANOS].
+     */
     fun ask(service: String, arguments: Map<String, String> = emptyMap()): CompletableFuture<Answer> {
         val id = "$ID${number.incrementAndGet()}"
         val call = CompletableFuture<Answer>()
         calls[id] = call
         call.whenComplete { _, _ -> calls -= id }
-        send(Outgoing(operation("call_service", "id" to id, "service" to service, "args" to JsonObject(arguments.mapValues { JsonPrimitive(it.value) }))))
+        val written = JsonObject(arguments.mapValues { JsonPrimitive(it.value) })
+        send(Outgoing(operation("call_service", "id" to id, "service" to service, "args" to written)))
         if (!call.isDone) clock.schedule(LIMIT_NANOS) { call.completeExceptionally(NotKnown("")) }
         return call
     }

@@ -17,7 +17,7 @@ internal class SilentTopics {
         dueNanos[topic] = nowNanos + LIMIT_NANOS
     }
 
-    /** The topics that have said nothing for [LIMIT_NANOS] at [nowNanos], each again after that time: it may have come with another type. */
+    /** The topics that have said nothing for [LIMIT_NANOS] at [nowNanos], each again after that time: it may come with another type. */
     fun next(nowNanos: Long): List<String> = dueNanos.filterValues { nowNanos - it > 0 }.keys.toList()
         .onEach { dueNanos[it] = nowNanos + LIMIT_NANOS }
 

@@ -38,8 +38,8 @@ internal class SimulatedClock {
     }
 
     /**
-     * When it showed [stampNanos] last, by the platform's clock and as seen at [nowNanos]: a time that it has not shown yet may be later. As
-     * long as it stands, it shows its time now. Null: it has shown no time.
+     * When it showed [stampNanos] last, by the platform's clock and as seen at [nowNanos]: a time that it has not shown yet may be later.
+     * As long as it stands, it shows its time now. Null: it has shown no time.
      */
     @Synchronized
     fun whenShown(stampNanos: Long, nowNanos: Long): Long? {

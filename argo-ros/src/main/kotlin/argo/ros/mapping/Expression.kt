@@ -36,7 +36,8 @@ internal sealed interface Expression {
             )
         }
 
-        private fun noNumber(value: Value) = value as? Value.None ?: Value.None("$operator calculates with numbers, not with ${value.inWords()}")
+        private fun noNumber(value: Value) =
+            value as? Value.None ?: Value.None("$operator calculates with numbers, not with ${value.inWords()}")
     }
 
     /** A function of [Function]. */
@@ -74,6 +75,10 @@ internal fun Expression.fields(): List<Expression.Field> = when (this) {
     is Expression.Compound -> arguments.flatMap { it.fields() }
 }
 
+/** [path] as a mapping has it: `poses[0].x`. */
+internal fun written(path: List<String>): String =
+    path.reduceOrNull { before, step -> if (step[0].isDigit()) "$before[$step]" else "$before.$step" }.orEmpty()
+
 /** Where the values of an expression come from. */
 internal fun interface Scope {
     /** The value at [path]; [Value.None] if there is none. */
@@ -97,13 +102,13 @@ internal class MessageScope(private val message: JsonElement, private val bytes:
             at = if (bytes.isEmpty() || path.subList(0, index + 1) !in bytes) inner else bytesOf(inner) ?: return TOO_MANY_BYTES
         }
         return when (val value = Value.of(at)) {
-            is Value.None -> Value.None("${path.joinToString(".")}: ${value.why}")
+            is Value.None -> Value.None("${written(path)}: ${value.why}")
             else -> value
         }
     }
 
     private fun missing(at: JsonElement, path: List<String>, name: String): String {
-        val place = if (path.isEmpty()) "the message" else path.joinToString(".")
+        val place = if (path.isEmpty()) "the message" else written(path)
         return when (at) {
             is JsonObject -> "$place has no field $name; it has ${at.keys.joinToString(", ")}"
             is JsonArray -> "the list $place has no item $name"

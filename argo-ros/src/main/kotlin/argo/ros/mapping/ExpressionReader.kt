@@ -69,7 +69,8 @@ internal class ExpressionReader(private val cursor: Cursor, private val nameOf: 
     private fun numberOf(text: String, place: Place): Value.Number {
         val number = text.toDouble()
         val isExact = number.isFinite() && (text.any { it in ".eE" } || BigDecimal(text).compareTo(BigDecimal(number)) == 0)
-        return if (isExact) Value.Number(number) else throw Refusal(place, "$text is a number that cannot be kept exactly, as all up to 2^53 can")
+        if (!isExact) throw Refusal(place, "$text is a number that cannot be kept exactly, as all up to 2^53 can")
+        return Value.Number(number)
     }
 
     private fun called(name: String): Expression {

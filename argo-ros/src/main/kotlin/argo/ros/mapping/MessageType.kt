@@ -35,7 +35,11 @@ internal data class FieldType(val name: String, val length: Int) {
  *
  * @property name the type, as its mapping has it
  */
-internal class MessageType private constructor(val name: String, private val own: String, private val types: Map<String, Map<String, FieldType>>) {
+internal class MessageType private constructor(
+    val name: String,
+    private val own: String,
+    private val types: Map<String, Map<String, FieldType>>,
+) {
     /**
      * The type of the field at [path]; null: it is in a type that is not described.
      *
@@ -44,7 +48,7 @@ internal class MessageType private constructor(val name: String, private val own
     fun typeAt(path: List<String>): FieldType? {
         var type = FieldType(own, FieldType.SINGLE)
         for ((index, step) in path.withIndex()) {
-            val place = path.take(index).joinToString(".")
+            val place = written(path.take(index))
             type = (if (step[0].isDigit()) itemOf(type, place) else fieldOf(type, step, place)) ?: return null
         }
         return type
@@ -84,7 +88,7 @@ internal class MessageType private constructor(val name: String, private val own
         return try {
             fitted(value, type)
         } catch (unfit: Unfit) {
-            throw Unfit("${path.joinToString(".")} of $name is a $type: ${unfit.message}")
+            throw Unfit("${written(path)} of $name is a $type: ${unfit.message}")
         }
     }
 
@@ -104,7 +108,8 @@ internal class MessageType private constructor(val name: String, private val own
     private fun list(value: JsonElement, type: FieldType): JsonElement {
         if (type.isBytes && value is JsonPrimitive && bytesOf(value) != null) return value
         if (value !is JsonArray) throw Unfit("$value is no list" + if (type.isBytes) ", nor bytes in base64" else "")
-        if (type.length != FieldType.ANY && value.size != type.length) throw Unfit("a list of ${value.size} items is none of ${type.length}")
+        val isFull = type.length == FieldType.ANY || value.size == type.length
+        if (!isFull) throw Unfit("a list of ${value.size} items is none of ${type.length}")
         return JsonArray(value.map { fitted(it, FieldType(type.name, FieldType.SINGLE)) })
     }
 
@@ -123,8 +128,8 @@ internal class MessageType private constructor(val name: String, private val own
 
     private fun requireInteger(value: JsonPrimitive, range: ClosedRange<BigInteger>) {
         val number = numberIn(value) ?: throw Unfit("$value is no number")
-        val whole = number.takeIf { it.stripTrailingZeros().scale() <= 0 } ?: throw Unfit("$value is no whole number; the mapping may round it")
-        if (whole.toBigInteger() !in range) throw Unfit("$value is not within ${range.start} to ${range.endInclusive}")
+        if (number.stripTrailingZeros().scale() > 0) throw Unfit("$value is no whole number; the mapping may round it")
+        if (number.toBigInteger() !in range) throw Unfit("$value is not within ${range.start} to ${range.endInclusive}")
     }
 
     private fun numberIn(value: JsonPrimitive) = value.takeIf { !it.isString }?.content?.toBigDecimalOrNull()
@@ -153,7 +158,7 @@ internal class MessageType private constructor(val name: String, private val own
             val types = definition.words("fieldtypes")
             val lengths = definition.words("fieldarraylen")
             return definition.words("fieldnames").withIndex().associate { (index, field) ->
-                val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // which bound a list or a string of ROS 2
+                val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // without a bound, as ROS 2 has
                 val length = lengths.getOrNull(index)?.toIntOrNull() ?: FieldType.SINGLE
                 field.removePrefix("_") to FieldType(rosType(type), length) // which rosapi of ROS 2 puts in front
             }

@@ -31,7 +31,8 @@ internal sealed interface Value {
         val FALSE = Symbol("false")
 
         /** The number, unless it is none or infinite: then a robot has not measured. */
-        fun of(number: Double): Value = if (number.isFinite()) Number(number) else None("a number is infinite, or the result of no calculation")
+        fun of(number: Double): Value =
+            if (number.isFinite()) Number(number) else None("a number is infinite, or the result of no calculation")
 
         /** The value of a field. A `null` is how a bridge writes what is infinite or no number. */
         fun of(json: JsonElement): Value = when (json) {

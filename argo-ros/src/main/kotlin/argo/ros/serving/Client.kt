@@ -4,7 +4,6 @@ import argo.ros.bridge.operation
 import argo.ros.bridge.operationIn
 import argo.ros.bridge.part
 import argo.ros.bridge.text
-import argo.ros.mapping.rosType
 import javino.SendOptions
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
@@ -77,7 +76,7 @@ internal class Client(
             complain("$topic comes as JSON, the compression $compression is not known here", null)
         }
         val (type, known) = operation.text("type") to graph.topics.types[topic]
-        if (type != null && known != null && rosType(type) != rosType(known)) complain("$topic is of type $known, and not $type", null)
+        if (type != null && known != null && type.replace("/msg/", "/") != known) complain("$topic is of type $known, and not $type", null)
         val action = topic.removeSuffix("/${GoalTopics.STATUS}")
         val target = if (action == topic) null else graph.targetOrNull(action)
         if (target?.mayExist == true) graph.goals.announce(action)

@@ -216,9 +216,10 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
         }
 
         private fun refuse(): Nothing {
-            if (!isFullTold.getAndSet(true)) log("the client at ${channel.remoteAddress} is refused: there are $MAX_CONNECTIONS connections already")
+            val reason = "there are $MAX_CONNECTIONS connections already"
+            if (!isFullTold.getAndSet(true)) log("the client at ${channel.remoteAddress} is refused: $reason")
             channel.write(ByteBuffer.wrap(FULL.toByteArray()))
-            throw IOException("there are $MAX_CONNECTIONS connections")
+            throw IOException(reason)
         }
 
         fun messageEnded() {

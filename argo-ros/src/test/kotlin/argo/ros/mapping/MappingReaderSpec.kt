@@ -89,13 +89,14 @@ class MappingReaderSpec : FunSpec({
             val pose = "/odom nav_msgs/Odometry -> at(pose.pose.positon.x)"
             val many = (0..1_000).joinToString(",", "[", "]")
             listOf(
-                Triple(pose, """{"pose": {"pose": {"position": {}}}}""", "argument 1 of at: pose.pose has no field positon; it has position"),
+                Triple(pose, """{"pose": {"pose": {"position": {}}}}""", "1 of at: pose.pose has no field positon; it has position"),
                 Triple("/s sensor_msgs/Range -> d(range)", """{"range": null}""", "range: it is null, as bridges write what is infinite"),
                 Triple("/s sensor_msgs/Range -> d(1/range)", """{"range": 0}""", "a number is infinite, or the result of no calculation"),
-                Triple("/s sensor_msgs/Range -> d(range*2)", """{"range": "far"}""", "* calculates with numbers, not with the text \"far\""),
-                Triple("/s sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $many}""", "it has 1001 items, and a list has 1000 at most"),
-                Triple("/s a_msgs/Found -> found(all)", """{"all": [{"x": 1}]}""", "a list of messages; name a field of an item, as LIST[0].FIELD"),
+                Triple("/s sensor_msgs/Range -> d(range*2)", """{"range": "far"}""", "* calculates with numbers, not with the text"),
+                Triple("/s sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $many}""", "has 1001 items, and a list has 1000 at most"),
+                Triple("/s a_msgs/Found -> found(all)", """{"all": [{"x": 1}]}""", "a list of messages; name a field of an item"),
                 Triple("/s a_msgs/Found -> found(all[1].x)", """{"all": [{"x": 1}]}""", "the list all has no item 1"),
+                Triple("/s a_msgs/Found -> found(all[0].x)", """{"all": [{"x": null}]}""", "argument 1 of found: all[0].x: it is null"),
                 Triple("/s a_msgs/Found -> found(all)", """{"all": {"x": 1}}""", "it is a message with x; name one of its fields"),
                 Triple("/s sensor_msgs/LaserScan", """{"ranges": [null]}""", "min takes a list with numbers, not a list"),
                 Triple("/s std_msgs/Int64 -> id(data)", """{"data": 9007199254740993}""", "9007199254740993 is an integer that Jason's"),

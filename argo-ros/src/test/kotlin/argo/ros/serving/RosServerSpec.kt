@@ -234,7 +234,8 @@ class RosServerSpec : FunSpec({
             val clients = List(RosServer.MAX_CONNECTIONS + 10) { runCatching { RawClient(server.server.port) }.getOrNull() }
             clients.count { it != null } shouldBeLessThanOrEqual RosServer.MAX_CONNECTIONS
             server.log.first() shouldContain "is refused: there are ${RosServer.MAX_CONNECTIONS} connections already"
-            Socket("127.0.0.1", server.server.port).use { it.getInputStream().bufferedReader().readLine() } shouldBe "HTTP/1.1 503 Service Unavailable"
+            val answer = Socket("127.0.0.1", server.server.port).use { it.getInputStream().bufferedReader().readLine() }
+            answer shouldBe "HTTP/1.1 503 Service Unavailable"
             clients.forEach { it?.close() } // in the middle of it
             eventually(LIMIT) { server.server.connections shouldBe 0 }
             with { isServed() }
