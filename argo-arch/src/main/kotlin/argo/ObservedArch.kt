@@ -3,6 +3,7 @@ package argo
 import argo.acting.CommandOptions
 import argo.acting.commandTerm
 import argo.acting.commandText
+import argo.acting.requireCommand
 import argo.calls.ArgumentException
 import argo.calls.wrongArgument
 import argo.filters.PerceptionFilter
@@ -63,7 +64,7 @@ internal class ObservedArch(
 
     override fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit) {
         val term = try {
-            commandTerm(command)
+            commandTerm(command).also(::requireCommand)
         } catch (wrong: ArgumentException) {
             return done(wrongArgument(wrong.message.orEmpty()))
         }
@@ -71,7 +72,7 @@ internal class ObservedArch(
             try {
                 when (val route = Routing(arch.io).routeOf(term, null, null)) {
                     is Routing.Route.To -> {
-                        val sent = arch.io.send(route.port, commandText(term), options.toCommandOptions())
+                        val sent = arch.io.send(route.port, commandText(term, route.port.link.isLine), options.toCommandOptions())
                         arch.io.hold(sent, route.port, null, done)
                     }
                     is Routing.Route.Nowhere -> done(route.failure)

@@ -2,6 +2,7 @@ package argo
 
 import argo.acting.CommandOptions
 import argo.acting.commandText
+import argo.acting.requireCommand
 
 /**
  * The internal action `argo.act(W)`: sends the text of W, any literal, to a board: `ledOn`, `speed(120)`. A string is sent without its
@@ -38,13 +39,13 @@ open class act : BoardAction("argo.act", 1..2) {
 
     override fun run(call: Call) {
         val io = call.arch.io
-        val text = commandText(call.args[0])
+        val command = call.args[0].also(::requireCommand)
         val options = call.args.getOrNull(1)?.let(CommandOptions::of) ?: CommandOptions()
-        val port = when (val route = Routing(io).routeOf(call.args[0], options.port, moduleOf(call.ts))) {
+        val port = when (val route = Routing(io).routeOf(command, options.port, moduleOf(call.ts))) {
             is Routing.Route.To -> route.port
             is Routing.Route.Nowhere -> throw route.failure.of(call.text)
         }
-        val sent = io.send(port, text, options)
+        val sent = io.send(port, commandText(command, port.link.isLine), options)
         io.hold(sent, port, perceptBehind(call.ts), call.suspendIntention())
     }
 }

@@ -3,6 +3,7 @@ package argo.acting
 import argo.calls.ArgumentException
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
+import argo.filters.jason.perceptText
 import jason.asSyntax.BinaryStructure
 import jason.asSyntax.Literal
 import jason.asSyntax.LiteralImpl
@@ -28,20 +29,31 @@ internal fun commandTerm(command: String): Term {
     }
 }
 
-/**
- * The text that [command] is sent as: a string without its quotes, or a literal as Jason writes it, without its namespace.
- *
- * @throws ArgumentException if it is neither, holds a variable without a value, or cannot be sent
- */
-internal fun commandText(command: Term): String {
-    val text = when {
-        command is StringTerm -> command.string
+/** Refuses [command] unless it is a string, or a literal without variables. */
+internal fun requireCommand(command: Term) {
+    when {
+        command is StringTerm -> if (command.string.isEmpty()) throw ArgumentException("a command has at least one character")
         !command.isGround || command is Literal && command.ns.isVar ->
             throw ArgumentException("$command holds a variable that has no value")
-        command is Literal && !command.isList && !command.isPlanBody && command !is BinaryStructure -> literalText(command)
-        else -> throw ArgumentException("a command is a literal such as ledOn or speed(120), not $command")
+        command !is Literal || command.isList || command.isPlanBody || command is BinaryStructure ->
+            throw ArgumentException("a command is a literal such as ledOn or speed(120), not $command")
     }
-    if (text.isEmpty()) throw ArgumentException("a command has at least one character")
+}
+
+/**
+ * The text that [command], which [is one][requireCommand], is sent as: a string without its quotes, or a literal without its namespace. A
+ * line takes it as Jason writes it; other links read it back, so that strings have their escapes.
+ *
+ * @param isLine whether it goes out as bytes on a line, see [argo.links.BoardLink.isLine]
+ * @throws ArgumentException if a line cannot carry it
+ */
+internal fun commandText(command: Term, isLine: Boolean): String = when {
+    isLine -> lineText(if (command is Literal) literalText(command) else (command as StringTerm).string)
+    command is Literal -> perceptText(withoutNamespace(command))
+    else -> (command as StringTerm).string
+}
+
+private fun lineText(text: String): String {
     if (PerceptsRequest.isIn(text)) {
         throw ArgumentException("a board takes $text for the request for percepts, which argo.percepts(open) sends, and not for a command")
     }
@@ -55,9 +67,11 @@ internal fun commandText(command: Term): String {
 /** [literal] as Jason writes it, without its namespace; Jason's own way through streams takes a tenth of the time to a command. */
 private fun literalText(literal: Literal): String = when {
     isPlain(literal) -> StringBuilder().also { literal.writeTo(it) }.toString()
-    literal.ns == Literal.DefaultNS -> literal.toString()
-    else -> literal.cloneNS(Literal.DefaultNS).toString()
+    else -> withoutNamespace(literal).toString()
 }
+
+private fun withoutNamespace(literal: Literal): Literal =
+    if (literal.ns == Literal.DefaultNS) literal else literal.cloneNS(Literal.DefaultNS) as Literal
 
 /** Whether [term] is a functor with arguments and nothing besides, so that [writeTo] writes it. */
 private fun isPlain(term: Term) = term.javaClass in PLAIN && !(term as Literal).hasAnnot()

@@ -30,6 +30,9 @@ interface BoardLink : AutoCloseable {
     /** Whether the board sends messages by itself at the interval that it knows of [wants], so that it is listened to and never asked. */
     val speaksUnasked: Boolean get() = false
 
+    /** Whether a command is bytes on a line, one a character, for a program on the board to read; false: this end reads its text back. */
+    val isLine: Boolean get() = false
+
     /** Whether the board can be asked for some percepts, as `getPercepts(dist)`. */
     val canSelect: Boolean get() = false
 

@@ -13,6 +13,7 @@ class JavinoLink(private val link: Link) : BoardLink {
     override val port: String get() = link.port()
     override val isOpen get() = link.isOpen
     override val isPaced get() = link.settings().paced()
+    override val isLine get() = true
     override val canSelect get() = link.protocol() == Protocol.V2
     override val mayVanish get() = link.mayVanish()
     override val actions: List<BoardAction>? get() = link.vocabulary().orElse(null)

@@ -1,6 +1,7 @@
 package argo.acting
 
 import argo.calls.ArgumentException
+import argo.filters.jason.PerceptReader
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -41,32 +42,43 @@ private val structures: Arb<Literal> = Arb.bind(
     ASSyntax.createLiteral(positive, "speed", *terms.toTypedArray(), ASSyntax.createStructure("of", *inner.toTypedArray()))
 }
 
+private fun lineText(command: Term): String = commandText(command.also(::requireCommand), isLine = true)
+
 class CommandTextSpec : FunSpec({
     test("a literal is sent as Jason writes it") {
-        checkAll(structures) { commandText(it) shouldBe it.toString() }
+        checkAll(structures) { lineText(it) shouldBe it.toString() }
     }
 
     test("an atom, a negated literal and one with annotations are sent as Jason writes them") {
         for (text in listOf("stop", "~stop", "stop[soon]", "speed(1)[a,b(2)]", "speed(\"a\",-1.5,[b])")) {
-            commandText(ASSyntax.parseLiteral(text)) shouldBe ASSyntax.parseLiteral(text).toString()
+            lineText(ASSyntax.parseLiteral(text)) shouldBe ASSyntax.parseLiteral(text).toString()
         }
     }
 
     test("a literal is sent without its namespace, and its arguments with theirs") {
         checkAll(structures) { literal ->
-            commandText(literal.cloneNS(Atom("left")) as Literal) shouldBe (literal.cloneNS(Literal.DefaultNS) as Literal).toString()
+            lineText(literal.cloneNS(Atom("left")) as Literal) shouldBe (literal.cloneNS(Literal.DefaultNS) as Literal).toString()
         }
-        commandText(ASSyntax.parseLiteral("left::stop[soon]")) shouldBe "stop[soon]"
+        lineText(ASSyntax.parseLiteral("left::stop[soon]")) shouldBe "stop[soon]"
     }
 
     test("a string is sent without its quotes") {
-        commandText(ASSyntax.createString("left::raw text")) shouldBe "left::raw text"
+        lineText(ASSyntax.createString("left::raw text")) shouldBe "left::raw text"
     }
 
     test("what is no command is refused with what was found") {
         for (term in listOf("3", "[a]", "X", "speed(X)", "\"\"", "getPercepts", "getPercepts(dist)")) {
-            shouldThrow<ArgumentException> { commandText(ASSyntax.parseTerm(term)) }
+            shouldThrow<ArgumentException> { lineText(ASSyntax.parseTerm(term)) }
         }
-        shouldThrow<ArgumentException> { commandText(ASSyntax.parseTerm("speed(X)")) }.message shouldContain "speed(X)"
+        shouldThrow<ArgumentException> { lineText(ASSyntax.createString("a€")) }.message shouldContain "one byte per character"
+        shouldThrow<ArgumentException> { lineText(ASSyntax.parseTerm("speed(X)")) }.message shouldContain "speed(X)"
+    }
+
+    test("a link that reads commands back gets their strings with escapes, and characters that no line carries") {
+        for (text in listOf("☃", "C:\\maps", "say \"hi\"", "two\nlines", "x".repeat(1_000))) {
+            val command = ASSyntax.createLiteral("say", ASSyntax.createString(text))
+            PerceptReader.read(commandText(command.cloneNS(Atom("left")), isLine = false)) shouldBe command
+        }
+        commandText(ASSyntax.createString("say(☃)"), isLine = false) shouldBe "say(☃)"
     }
 })

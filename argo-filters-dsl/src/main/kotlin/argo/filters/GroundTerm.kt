@@ -33,35 +33,13 @@ sealed interface GroundTerm {
     }
 
     /**
-     * A string.
+     * A string. Where Jason's syntax has no way to write it, as for `C:\maps`, its backslashes and carriage returns are written
+     * `\u005C` and `\u000D`, which [of] and the reader of percepts understand, and Jason's parser does not.
      *
-     * @property text what stands between the quotes once Jason has read it: `\n` and `\"` are resolved, other escapes kept as written
+     * @property text what stands between the quotes once it is read: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
      */
     data class Text(val text: String) : GroundTerm {
-        init {
-            require(isWritable(text)) {
-                "Jason cannot write the string ${write(text)}: " +
-                    "a backslash in it stands before one of n t b r f \\ ' \" 0-7, and \\n is a line break"
-            }
-        }
-
-        override fun toString(): String = write(text)
-
-        internal companion object {
-            /** As Jason resolves escapes when it reads a string: these two, one after the other, and no others. */
-            fun unescape(written: String): String = written.replace("\\n", "\n").replace("\\\"", "\"")
-
-            /** The string that holds [text], or null where Jason's syntax has none. */
-            fun ofOrNull(text: String): Text? = if (isWritable(text)) Text(text) else null
-
-            private fun write(text: String) = "\"" + text.replace("\n", "\\n").replace("\"", "\\\"") + "\""
-
-            private fun isWritable(text: String): Boolean {
-                val written = write(text)
-                return Syntax.stringEnd(written, 0, written.length) == written.length &&
-                    unescape(written.substring(1, written.length - 1)) == text
-            }
-        }
+        override fun toString(): String = StringText.write(text)
     }
 
     /** A list. */

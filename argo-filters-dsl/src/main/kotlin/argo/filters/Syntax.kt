@@ -88,7 +88,7 @@ internal object Syntax {
 
     private fun digitsEnd(text: CharSequence, start: Int, end: Int) = first(text, start, end) { it !in '0'..'9' }
 
-    /** The end of the string in double quotes that starts at [start], or -1 if it is not closed or not as Jason writes strings. */
+    /** The end of the string in double quotes that starts at [start], or -1 if it is not closed or not as [GroundTerm.Text] is written. */
     fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
         var i = start + 1
         while (i < end) {
@@ -96,8 +96,8 @@ internal object Syntax {
                 '"' -> return i + 1
                 '\n', '\r' -> return -1
                 '\\' -> {
-                    if (i + 1 >= end || text[i + 1] !in ESCAPED) return -1
-                    i += 2
+                    if (i + 1 >= end || text[i + 1] !in ESCAPED && !StringText.isUnicode(text, i, end)) return -1
+                    i += 2 // the digits behind \u are letters like others
                 }
                 else -> i++
             }

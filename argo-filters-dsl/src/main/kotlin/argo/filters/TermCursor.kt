@@ -33,7 +33,7 @@ internal abstract class TermCursor(protected val text: CharSequence, protected v
         val stringEnd = Syntax.stringEnd(text, start, end)
         if (stringEnd < 0) return null
         at = stringEnd
-        return GroundTerm.Text.unescape(text.substring(start + 1, stringEnd - 1))
+        return StringText.read(text.substring(start + 1, stringEnd - 1))
     }
 
     companion object {

@@ -45,7 +45,7 @@ val texts: Arb<GroundTerm.Text> = Arb.choice(
     Arb.element(
         "", "front", "a,b", "]", ")", "(", "say \"hi\"", "line\nbreak", "\\t", "// no comment", "é 漢 \uD83D\uDE00", "'", ";", "<&>]]>",
     ),
-    Arb.string(0..6).filter { GroundTerm.Text.ofOrNull(it) != null && it.none(Char::isISOControl) },
+    Arb.string(0..6).filter { "\\u" !in "${GroundTerm.Text(it)}" && it.none(Char::isISOControl) }, // Jason's parser reads it
 ).map(GroundTerm::Text)
 
 fun values(depth: Int = 2): Arb<GroundTerm> {

@@ -6,6 +6,10 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 
 class GroundTermSpec : StringSpec({
@@ -41,8 +45,22 @@ class GroundTermSpec : StringSpec({
         }
     }
 
-    "a string that Jason cannot write is refused" {
-        for (text in listOf("\\", "a\\", "\\x", "\r", "\\n")) shouldThrow<IllegalArgumentException> { GroundTerm.Text(text) }
+    "a string that Jason's syntax cannot hold is written with escapes of its own, and read back" {
+        val texts = listOf(
+            "\\", "a\\", "\\x", "\r", "\\n", "C:\\robot\\map.yaml", "\\d+",
+            "{\"a\": \"x\\ny\"}", "\\\"", "\\u005C", "\\\\u005C\n\\",
+        )
+        for (text in texts) GroundTerm.of("${GroundTerm.Text(text)}") shouldBe GroundTerm.Text(text)
+        "${GroundTerm.Text("C:\\maps")}" shouldBe "\"C:\\u005Cmaps\""
+        checkAll(5_000, Arb.list(Arb.element("\\", "u", "n", "0", "5", "C", "\"", "\n", "\r"), 0..8).map { it.joinToString("") }) { text ->
+            GroundTerm.of("${GroundTerm.Text(text)}") shouldBe GroundTerm.Text(text)
+        }
+    }
+
+    "what Jason's parser takes behind a backslash keeps its meaning" {
+        GroundTerm.of("\"\\\\u005C\"") shouldBe GroundTerm.Text("\\\\u005C")
+        GroundTerm.of("\"\\t\"") shouldBe GroundTerm.Text("\\t")
+        shouldThrow<IllegalArgumentException> { GroundTerm.of("\"\\u00G0\"") }
     }
 
     "a structure that Jason cannot write is refused" {

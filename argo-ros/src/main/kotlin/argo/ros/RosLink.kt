@@ -7,12 +7,15 @@ import argo.links.Wish
 import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket
-import argo.ros.bridge.ClockOffset
 import argo.ros.bridge.Commands
 import argo.ros.bridge.NeverSent
 import argo.ros.bridge.Outgoing
+import argo.ros.bridge.RobotGraph
+import argo.ros.bridge.RobotTime
+import argo.ros.bridge.RobotTypes
 import argo.ros.bridge.RosApi
 import argo.ros.bridge.SilentTopics
+import argo.ros.bridge.SimulatedClock
 import argo.ros.bridge.Subscription
 import argo.ros.bridge.TopicMessages
 import argo.ros.bridge.operation
@@ -54,15 +57,20 @@ internal class RosLink private constructor(
     private val changed = lock.newCondition()
     private val warned = HashSet<String>() // guarded by lock, as all below
 
-    private val topics = TopicMessages(mapping.percepts) { warn("${mapping.source}: $it") }
+    private val api = RosApi(clock, ::send)
+    private val types = RobotTypes(mapping, api, ::warn, ::tell)
+    private val graph = RobotGraph(mapping, api, clock, ::warn)
+    private val time = RobotTime(clock, api, ::clockIsThere, ::warn, ::tell)
+    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send)
+
+    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") }
+    private val perceived = mapping.percepts.map { it.topic }.toSet()
+    private var wish: Wish? = null
+    private var clockType: String? = null // of the topic of a simulator's time; null: there is none
     private var subscribed: Map<String, Subscription> = emptyMap()
     private val silent = SilentTopics()
     private var aliveNanos = clock.nanos()
     private var end: String? = null
-
-    private val clockOffset = ClockOffset()
-    private val commands = Commands(port, mapping.commands, clock, ::send)
-    private val api = RosApi(clock, clockOffset, ::send, ::warn) { LOG.info("port $port: $it") }
 
     @Volatile
     private var bridge: Bridge? = null
@@ -85,6 +93,8 @@ internal class RosLink private constructor(
             changed.signalAll()
         }
 
+        override fun dropped(what: String) = warn("the bridge sends $what; it is not read")
+
         override fun gone(reason: String) = this@RosLink.gone(reason)
     }
 
@@ -93,26 +103,46 @@ internal class RosLink private constructor(
         when (operation.text("op")) {
             "publish" -> published(operation, nowNanos)
             "status" -> if (operation.text("level") in TROUBLE) warn("the bridge reports: ${operation.text("msg")}")
+            "service_response", "action_result" -> warn("an answer came when the time of its command was over, and is not used")
+            else -> warn("the bridge sends the operation ${operation.text("op")}, which is not read")
         }
     }
 
     private fun published(operation: JsonObject, nowNanos: Long) {
-        val topic = operation.text("topic") ?: return
-        val message = operation.part("msg") ?: return
-        val trueNanos = clockOffset.trueAt(message.part("header")?.part("stamp")?.rosNanos(), nowNanos)
+        val topic = operation.text("topic")
+        val message = operation.part("msg")
+        if (topic == null || message == null) return warn("the bridge sends a message without a topic, or without fields; it is not read")
+        if (topic == RobotTime.CLOCK) message.part("clock")?.rosNanos()?.let { time.show(it, nowNanos) }
+        val trueNanos = time.trueAt(topic, message.part("header")?.part("stamp")?.rosNanos(), nowNanos)
         lock.withLock {
-            if (topic !in subscribed) return
-            topics.add(topic, message, trueNanos, nowNanos)
+            if (topic !in subscribed) return // one that was on its way when the topic was unsubscribed
             silent.heard(topic, nowNanos)
+            if (topic !in perceived) return
+            topics.add(topic, message, trueNanos, nowNanos)
             changed.signalAll()
         }
     }
 
-    override fun wants(wish: Wish) {
+    private fun clockIsThere(type: String) {
+        lock.withLock {
+            clockType = type
+            wish
+        }?.let(::wants)
+    }
+
+    /** What is subscribed to for [wish]: its topics, and a simulator's time. */
+    private fun wantedFor(wish: Wish): Map<String, Subscription> {
         val wanted = wish.subscriptions(mapping.percepts).associateBy { it.topic }
+        val type = clockType?.takeIf { wish.isSensed && RobotTime.CLOCK !in wanted } ?: return wanted
+        return wanted + (RobotTime.CLOCK to Subscription(RobotTime.CLOCK, type, SimulatedClock.INTERVAL_MS))
+    }
+
+    override fun wants(wish: Wish) {
         val bridge = bridge ?: return
         lock.withLock {
             if (end != null) return
+            this.wish = wish
+            val wanted = wantedFor(wish)
             val left = subscribed.keys - wanted.keys
             val news = left.map { operation("unsubscribe", "id" to it, "topic" to it) } +
                 wanted.values.filter { subscribed[it.topic] != it }.map(::subscriptionTo)
@@ -131,8 +161,8 @@ internal class RosLink private constructor(
 
     /** Waits for a message of a topic. While there is none, the bridge is asked halfway whether it is there. */
     override fun listen(timeoutMs: Int): BoardMessage? {
-        api.renew()
-        lock.withLock { silent.next(clock.nanos()).mapNotNull(subscribed::get) }.forEach { api.explainSilence(it.topic, it.type) }
+        time.renew()
+        lock.withLock { silent.next(clock.nanos()).mapNotNull(subscribed::get) }.forEach { graph.explainSilence(it.topic, it.type) }
         return lock.withLock { next(timeoutMs) }
     }
 
@@ -187,17 +217,21 @@ internal class RosLink private constructor(
         }
     }
 
-    private fun send(text: String) = send(Outgoing(text))
-
     private fun send(message: Outgoing) {
         val bridge = bridge
         val isOver = bridge == null || !isOpen // the socket may still take it and lose it
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
-    private fun warn(message: String) {
-        if (lock.withLock { warned.size < MAX_WARNED && warned.add(message) }) LOG.warning("port $port: $message")
+    /** Logs [said], which may hold what a robot sends, once. */
+    private fun warn(said: String) {
+        val message = said.replace(CONTROL, "?")
+        val count = lock.withLock { if (warned.size <= MAX_WARNED && warned.add(message)) warned.size else 0 }
+        if (count in 1..MAX_WARNED) LOG.warning("port $port: $message")
+        else if (count > MAX_WARNED) LOG.warning("port $port: there is more to report than $MAX_WARNED lines, and no more is")
     }
+
+    private fun tell(message: String) = LOG.info("port $port: $message")
 
     private fun gone(reason: String) {
         lock.withLock {
@@ -215,10 +249,11 @@ internal class RosLink private constructor(
 
     companion object {
         private val LOG: Logger = Logger.getLogger(RosLink::class.java.name)
+        private val CONTROL = Regex("\\p{Cntrl}")
         private val TROUBLE = setOf("error", "warning")
         private const val QUOTED = 60
         private const val MAX_WARNED = 100
-        private const val CHECKING_MS = 1_000L
+        private const val CHECKING_MS = 3_000L
 
         /**
          * Connects to the bridge at [address], and has the fields of [mapping] checked against what the bridge knows of their types, if it
@@ -254,9 +289,11 @@ internal class RosLink private constructor(
     }
 
     private fun begin() {
-        commands.announcements().forEach(::send)
+        commands.announcements().forEach { send(Outgoing(it)) }
+        time.ask()
+        graph.check()
         try {
-            api.check(mapping, CHECKING_MS)
+            types.check(CHECKING_MS)
         } catch (_: InterruptedException) {
             throw PortInterruptedException.remarking(port)
         }

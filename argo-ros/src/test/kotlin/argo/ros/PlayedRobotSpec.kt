@@ -1,10 +1,14 @@
 package argo.ros
 
+import argo.filters.GroundTerm
+import argo.ros.bridge.operationIn
 import argo.testkit.agentOf
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
 import kotlin.time.Duration.Companion.seconds
 
 private const val PORT = "ros://robot:9090"
@@ -28,6 +32,20 @@ class PlayedRobotSpec : FunSpec({
                 """/cmd_vel {"linear":{"x":0.3},"angular":{"z":0}}""", """/cmd_vel {"linear":{"x":0},"angular":{"z":0}}""",
                 """/dock {"station":"home"}""",
             )
+        }
+    }
+
+    test("text passes in both directions as it is, whatever its characters") {
+        val program = """!start. +!start <- argo.port("$PORT#said"); argo.limit(50); argo.percepts(open). +said(T) <- argo.act(say(T))."""
+        agentOf(program) { board("$PORT#said").playsItsMapping() }.use { robot ->
+            robot.shouldBelieve("port(\"$PORT#said\",on)")
+            val texts = listOf("☃ ü", "C:\\robot\\map.yaml", "{\"a\": \"x\\ny\"}", "two\nlines", "\\d+")
+            for (text in texts) {
+                val message = "${JsonObject(mapOf("data" to JsonPrimitive(text)))}"
+                robot.board.publishes("/said", message)
+                robot.shouldSend("say(${GroundTerm.Text(text)})")
+                robot.board.published.last() shouldBe "/say ${operationIn(message)}"
+            }
         }
     }
 

@@ -119,6 +119,9 @@ internal class TestBridge(number: Int = 0) : AutoCloseable {
     /** Sends [text] to all clients, whatever it is. */
     fun say(text: String) = server.connections.forEach { it.send(text) }
 
+    /** Sends [bytes] to all clients. */
+    fun sayBytes(bytes: ByteArray) = server.connections.forEach { it.send(bytes) }
+
     /** The subscription to each topic: its throttle interval in ms and the length of its queue. */
     fun subscribed(): Map<String, Pair<Long, Int>> = subscriptions.mapValues { (_, it) -> it.throttleMs to it.length }
 

@@ -17,7 +17,7 @@ import java.util.concurrent.Callable
 internal class TurtleCommand : Callable<Int> {
     @Option(
         names = ["--port"], paramLabel = "port",
-        description = ["a robot behind rosbridge_server, such as ros://192.168.1.20:9090#turtle (default: one that is simulated)"],
+        description = ["a robot behind rosbridge_server, such as ros://192.168.1.20:9090#turtle/turtle (default: one that is simulated)"],
     )
     private var port: String? = null
 

@@ -71,6 +71,12 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
     }
 
     private fun structure(depth: Int): Term? {
+        val start = at
+        val wordEnd = Syntax.wordEnd(text, start, end)
+        if (Syntax.isTruthValue(text, start, wordEnd) && text.getOrNull(wordEnd) !in BEHIND_NAMES) {
+            at = wordEnd
+            return if (text[start] == 't') Literal.LTrue else Literal.LFalse
+        }
         val literal = literal(depth) ?: return null
         if (!literal.isAtom) return literal
         return if (literal.functor in ATOMS_OF_JASON) null else Atom(literal)
@@ -89,6 +95,9 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
 
     private companion object {
         const val MAX_DEPTH = 64
+
+        /** After these a word is the beginning of a name or of a structure. */
+        val BEHIND_NAMES = setOf('.', ':', '(', '[')
         val ATOMS_OF_JASON = setOf("default", "this_ns")
 
         /** The source position that Jason's parser records for terms of a one-line text. */

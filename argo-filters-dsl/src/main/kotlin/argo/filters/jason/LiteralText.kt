@@ -24,15 +24,15 @@ fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
 /**
  * The text of [percept] as a board would send it, for filters to decide over. Never throws.
  *
- * It differs from `toString` in strings, whose quotes and line breaks are escaped here. A string that no text can hold is written as a
- * variable, and so are terms nested deeper than filters look.
+ * It differs from `toString` in strings, whose quotes, line breaks and such are escaped here. Terms nested deeper than filters look are
+ * written as a variable.
  */
 fun perceptText(percept: Literal): String = text(percept, 0)
 
 private fun text(term: Term, depth: Int): String = when {
     depth > GroundTermReader.MAX_DEPTH -> NO_VALUE
     term.isVar -> term.toString() // to Jason a variable is a list, a string and a number as well
-    term is StringTerm -> term.string?.let(GroundTerm.Text::ofOrNull)?.toString() ?: NO_VALUE
+    term is StringTerm -> term.string?.let { "${GroundTerm.Text(it)}" } ?: NO_VALUE
     term is NumberTermImpl -> number(term.solve())
     term is ArithExpr && term.arity == 1 -> "(${term.functor}${text(term.getTerm(0), depth + 1)})"
     term is ListTerm -> if (term.tail == null) term.asList.joinToString(",", "[", "]") { text(it, depth + 1) } else NO_VALUE

@@ -9,7 +9,8 @@ class PerceptSyntaxException(message: String, cause: Throwable? = null) : Except
 
 /**
  * Reads percepts into Jason's literals, just as Jason's own parser does but faster for what boards send: functors, atoms, numbers, strings,
- * nested structures, lists, annotations and negation. Anything else is left to Jason's parser. Any thread may use it.
+ * nested structures, lists, annotations and negation. Anything else is left to Jason's parser. In strings it also knows `\uXXXX`, for those
+ * that Jason's syntax cannot hold. Any thread may use it.
  */
 object PerceptReader {
     private const val SHOWN = 80

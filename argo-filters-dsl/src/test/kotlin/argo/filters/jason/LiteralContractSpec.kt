@@ -45,6 +45,6 @@ class LiteralContractSpec : StringSpec({
             val literal = ASSyntax.parseLiteral(text)
             withClue(text) { ASSyntax.parseLiteral(perceptText(literal)) shouldBe literal }
         }
-        perceptText(ASSyntax.createLiteral("d", StringTermImpl("a\rb"), NumberTermImpl(1.0))) shouldBe "d(_,1)"
+        perceptText(ASSyntax.createLiteral("d", StringTermImpl("a\rb"), NumberTermImpl(1.0))) shouldBe "d(\"a\\u000Db\",1)"
     }
 })

@@ -1,6 +1,7 @@
 package argo.filters.jason
 
 import argo.filters.DecimalReader
+import argo.filters.GroundTerm
 import argo.filters.perceptTexts
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
@@ -18,6 +19,7 @@ import io.kotest.property.checkAll
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.ListTerm
 import jason.asSyntax.Literal
+import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
 
@@ -65,7 +67,7 @@ class PerceptReaderSpec : StringSpec({
             "say(\"hi; you\")", "say(\"a \\\"b\\\" \\n c\\\\ \")", "pos(p(1,2),[a,b(3),\"c\",[]])", "'Left wheel'(1)",
             "d(f,3)[q(0.5),source(x),a,\"s\",3]", "d [ b , a ]", " d( f , 3 ) ",
             "d(~a)", "d(a[x])", "begin", "end(1)", "d(begin)", "d(source(x),self,percept)", "d[]", "d([])",
-            "d(é_in_string(\"é漢\uD83D\uDE00\"))".replace("é_in", "e_in"), "abs(1)", "d(x_Y1)",
+            "d(é_in_string(\"é漢\uD83D\uDE00\"))".replace("é_in", "e_in"), "abs(1)", "d(x_Y1)", "d(true,[false])", "d( false )",
         )
         for (text in texts) {
             withClue(text) { FastLiteralParser(text).parse() shouldNotBe null }
@@ -82,6 +84,14 @@ class PerceptReaderSpec : StringSpec({
         for (text in texts) {
             withClue(text) { FastLiteralParser(text).parse() shouldBe null }
             shouldReadAsJason(text)
+        }
+    }
+
+    "it reads strings that Jason's syntax cannot hold" {
+        for (text in listOf("C:\\robot\\map.yaml", "\\d+", "a\\nb", "\\", "a\rb", "say \"\\\"")) {
+            val literal = PerceptReader.read("map(true,${GroundTerm.Text(text)})")
+            literal shouldBe ASSyntax.createLiteral("map", Literal.LTrue, StringTermImpl(text))
+            PerceptReader.read(perceptText(literal)) shouldBe literal
         }
     }
 

@@ -29,6 +29,9 @@ internal interface BridgeListener {
     /** The bridge has shown that it is there. */
     fun isAlive()
 
+    /** Something came that is not read: [what], in words. */
+    fun dropped(what: String)
+
     /** The connection is gone, for [reason]. May be called more than once. */
     fun gone(reason: String)
 }
@@ -84,10 +87,14 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         private var isTooLong = false
 
         override fun onText(socket: WebSocket, data: CharSequence, last: Boolean): CompletionStage<*>? {
-            isTooLong = isTooLong || text.length + data.length > MAX_LENGTH
-            if (isTooLong) text.setLength(0) else text.append(data)
+            if (!isTooLong && text.length + data.length > MAX_LENGTH) {
+                isTooLong = true
+                text.append(data).setLength(SHOWN_LENGTH)
+            }
+            if (!isTooLong) text.append(data)
             if (last) {
-                if (!isTooLong) listener.text(text.toString())
+                if (isTooLong) listener.dropped("a message of more than $MAX_LENGTH characters, which begins $text")
+                else listener.text(text.toString())
                 if (text.capacity() > KEPT_LENGTH) text.apply { setLength(0) }.trimToSize() else text.setLength(0)
                 isTooLong = false
             }
@@ -97,7 +104,8 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         }
 
         override fun onBinary(socket: WebSocket, data: ByteBuffer, last: Boolean): CompletionStage<*>? {
-            socket.request(1) // nothing was asked for that is sent so
+            if (last) listener.dropped("a binary message, though nothing was asked for that is sent so")
+            socket.request(1)
             return null
         }
 
@@ -123,6 +131,9 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /** The longest message that is read, in characters; a longer one is dropped. */
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
+
+        /** As much of one as tells its topic. */
+        private const val SHOWN_LENGTH = 60
 
         /** One for the program, since each has threads of its own; it ends when no socket uses it any more. */
         private var shared = WeakReference<HttpClient>(null)

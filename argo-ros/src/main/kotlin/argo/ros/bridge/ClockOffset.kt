@@ -4,10 +4,11 @@ import java.util.concurrent.TimeUnit
 
 /**
  * How much the clock of a robot is ahead of the platform's, by asking it for its time. Of the last [KEPT] answers the one counts that took
- * the shortest time: the robot's time was read somewhere in it, so the error is at most half of it. Safe for use by several threads.
+ * the shortest time: the robot's time was read somewhere in it, so the error is at most half of it. An answer that no clock of usual
+ * quality can give after the others is of one that was set: then the others do not count any more. Safe for use by several threads.
  */
 internal class ClockOffset {
-    private class Sample(val offsetNanos: Long, val errorNanos: Long)
+    private class Sample(val offsetNanos: Long, val errorNanos: Long, val answeredNanos: Long)
 
     private val samples = ArrayDeque<Sample>()
 
@@ -25,28 +26,30 @@ internal class ClockOffset {
     @Synchronized
     fun add(askedNanos: Long, rosNanos: Long, answeredNanos: Long) {
         val half = (answeredNanos - askedNanos) / 2
-        samples.addLast(Sample(rosNanos - (askedNanos + half), half))
+        val sample = Sample(rosNanos - (askedNanos + half), half, answeredNanos)
+        samples.removeIf { !mayPrecede(it, sample) }
+        samples.addLast(sample)
         if (samples.size > KEPT) samples.removeFirst()
         val best = samples.minBy { it.errorNanos }
         errorNanos = best.errorNanos
         offsetNanos = best.offsetNanos
     }
 
-    /**
-     * When something was true that has the time stamp [stampNanos] of the robot and came at [receivedNanos], by the platform's clock: not
-     * after it came. What is said to be older than [MAX_AGE_NANOS] has a stamp of another clock, so that nothing is known but when it came.
-     */
-    fun trueAt(stampNanos: Long?, receivedNanos: Long): Long {
-        val offset = offsetNanos
-        if (stampNanos == null || offset == null) return receivedNanos
-        val age = receivedNanos - (stampNanos - offset)
-        return if (age in 0..MAX_AGE_NANOS) receivedNanos - age else receivedNanos
+    private fun mayPrecede(before: Sample, after: Sample): Boolean {
+        val driftNanos = (after.answeredNanos - before.answeredNanos) / DRIFT
+        return Math.abs(after.offsetNanos - before.offsetNanos) <= before.errorNanos + after.errorNanos + driftNanos + SLACK_NANOS
     }
 
-    companion object {
-        private const val KEPT = 8
+    /** When a clock that is ahead by the offset showed [stampNanos], by the platform's clock; null: the offset is not known. */
+    fun whenShown(stampNanos: Long): Long? = offsetNanos?.let { stampNanos - it }
 
-        /** The oldest message that is believed to be that old, in ns. */
-        val MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10)
+    private companion object {
+        const val KEPT = 8
+
+        /** Clocks of computers gain or lose less than one part in so many. */
+        const val DRIFT = 5_000
+
+        /** What is read of a clock may be a ms old. */
+        val SLACK_NANOS = TimeUnit.MILLISECONDS.toNanos(1)
     }
 }

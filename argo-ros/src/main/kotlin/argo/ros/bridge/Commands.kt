@@ -1,10 +1,12 @@
 package argo.ros.bridge
 
 import argo.filters.GroundTerm
+import argo.filters.Predicate
 import argo.links.SentCommand
 import argo.ros.mapping.CommandRule
 import argo.ros.mapping.CommandRule.Kind
 import argo.ros.mapping.Scope
+import argo.ros.mapping.Unfit
 import argo.ros.mapping.Value
 import argo.ros.mapping.asJson
 import argo.ros.mapping.isRos2Action
@@ -33,11 +35,15 @@ import java.util.concurrent.atomic.AtomicLong
  * connection ended may have been carried out, and is not sent again. Safe for use by several threads.
  *
  * @param port the port's name, for messages
+ * @param types what the messages are made of, as far as that is known
+ * @param graph who takes them
  * @param send sends a message to the bridge
  */
 internal class Commands(
     private val port: String,
     private val rules: List<CommandRule>,
+    private val types: RobotTypes,
+    private val graph: RobotGraph,
     private val clock: LineClock,
     private val send: (Outgoing) -> Unit,
 ) {
@@ -67,9 +73,15 @@ internal class Commands(
         val outcome = CompletableFuture<Unit>()
         val command = GroundTerm.ofOrNull(text) as? GroundTerm.Structure
         val arguments = command?.arguments.orEmpty()
-        val rule = rules.find { it.name == command?.predicate?.functor && it.parameters.size == arguments.size }
+        val functor = command?.predicate?.takeIf { it == Predicate(it.functor) }?.functor
+        val rule = rules.find { it.name == functor && it.parameters.size == arguments.size }
             ?: return refused("the robot has no command $text; it has ${known()}")
-        val body = bodyOf(rule, arguments) ?: return refused("$text has an argument that no message can have")
+        types.whyUnknown(rule)?.let { return refused("$text cannot leave, since the bridge does not know the type ${rule.type}: $it") }
+        val body = try {
+            bodyOf(rule, arguments)
+        } catch (unfit: Unfit) {
+            return refused("$text does not fit the robot: ${unfit.message}")
+        }
         val id = "$session-${number.incrementAndGet()}"
         val message = Outgoing(messageOf(rule, body, id), options.urgent(), rule.name, options.latest())
         val entry = Pending(rule, text, message, outcome)
@@ -77,6 +89,7 @@ internal class Commands(
         outcome.whenComplete { _, _ -> pending -= id }
         message.left.whenComplete { _, trouble -> left(entry, trouble) }
         limit(id, entry, options.limitMillis())
+        graph.sends(rule) { reason -> lost(id, entry, reason) }
         send(message)
         return SentCommand(outcome, eitherOf(message.left, outcome))
     }
@@ -107,6 +120,14 @@ internal class Commands(
         } else if (entry.outcome.completeExceptionally(unconfirmed(entry, "the robot has not said it within $ms ms"))) {
             cancellation(entry.rule, id)?.let { send(Outgoing(it, isUrgent = true)) }
         }
+    }
+
+    /** The goal of [entry] has reached nobody; a server that comes now is not to begin it. */
+    private fun lost(id: String, entry: Pending, reason: String) {
+        if (entry.outcome.isDone) return
+        val hasLeft = !entry.message.withdraw()
+        fail(entry, reason)
+        if (hasLeft) cancellation(entry.rule, id)?.let { send(Outgoing(it, isUrgent = true)) }
     }
 
     private fun left(entry: Pending, trouble: Throwable?) {
@@ -189,11 +210,18 @@ internal class Commands(
         entry.outcome.completeExceptionally(ActionFailedException(port, "the robot could not do \"${entry.text}\": $reason (port $port)"))
     }
 
-    private fun bodyOf(rule: CommandRule, arguments: List<GroundTerm>): JsonObject? {
-        val values = rule.parameters.zip(arguments) { name, term -> name to (valueOf(term) ?: return null) }.toMap()
-        val scope = Scope { path -> values[path.single()] }
-        val fields = rule.fields.map { it.path to (it.value.valueIn(scope)?.asJson() ?: return null) }
-        return nested(fields)
+    /** @throws Unfit if a field cannot have its value */
+    private fun bodyOf(rule: CommandRule, arguments: List<GroundTerm>): JsonObject {
+        val values = rule.parameters.zip(arguments) { name, term -> name to valueOf(term) }.toMap()
+        val scope = Scope { path -> values.getValue(path.single()) }
+        val type = types.of(rule)
+        return nested(
+            rule.fields.map { field ->
+                val value = field.value.valueIn(scope)
+                if (value is Value.None) throw Unfit("${field.path.joinToString(".")}: ${value.why}")
+                field.path to (type?.fit(field.path, value.asJson()) ?: value.asJson())
+            },
+        )
     }
 
     private fun messageOf(rule: CommandRule, body: JsonObject, id: String): String = when {
@@ -227,11 +255,14 @@ internal class Commands(
     }
 }
 
-private fun valueOf(term: GroundTerm): Value? = when (term) {
+private fun valueOf(term: GroundTerm): Value = when (term) {
     is GroundTerm.Number -> Value.of(term.value)
     is GroundTerm.Text -> Value.Text(term.text)
     is GroundTerm.Structure -> Value.Symbol("$term")
-    is GroundTerm.Sequence -> term.items.map { (valueOf(it) ?: return null).asJson() }.let { Value.Part(JsonArray(it)) }
+    is GroundTerm.Sequence -> {
+        val items = term.items.map(::valueOf)
+        items.find { it is Value.None } ?: Value.Part(JsonArray(items.map { it.asJson() }))
+    }
 }
 
 /** The object that has [fields], by their paths. */

@@ -8,6 +8,7 @@ import argo.filters.matching.matcher
 import argo.links.Wish
 import argo.ros.mapping.Expression
 import argo.ros.mapping.PerceptRule
+import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
 
 /**
@@ -55,7 +56,7 @@ private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? 
     val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
     if (index >= percept.arguments.size) return false
     if (percept.arguments[index] !is Expression.Constant) return null
-    val terms = percept.arguments.map { (it as? Expression.Constant)?.value?.asTerm() ?: "0" }
+    val terms = percept.arguments.map { ((it as? Expression.Constant)?.value?.asTerm() as? Value.Symbol)?.text ?: "0" }
     val alone = PerceptionFilter("", Rule(percept.functor, condition))
     return alone.matcher().drops(terms.joinToString(",", "${percept.functor}(", ")"))
 }

@@ -2,8 +2,11 @@ package argo.ros.bridge
 
 import argo.links.BoardMessage
 import argo.ros.mapping.MessageScope
+import argo.ros.mapping.MessageType
 import argo.ros.mapping.PerceptRule
+import argo.ros.mapping.Value
 import argo.ros.mapping.fields
+import argo.ros.mapping.perceptIn
 import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.TimeUnit
 
@@ -11,13 +14,19 @@ import java.util.concurrent.TimeUnit
  * The newest message of each topic, and the percepts that they are. Not safe for use by several threads at once.
  *
  * @param rules what messages become
- * @param warn takes why a message is not what a rule expects, once until a message is
+ * @param typeOf what the messages of a rule are made of; null: that is not known
+ * @param warn takes why a message has no percept of a rule although its conditions may hold, each reason once
  */
-internal class TopicMessages(private val rules: List<PerceptRule>, private val warn: (String) -> Unit) {
+internal class TopicMessages(
+    private val rules: List<PerceptRule>,
+    private val typeOf: (PerceptRule) -> MessageType?,
+    private val warn: (String) -> Unit,
+) {
     private class Newest(val message: JsonObject, val trueNanos: Long, val receivedNanos: Long)
 
     private val newest = HashMap<String, Newest>()
-    private val unfit = HashSet<PerceptRule>()
+    private val told = HashMap<PerceptRule, HashSet<String>>()
+    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // of the rules whose types are known
     private var isNew = false
     private var expiryNanos: Long? = null // when the message changes although none comes
 
@@ -68,18 +77,30 @@ internal class TopicMessages(private val rules: List<PerceptRule>, private val w
     }
 
     private fun textOf(rule: PerceptRule, message: JsonObject): String? {
-        val scope = MessageScope(message)
-        val text = if (rule.conditions.all { it.holdsIn(scope) }) rule.percept.textIn(scope) else null
-        val missing = if (text == null) missingIn(rule, message) else null
-        if (missing == null) {
-            unfit -= rule
-        } else if (unfit.add(rule)) {
-            warn("line ${rule.place.line}: a message of ${rule.topic} has no ${missing.joinToString(".")}; is it still a ${rule.type}?")
+        val scope = MessageScope(message, bytesIn(rule))
+        return when (val percept = rule.perceptIn(scope)) {
+            is Value.Symbol -> percept.text
+            is Value.None -> null.also { leftOut(rule, percept.why) }
+            else -> null
         }
-        return text
     }
 
-    /** A field that the rule uses and the message does not have at all, not even without a value. */
-    private fun missingIn(rule: PerceptRule, message: JsonObject): List<String>? =
-        rule.fields().map { it.path }.find { it.first() !in message }
+    /** The fields of [rule] that are bytes. */
+    private fun bytesIn(rule: PerceptRule): Set<List<String>> {
+        bytes[rule]?.let { return it }
+        val type = typeOf(rule) ?: return emptySet()
+        return rule.fields().mapNotNull { type.bytesIn(it.path) }.toSet().also { bytes[rule] = it }
+    }
+
+    private fun leftOut(rule: PerceptRule, why: String) {
+        val reasons = told.getOrPut(rule, ::HashSet)
+        if (reasons.size >= MAX_TOLD || !reasons.add(why)) return
+        val end = if (reasons.size < MAX_TOLD) "" else "; further reasons are not reported"
+        warn("line ${rule.place.line}: a message of ${rule.topic} (${rule.type}) is no ${rule.percept.functor}: $why$end")
+    }
+
+    private companion object {
+        /** Reasons may hold numbers of the message, and so be many. */
+        const val MAX_TOLD = 3
+    }
 }

@@ -2,12 +2,13 @@ package argo.ros.mapping
 
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 
 /** An expression over the fields of a message, or over the arguments of a command. Values are looked up by a [Scope]. */
 internal sealed interface Expression {
-    /** The value; null: a field has none, or of another kind than is calculated with. */
-    fun valueIn(scope: Scope): Value?
+    /** The value; [Value.None] if a field has none, or of another kind than is calculated with. */
+    fun valueIn(scope: Scope): Value
 
     /** A number, an atom or a string that is written as such. */
     data class Constant(val value: Value) : Expression {
@@ -21,9 +22,10 @@ internal sealed interface Expression {
 
     /** A calculation with two numbers. */
     data class Calculation(val operator: Char, val left: Expression, val right: Expression) : Expression {
-        override fun valueIn(scope: Scope): Value? {
-            val a = left.numberIn(scope) ?: return null
-            val b = right.numberIn(scope) ?: return null
+        override fun valueIn(scope: Scope): Value {
+            val (first, second) = left.valueIn(scope) to right.valueIn(scope)
+            val a = first.number() ?: return noNumber(first)
+            val b = second.number() ?: return noNumber(second)
             return Value.of(
                 when (operator) {
                     '+' -> a + b
@@ -33,27 +35,36 @@ internal sealed interface Expression {
                 },
             )
         }
+
+        private fun noNumber(value: Value) =
+            value as? Value.None ?: Value.None("$operator calculates with numbers, not with ${value.inWords()}")
     }
 
     /** A function of [Function]. */
     data class Call(val function: Function, val argument: Expression) : Expression {
-        override fun valueIn(scope: Scope) = argument.valueIn(scope)?.let(function.of)
+        override fun valueIn(scope: Scope): Value {
+            val value = argument.valueIn(scope)
+            return value as? Value.None ?: function.of(value)
+                ?: Value.None("${function.name.lowercase()} takes ${function.taken}, not ${value.inWords()}")
+        }
     }
 
     /** A literal: a functor and arguments. */
     data class Compound(val functor: String, val arguments: List<Expression>) : Expression {
-        override fun valueIn(scope: Scope) = textIn(scope)?.let(Value::Symbol)
-
-        /** The literal as text; null: an argument has no value. */
-        fun textIn(scope: Scope): String? {
-            if (arguments.isEmpty()) return functor
-            val terms = arguments.map { it.valueIn(scope)?.asTerm() ?: return null }
-            return terms.joinToString(",", "$functor(", ")")
+        /** The literal as a [Value.Symbol]. */
+        override fun valueIn(scope: Scope): Value {
+            if (arguments.isEmpty()) return Value.Symbol(functor)
+            val terms = arguments.mapIndexed { index, argument ->
+                when (val term = argument.valueIn(scope).asTerm()) {
+                    is Value.Symbol -> term.text
+                    is Value.None -> return Value.None("argument ${index + 1} of $functor: ${term.why}")
+                    else -> error("${term.inWords()} is no term")
+                }
+            }
+            return Value.Symbol(terms.joinToString(",", "$functor(", ")"))
         }
     }
 }
-
-internal fun Expression.numberIn(scope: Scope): Double? = (valueIn(scope) as? Value.Number)?.value
 
 /** All fields that are in this. */
 internal fun Expression.fields(): List<Expression.Field> = when (this) {
@@ -64,38 +75,81 @@ internal fun Expression.fields(): List<Expression.Field> = when (this) {
     is Expression.Compound -> arguments.flatMap { it.fields() }
 }
 
+/** [path] as a mapping has it: `poses[0].x`. */
+internal fun written(path: List<String>): String =
+    path.reduceOrNull { before, step -> if (step[0].isDigit()) "$before[$step]" else "$before.$step" }.orEmpty()
+
 /** Where the values of an expression come from. */
 internal fun interface Scope {
-    /** The value at [path]; null: there is none. */
-    fun valueOf(path: List<String>): Value?
+    /** The value at [path]; [Value.None] if there is none. */
+    fun valueOf(path: List<String>): Value
 }
 
-/** The fields of a message. */
-internal class MessageScope(private val message: JsonElement) : Scope {
-    override fun valueOf(path: List<String>): Value? = path.fold(message as JsonElement?) { at, name ->
-        when (at) {
-            is JsonObject -> at[name]
-            is JsonArray -> name.toIntOrNull()?.let(at::getOrNull)
-            else -> null
+/**
+ * The fields of a message.
+ *
+ * @param bytes the paths of the fields that are bytes, which bridges write as text in base64
+ */
+internal class MessageScope(private val message: JsonElement, private val bytes: Set<List<String>> = emptySet()) : Scope {
+    override fun valueOf(path: List<String>): Value {
+        var at = message
+        for ((index, name) in path.withIndex()) {
+            val inner = when (at) {
+                is JsonObject -> at[name]
+                is JsonArray -> name.toIntOrNull()?.let(at::getOrNull)
+                else -> null
+            } ?: return Value.None(missing(at, path.take(index), name))
+            at = if (bytes.isEmpty() || path.subList(0, index + 1) !in bytes) inner else bytesOf(inner) ?: return TOO_MANY_BYTES
         }
-    }?.let(Value::of)
-}
-
-/** A condition of a rule. It does not hold where a value is missing. */
-internal data class Comparison(val left: Expression, val operator: String, val right: Expression) {
-    /** Whether it holds. */
-    fun holdsIn(scope: Scope): Boolean {
-        val a = left.valueIn(scope) ?: return false
-        val b = right.valueIn(scope) ?: return false
-        if (operator == "==" || operator == "!=") return (a == b) == (operator == "==")
-        val order = if (a is Value.Number && b is Value.Number) a.value.compareTo(b.value) else return false
-        return when (operator) {
-            "<" -> order < 0
-            "<=" -> order <= 0
-            ">" -> order > 0
-            else -> order >= 0
+        return when (val value = Value.of(at)) {
+            is Value.None -> Value.None("${written(path)}: ${value.why}")
+            else -> value
         }
     }
+
+    private fun missing(at: JsonElement, path: List<String>, name: String): String {
+        val place = if (path.isEmpty()) "the message" else written(path)
+        return when (at) {
+            is JsonObject -> "$place has no field $name; it has ${at.keys.joinToString(", ")}"
+            is JsonArray -> "the list $place has no item $name"
+            JsonNull -> "$place is null, so that it has no $name"
+            else -> "$place is no message, so that it has no field $name"
+        }
+    }
+
+    private companion object {
+        val TOO_MANY_BYTES = Value.None("its bytes are no list: they are more than $MAX_ITEMS, or not in base64")
+    }
+}
+
+/** A condition of a rule. */
+internal data class Comparison(val left: Expression, val operator: String, val right: Expression) {
+    /** Whether it holds: [Value.TRUE] or [Value.FALSE], or [Value.None] where a value is missing or cannot be compared. */
+    fun valueIn(scope: Scope): Value {
+        val (a, b) = left.valueIn(scope) to right.valueIn(scope)
+        if (a is Value.None) return a
+        if (b is Value.None) return b
+        val (number, other) = a.number() to b.number()
+        val (text, otherText) = a.plainText() to b.plainText()
+        val isMet = when {
+            number != null && other != null -> meets(number.compareTo(other))
+            text == null || otherText == null -> return incomparable(a, b)
+            operator == "==" || operator == "!=" -> (text == otherText) == (operator == "==")
+            else -> return incomparable(a, b)
+        }
+        return if (isMet) Value.TRUE else Value.FALSE
+    }
+
+    private fun meets(order: Int) = when (operator) {
+        "==" -> order == 0
+        "!=" -> order != 0
+        "<" -> order < 0
+        "<=" -> order <= 0
+        ">" -> order > 0
+        else -> order >= 0
+    }
+
+    private fun incomparable(a: Value, b: Value) = Value.None("$operator cannot compare ${a.inWords()} with ${b.inWords()}")
 
     companion object {
         /** All operators, the longer ones first. */
@@ -103,16 +157,21 @@ internal data class Comparison(val left: Expression, val operator: String, val r
     }
 }
 
-/** The functions that a mapping may use. */
-internal enum class Function(val of: (Value) -> Value?) {
-    ROUND({ value -> (value as? Value.Number)?.let { Value.of(Math.rint(it.value)) } }),
-    ABS({ value -> (value as? Value.Number)?.let { Value.of(Math.abs(it.value)) } }),
-    MIN({ value -> value.numbers().minOrNull()?.let(Value::of) }),
-    MAX({ value -> value.numbers().maxOrNull()?.let(Value::of) }),
-    COUNT({ value -> ((value as? Value.Part)?.json as? JsonArray)?.let { Value.of(it.size.toDouble()) } }),
+/**
+ * The functions that a mapping may use.
+ *
+ * @property taken what it is for, in words
+ * @property of its value; null: it is for something else
+ */
+internal enum class Function(val taken: String, val of: (Value) -> Value?) {
+    ROUND("a number", { value -> value.number()?.let { Value.of(Math.rint(it)) } }),
+    ABS("a number", { value -> value.number()?.let { Value.of(Math.abs(it)) } }),
+    MIN("a list with numbers", { value -> value.numbers().minOrNull()?.let(Value::of) }),
+    MAX("a list with numbers", { value -> value.numbers().maxOrNull()?.let(Value::of) }),
+    COUNT("a list", { value -> ((value as? Value.Part)?.json as? JsonArray)?.let { Value.of(it.size.toDouble()) } }),
 
     /** The heading of a quaternion in rad, counter-clockwise from the x axis. */
-    YAW(::yawOf);
+    YAW("a quaternion with the numbers x, y, z and w", ::yawOf);
 
     companion object {
         /** The function that is written [name]; null: there is none. */
@@ -122,10 +181,10 @@ internal enum class Function(val of: (Value) -> Value?) {
 
 /** The numbers in an array; what is no number was not measured. */
 private fun Value.numbers(): List<Double> =
-    ((this as? Value.Part)?.json as? JsonArray)?.mapNotNull { (Value.of(it) as? Value.Number)?.value }.orEmpty()
+    ((this as? Value.Part)?.json as? JsonArray)?.mapNotNull { Value.of(it).number() }.orEmpty()
 
 private fun yawOf(quaternion: Value): Value? {
     val scope = (quaternion as? Value.Part)?.json?.let(::MessageScope) ?: return null
-    val (x, y, z, w) = listOf("x", "y", "z", "w").map { (scope.valueOf(listOf(it)) as? Value.Number)?.value ?: return null }
+    val (x, y, z, w) = listOf("x", "y", "z", "w").map { scope.valueOf(listOf(it)).number() ?: return null }
     return Value.of(Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
 }

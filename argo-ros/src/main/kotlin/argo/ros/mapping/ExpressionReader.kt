@@ -1,6 +1,7 @@
 package argo.ros.mapping
 
 import argo.filters.GroundTerm
+import java.math.BigDecimal
 
 /**
  * Reads expressions.
@@ -38,7 +39,7 @@ internal class ExpressionReader(private val cursor: Cursor, private val nameOf: 
     /** [expression], unless it is an atom or a string. */
     private fun calculable(expression: Expression): Expression =
         if (expression is Expression.Constant && expression.value !is Value.Number) {
-            throw cursor.refusal("only numbers and fields can be calculated with, and ${expression.value.asTerm()} is neither")
+            throw cursor.refusal("only numbers and fields can be calculated with, and ${expression.value.inWords()} is neither")
         } else {
             expression
         }
@@ -54,7 +55,8 @@ internal class ExpressionReader(private val cursor: Cursor, private val nameOf: 
     private fun factor(isArgument: Boolean): Expression {
         if (cursor.take("-")) return Expression.Calculation('-', ZERO, calculable(factor(false)))
         if (cursor.take("(")) return read().also { cursor.expect(")", "to close the bracket") }
-        cursor.take(NUMBER)?.let { return Expression.Constant(Value.Number(it.toDouble())) }
+        val numberPlace = cursor.place
+        cursor.take(NUMBER)?.let { return Expression.Constant(numberOf(it, numberPlace)) }
         cursor.take(STRING)?.let { return Expression.Constant(Value.Text(it.substring(1, it.length - 1))) }
         cursor.take(QUOTED)?.let { return Expression.Constant(Value.Symbol(plain(it))) }
         val place = cursor.place
@@ -62,6 +64,13 @@ internal class ExpressionReader(private val cursor: Cursor, private val nameOf: 
         if (cursor.take("(")) return called(name)
         val path = listOf(name) + steps()
         return if (path.size == 1 && isArgument) nameOf(name, place) else Expression.Field(place, path)
+    }
+
+    private fun numberOf(text: String, place: Place): Value.Number {
+        val number = text.toDouble()
+        val isExact = number.isFinite() && (text.any { it in ".eE" } || BigDecimal(text).compareTo(BigDecimal(number)) == 0)
+        if (!isExact) throw Refusal(place, "$text is a number that cannot be kept exactly, as all up to 2^53 can")
+        return Value.Number(number)
     }
 
     private fun called(name: String): Expression {

@@ -26,20 +26,21 @@ internal fun findMapping(name: String, directory: Path = Path.of("").toAbsoluteP
     }
     val file = directory.resolve(fileName)
     if (Files.isRegularFile(file)) {
-        val text = try {
-            Files.readString(file)
-        } catch (_: CharacterCodingException) {
-            throw notRead("$file", "it is not in UTF-8")
-        } catch (unreadable: IOException) {
-            throw notRead("$file", "it cannot be read: $unreadable")
-        }
-        return mappingOf(text, "$file")
+        return mappingOf(text("$file") { Files.readString(file) }, "$file")
     }
     val loaders = listOfNotNull(Thread.currentThread().contextClassLoader, Mapping::class.java.classLoader)
     val resource = loaders.firstNotNullOfOrNull { it.getResource(fileName) }
         ?: throw notRead(fileName, "there is no such file in $directory, nor on the class path; it says which topics are which percepts")
-    val text = resource.openConnection().apply { useCaches = false }.getInputStream().use { it.readBytes().decodeToString() }
-    return mappingOf(text, fileName)
+    val bytes = resource.openConnection().apply { useCaches = false }.getInputStream().use { it.readBytes() }
+    return mappingOf(text(fileName) { bytes.decodeToString(throwOnInvalidSequence = true) }, fileName)
+}
+
+private fun text(source: String, read: () -> String): String = try {
+    read()
+} catch (_: CharacterCodingException) {
+    throw notRead(source, "it is not in UTF-8")
+} catch (unreadable: IOException) {
+    throw notRead(source, "it cannot be read: $unreadable")
 }
 
 /**

@@ -49,29 +49,34 @@ internal fun mappingOf(text: String, source: String): Mapping {
 
 private class Item(val text: String, val place: Place)
 
+/** A comment may hold tabulators, and stand behind them. */
+private val COMMENT = Regex("(^|[ \t]+)#.*")
 private val ITEM = Regex("( *)- +(.*)")
 private val KEY = Regex("([A-Za-z_]+) *:(.*)")
 
 /** The item in [line], without a comment; null: it has none. */
 private fun itemIn(line: String, start: Place): Item? {
+    val tabulator = line.replace(COMMENT, "").indexOf('\t')
+    if (tabulator >= 0) {
+        throw Refusal(Place(start.line, tabulator + 1), "expected blanks, but found a tabulator")
+    }
     val match = ITEM.matchEntire(line) ?: return null
     val text = match.groups[2] ?: return null
     val place = Place(start.line, text.range.first + 1)
-    val plain = text.value.replace(Regex("(^| +)#.*"), "").trimEnd()
+    val plain = text.value.replace(COMMENT, "").trimEnd()
     return when {
         plain.isEmpty() -> throw Refusal(place, "the item is empty")
         plain[0] in "\"'[{&*!|>%@`" -> throw Refusal(place, "an item does not begin with ${plain[0]}; write it without quotes, in one line")
         ": " in plain || plain.endsWith(":") -> throw Refusal(
             Place(start.line, place.column + plain.indexOf(":")), "an item has no ':'; a field is given a value by '='",
         )
-        '\t' in plain -> throw Refusal(Place(start.line, place.column + plain.indexOf('\t')), "expected blanks, but found a tabulator")
         else -> Item(plain, place)
     }
 }
 
 /** The key in [line]; null: it is blank. */
 private fun sectionIn(line: String, place: Place): String? {
-    val plain = line.replace(Regex("(^| +)#.*"), "").trimEnd()
+    val plain = line.replace(COMMENT, "").trimEnd()
     if (plain.isEmpty() || plain == "---") return null
     val (key, rest) = KEY.matchEntire(plain)?.destructured ?: throw Refusal(place, "$FORM, but found '${plain.trim().take(MAX_QUOTED)}'")
     if (key != "percepts" && key != "commands") throw Refusal(place, "$FORM, but found '$key:'")

@@ -32,8 +32,20 @@ internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
 internal fun PerceptRule.fields(): List<Expression.Field> =
     percept.fields() + conditions.flatMap { it.left.fields() + it.right.fields() }
 
+/** What a message is to an agent: a [Value.Symbol] if it has this percept, [Value.None] if a value is missing; else [NO_PERCEPT]. */
+internal fun PerceptRule.perceptIn(scope: Scope): Value {
+    for (condition in conditions) {
+        val truth = condition.valueIn(scope)
+        if (truth != Value.TRUE) return if (truth is Value.None) truth else NO_PERCEPT
+    }
+    return percept.valueIn(scope)
+}
+
+/** A condition does not hold. */
+private val NO_PERCEPT = Value.Text("")
+
 /** Refuses [field] if it is none of the [known] fields of [type]. */
-internal fun checkField(field: Expression.Field, type: String, known: Set<String>) {
+private fun checkField(field: Expression.Field, type: String, known: Set<String>) {
     val name = field.path.first()
     if (name !in known) throw Refusal(field.place, "$type has no field $name; it has ${known.joinToString(", ")}")
 }

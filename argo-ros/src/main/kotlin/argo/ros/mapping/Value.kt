@@ -4,8 +4,10 @@ import argo.filters.GroundTerm
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
+import java.math.BigDecimal
 
 /** What an expression has for a value. */
 internal sealed interface Value {
@@ -21,45 +23,115 @@ internal sealed interface Value {
     /** A part of a message that is none of these. */
     data class Part(val json: JsonElement) : Value
 
-    companion object {
-        /** The number, unless it is none or infinite: then a robot has not measured. */
-        fun of(number: Double): Value? = number.takeIf { it.isFinite() }?.let(::Number)
+    /** There is no value, because of [why]. */
+    data class None(val why: String) : Value
 
-        /** The value of a field; null: it has none, which is also how a bridge writes what is no number. */
-        fun of(json: JsonElement): Value? = when (json) {
-            JsonNull -> null
+    companion object {
+        val TRUE = Symbol("true")
+        val FALSE = Symbol("false")
+
+        /** The number, unless it is none or infinite: then a robot has not measured. */
+        fun of(number: Double): Value =
+            if (number.isFinite()) Number(number) else None("a number is infinite, or the result of no calculation")
+
+        /** The value of a field. A `null` is how a bridge writes what is infinite or no number. */
+        fun of(json: JsonElement): Value = when (json) {
+            JsonNull -> None("it is null, as bridges write what is infinite or no number")
             is JsonPrimitive -> when {
                 json.isString -> Text(json.content)
                 json.content == "true" || json.content == "false" -> Symbol(json.content)
-                else -> json.doubleOrNull?.let(::of)
+                else -> ofNumber(json)
             }
             else -> Part(json)
+        }
+
+        private fun ofNumber(json: JsonPrimitive): Value {
+            val number = json.doubleOrNull?.takeIf { it.isFinite() } ?: return None("it is ${json.content}")
+            val isWhole = Math.abs(number) >= EXACT && json.content.none { it in ".eE" }
+            return if (isWhole && BigDecimal(json.content).compareTo(BigDecimal(number)) != 0) Part(json) else Number(number)
         }
     }
 }
 
-/** The longest list that an argument is made of. */
-private const val MAX_ITEMS = 100
+/** The longest list that an argument is made of. Jason compares lists by recursion, and 2,000 items end its stack. */
+internal const val MAX_ITEMS = 1_000
 
-/** This as an argument of a percept; null: an agent cannot have it. */
-internal fun Value.asTerm(): String? = when (this) {
-    is Value.Number -> "${GroundTerm.Number(value)}"
-    is Value.Symbol -> text
-    is Value.Text -> try {
-        "${GroundTerm.Text(value)}"
-    } catch (_: IllegalArgumentException) {
-        null // Jason cannot write each string
+/** From here on not each whole number is a double, as Jason's numbers are. */
+private const val EXACT = 9007199254740992.0
+
+/** Up to here whole numbers are written without a fraction: no integer of ROS is larger. */
+private const val MAX_INTEGER = 18446744073709551615.0
+
+/** The text of this as an argument of a percept, or why an agent cannot have it. */
+internal fun Value.asTerm(): Value = when (this) {
+    is Value.Number -> Value.Symbol("${GroundTerm.Number(value)}")
+    is Value.Text -> Value.Symbol("${GroundTerm.Text(value)}")
+    is Value.Symbol, is Value.None -> this
+    is Value.Part -> when (json) {
+        is JsonObject -> Value.None("it is a message with ${json.keys.joinToString(", ")}; name one of its fields")
+        is JsonArray -> listOf(json)
+        is JsonPrimitive -> Value.None("$json is an integer that Jason's numbers cannot hold exactly; calculate with it, as FIELD / 1000")
     }
-    is Value.Part -> (json as? JsonArray)?.takeIf { it.size <= MAX_ITEMS }?.map { Value.of(it)?.asTerm() }
-        ?.takeIf { null !in it }?.joinToString(",", "[", "]")
 }
+
+private fun listOf(array: JsonArray): Value {
+    if (array.size > MAX_ITEMS) {
+        return Value.None("it has ${array.size} items, and a list has $MAX_ITEMS at most; take items of it, or min, max or count")
+    }
+    val terms = array.map { item ->
+        val value = Value.of(item)
+        when {
+            value is Value.None -> NOT_MEASURED
+            item is JsonObject -> return Value.None("it is a list of messages; name a field of an item, as LIST[0].FIELD")
+            else -> when (val term = value.asTerm()) {
+                is Value.Symbol -> term.text
+                else -> return term
+            }
+        }
+    }
+    return Value.Symbol(terms.joinToString(",", "[", "]"))
+}
+
+/** An item of a list that is infinite or no number: an atom, so that the others keep their places. */
+private const val NOT_MEASURED = "null"
+
+/** The number that this is, if need be the next to it that a double can be; null: it is none. */
+internal fun Value.number(): Double? = when (this) {
+    is Value.Number -> value
+    is Value.Part -> (json as? JsonPrimitive)?.doubleOrNull
+    else -> null
+}
+
+/** The text of a string or an atom, without quotes; null: it is neither. */
+internal fun Value.plainText(): String? = when (this) {
+    is Value.Text -> value
+    is Value.Symbol -> text.removeSurrounding("'")
+    else -> null
+}
+
+/** This for a message to a person. */
+internal fun Value.inWords(): String = when (this) {
+    is Value.Number -> "the number ${GroundTerm.Number(value)}"
+    is Value.Text -> "the text \"${value.take(SHOWN)}\""
+    is Value.Symbol -> "the atom ${text.take(SHOWN)}"
+    is Value.None -> "nothing ($why)"
+    is Value.Part -> when (json) {
+        is JsonArray -> if (json.isEmpty()) "an empty list" else "a list"
+        is JsonObject -> "a message"
+        is JsonPrimitive -> "the number $json"
+    }
+}
+
+private const val SHOWN = 40
 
 /** This in a message that is sent. Whole numbers are written without a fraction, since a field may be an integer. */
 internal fun Value.asJson(): JsonElement = when (this) {
-    is Value.Number -> if (value == Math.rint(value) && Math.abs(value) < EXACT) JsonPrimitive(value.toLong()) else JsonPrimitive(value)
+    is Value.Number -> when {
+        value != Math.rint(value) || Math.abs(value) > MAX_INTEGER -> JsonPrimitive(value)
+        else -> JsonPrimitive(BigDecimal(value).toBigInteger())
+    }
     is Value.Symbol -> if (text == "true" || text == "false") JsonPrimitive(text == "true") else JsonPrimitive(text.removeSurrounding("'"))
     is Value.Text -> JsonPrimitive(value)
     is Value.Part -> json
+    is Value.None -> JsonNull
 }
-
-private const val EXACT = 9007199254740992.0

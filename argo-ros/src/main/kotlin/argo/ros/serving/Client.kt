@@ -75,6 +75,8 @@ internal class Client(
         if (compression != null && compression != "none") {
             complain("$topic comes as JSON, the compression $compression is not known here", null)
         }
+        val (type, known) = operation.text("type") to graph.topics.types[topic]
+        if (type != null && known != null && type.replace("/msg/", "/") != known) complain("$topic is of type $known, and not $type", null)
         val action = topic.removeSuffix("/${GoalTopics.STATUS}")
         val target = if (action == topic) null else graph.targetOrNull(action)
         if (target?.mayExist == true) graph.goals.announce(action)

@@ -41,14 +41,18 @@ internal class RosApiServices(private val graph: Graph, private val epochMs: () 
                 "publishing" to texts(topics.keys.filter { it.startsWith("$asked/") }),
                 "services" to texts(services.keys.filter { it.startsWith("$asked/") }),
             )
-            "message_details" -> answer("typedefs" to MessageTypes.details(plain(asked)))
-            "service_request_details" -> answer("typedefs" to MessageTypes.details("${plain(asked)}Request"))
-            "service_response_details" -> answer("typedefs" to MessageTypes.details("${plain(asked)}Response"))
+            "message_details" -> details(plain(asked))
+            "service_request_details" -> details("${plain(asked)}Request")
+            "service_response_details" -> details("${plain(asked)}Response")
             "get_param_names" -> answer("names" to texts(emptyList()))
             "get_time" -> answer("time" to time())
             else -> throw RefusedRequest("there is no service $name")
         }
     }
+
+    /** @throws RefusedRequest if [type] is not described here; an empty answer would say that there is no such type */
+    private fun details(type: String): JsonObject =
+        answer("typedefs" to (MessageTypes.details(type).takeIf { it.isNotEmpty() } ?: throw RefusedRequest("$type is not described here")))
 
     private fun time(): JsonObject {
         val ms = epochMs()

@@ -28,6 +28,7 @@ import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.ThreadLocalRandom
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicBoolean
 import java.util.logging.Level
 import java.util.logging.Logger
 
@@ -41,6 +42,7 @@ import java.util.logging.Logger
 internal class RosServer(private val access: Access, private val graph: Graph, private val tell: (String) -> Unit) : AutoCloseable {
     private val started = CompletableFuture<Unit>()
     private val rosApi = RosApiServices(graph, System::currentTimeMillis)
+    private val isFullTold = AtomicBoolean() // since a client was let in
     private val channels = ConcurrentHashMap.newKeySet<LimitedChannel>()
     private val timer = ScheduledThreadPoolExecutor(1) { Thread(it, "argo-ros-timer").apply { isDaemon = true } }
         .apply { removeOnCancelPolicy = true }
@@ -218,8 +220,16 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
         var isAdmitted = false
 
         init {
-            if (channels.size >= MAX_CONNECTIONS) throw IOException("there are $MAX_CONNECTIONS connections")
+            if (channels.size >= MAX_CONNECTIONS) refuse()
             channels += this
+            isFullTold.set(false)
+        }
+
+        private fun refuse(): Nothing {
+            val reason = "there are $MAX_CONNECTIONS connections already"
+            if (!isFullTold.getAndSet(true)) log("the client at ${channel.remoteAddress} is refused: $reason")
+            channel.write(ByteBuffer.wrap(FULL.toByteArray()))
+            throw IOException(reason)
         }
 
         fun messageEnded() {
@@ -259,6 +269,9 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
         const val MAX_MESSAGE = 256 * 1024
         private const val MAX_HANDSHAKE = 16L * 1024
         private val HANDSHAKE_NANOS = TimeUnit.SECONDS.toNanos(5)
+
+        /** What a client is told for which there is no room. */
+        private const val FULL = "HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nContent-Length: 0\r\n\r\n"
 
         /** How many clients there can be at once. */
         const val MAX_CONNECTIONS = 64

@@ -1,10 +1,14 @@
 package argo.ros.mapping
 
+import argo.filters.jason.PerceptReader
 import argo.ros.bridge.operationIn
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.asSyntax.StringTerm
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Files
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
@@ -13,7 +17,12 @@ class MappingReaderSpec : FunSpec({
     fun percept(rule: String, message: String): String? {
         val read = mappingOf("percepts:\n  - $rule", "t").percepts.single()
         val scope = MessageScope(checkNotNull(operationIn(message)))
-        return read.percept.textIn(scope).takeIf { read.conditions.all { condition -> condition.holdsIn(scope) } }
+        return (read.perceptIn(scope) as? Value.Symbol)?.text
+    }
+
+    fun reason(rule: String, message: String): String {
+        val read = mappingOf("percepts:\n  - $rule", "t").percepts.single()
+        return (read.perceptIn(MessageScope(checkNotNull(operationIn(message)))) as Value.None).why
     }
 
     fun refusal(text: String) = shouldThrow<MappingException> { mappingOf(text, "robot.ros.yaml") }.message.orEmpty()
@@ -51,6 +60,54 @@ class MappingReaderSpec : FunSpec({
             percept("/ready std_msgs/msg/Bool", """{"data": false}""") shouldBe "ready(false)"
             percept("/turtle1/pose turtlesim/Pose -> at(round(x), round(y))", """{"x": 5.54, "y": 5.5}""") shouldBe "at(6,6)"
         }
+        test("keeps text as it is, whatever is in it") {
+            for (text in listOf("C:\\robot\\map.yaml", "\\d+", "{\"a\": \"x\\ny\"}", "☃", "two\nlines\r", "\\")) {
+                val message = JsonObject(mapOf("data" to JsonPrimitive(text)))
+                val term = PerceptReader.read(checkNotNull(percept("/says std_msgs/String", "$message"))).getTerm(0)
+                (term as StringTerm).string shouldBe text
+            }
+        }
+        test("has lists of up to 1,000 items, in which null stands for what was not measured") {
+            percept("/scan sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": [1, null, 0.5, NaN]}""") shouldBe "scan([1,null,0.5,null])"
+            val scan = (1..1_000).joinToString(",", "[", "]")
+            percept("/scan sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $scan}""") shouldBe "scan($scan)"
+        }
+        test("has integers that Jason's numbers hold exactly, and calculates with others") {
+            percept("/id std_msgs/Int64", """{"data": 9007199254740992}""") shouldBe "id(9.007199254740992E15)"
+            percept("/id std_msgs/Int64 -> id(data / 1000)", """{"data": 9007199254741993}""") shouldBe "id(9.007199254741992E12)"
+            percept("/id std_msgs/Int64 -> id if data > 5", """{"data": 9007199254740993}""") shouldBe "id"
+        }
+        test("compares text with strings and atoms alike") {
+            for (quoted in listOf("'go'", "\"go\"")) {
+                percept("/s std_msgs/String -> go if data == $quoted", """{"data": "go"}""") shouldBe "go"
+                percept("/s std_msgs/String -> go if data != $quoted", """{"data": "go"}""") shouldBe null
+            }
+            percept("/s std_msgs/String -> go if data == 'Go on'", """{"data": "Go on"}""") shouldBe "go"
+            percept("/s std_msgs/Bool -> go if data == \"true\"", """{"data": true}""") shouldBe "go"
+        }
+        context("that is left out has a reason:") {
+            val pose = "/odom nav_msgs/Odometry -> at(pose.pose.positon.x)"
+            val many = (0..1_000).joinToString(",", "[", "]")
+            listOf(
+                Triple(pose, """{"pose": {"pose": {"position": {}}}}""", "1 of at: pose.pose has no field positon; it has position"),
+                Triple("/s sensor_msgs/Range -> d(range)", """{"range": null}""", "range: it is null, as bridges write what is infinite"),
+                Triple("/s sensor_msgs/Range -> d(1/range)", """{"range": 0}""", "a number is infinite, or the result of no calculation"),
+                Triple("/s sensor_msgs/Range -> d(range*2)", """{"range": "far"}""", "* calculates with numbers, not with the text"),
+                Triple("/s sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $many}""", "has 1001 items, and a list has 1000 at most"),
+                Triple("/s a_msgs/Found -> found(all)", """{"all": [{"x": 1}]}""", "a list of messages; name a field of an item"),
+                Triple("/s a_msgs/Found -> found(all[1].x)", """{"all": [{"x": 1}]}""", "the list all has no item 1"),
+                Triple("/s a_msgs/Found -> found(all[0].x)", """{"all": [{"x": null}]}""", "argument 1 of found: all[0].x: it is null"),
+                Triple("/s a_msgs/Found -> found(all)", """{"all": {"x": 1}}""", "it is a message with x; name one of its fields"),
+                Triple("/s sensor_msgs/LaserScan", """{"ranges": [null]}""", "min takes a list with numbers, not a list"),
+                Triple("/s std_msgs/Int64 -> id(data)", """{"data": 9007199254740993}""", "9007199254740993 is an integer that Jason's"),
+                Triple("/s std_msgs/String -> go if data == 5", """{"data": "5"}""", "== cannot compare the text \"5\" with the number 5"),
+                Triple("/s std_msgs/String -> go if data > 'a'", """{"data": "b"}""", "> cannot compare the text \"b\" with the atom a"),
+            ).forEach { (rule, message, why) -> test("$rule of ${message.take(60)}") { reason(rule, message) shouldContain why } }
+        }
+        test("of which a condition does not hold is left out without a reason") {
+            val rule = mappingOf("percepts:\n  - /s sensor_msgs/Range -> near if range < 1 and max_range > 1", "t").percepts.single()
+            (rule.perceptIn(MessageScope(checkNotNull(operationIn("""{"range": 2}""")))) is Value.None) shouldBe false
+        }
         test("may hold for a time") {
             mappingOf("percepts:\n- /a std_msgs/Bool -> a for 1.5 s", "t").percepts.single().forMs shouldBe 1500
         }
@@ -85,6 +142,10 @@ class MappingReaderSpec : FunSpec({
             "percepts: /a" to "expected nothing behind 'percepts:'",
             "- /a std_msgs/Bool" to "this item is below neither",
             "percepts:\n  - \"/a std_msgs/Bool\"" to "an item does not begin with \"",
+            "commands:\n  - a -> /a std_msgs/Int64(data = 9007199254740993)" to "9007199254740993 is a number that cannot be kept exactly",
+            "percepts:\n\t- /a std_msgs/Bool" to "robot.ros.yaml:2:1: expected blanks, but found a tabulator",
+            "percepts:\n  -\t/a std_msgs/Bool" to "robot.ros.yaml:2:4: expected blanks, but found a tabulator",
+            "percepts:\n  - /a\tstd_msgs/Bool # a\ttabulator" to "robot.ros.yaml:2:7: expected blanks, but found a tabulator",
             "" to "it is empty",
         ).forEach { (text, message) ->
             test(text.lines().last().trim().ifEmpty { "an empty file" }) { refusal(text) shouldContain message }

@@ -57,6 +57,16 @@ class RosServerSpec : FunSpec({
             }
         }
     }
+    test("a subscription of another type than the topic's is reported") {
+        with {
+            server.says("dist(front,38);")
+            send("""{"op":"subscribe","topic":"/uno/dist/front","type":"std_msgs/String"}""")
+            await("status").text("msg") shouldBe "/uno/dist/front is of type std_msgs/Float64, and not std_msgs/String"
+            send("""{"op":"subscribe","topic":"/uno/dist/front","type":"std_msgs/msg/Float64"}""")
+            isServed()
+            heard.filter { it.text("op") == "status" }.shouldBeEmpty()
+        }
+    }
     test("a name without its first slash is the same name, and messages come by the name that the client gave") {
         with {
             server.says("dist(front,38);")
@@ -224,6 +234,9 @@ class RosServerSpec : FunSpec({
         test("connections beyond the limit are closed, and those of clients that drop out are given back") {
             val clients = List(RosServer.MAX_CONNECTIONS + 10) { runCatching { RawClient(server.server.port) }.getOrNull() }
             clients.count { it != null } shouldBeLessThanOrEqual RosServer.MAX_CONNECTIONS
+            server.log.first() shouldContain "is refused: there are ${RosServer.MAX_CONNECTIONS} connections already"
+            val answer = Socket("127.0.0.1", server.server.port).use { it.getInputStream().bufferedReader().readLine() }
+            answer shouldBe "HTTP/1.1 503 Service Unavailable"
             clients.forEach { it?.close() } // in the middle of it
             eventually(LIMIT) { server.server.connections shouldBe 0 }
             with { isServed() }
@@ -242,6 +255,7 @@ class RosServerSpec : FunSpec({
     test("a page of another site and a client without the token are refused") {
         val address = URI("ws://127.0.0.1:${server.server.port}/")
         shouldThrow<ExecutionException> { RawClient(address, mapOf("Origin" to "https://evil.example")) }
+        server.log.single() shouldContain "is refused: the page https://evil.example is not of this computer"
         RawClient(address, mapOf("Origin" to "http://localhost:8000")).close()
         TestServer(address = "127.0.0.1:0?token=0123456789abcdef").use { guarded ->
             val port = guarded.server.port

@@ -1,0 +1,103 @@
+package argo.ros.bridge
+
+import argo.ros.mapping.CommandRule
+import argo.ros.mapping.CommandRule.Kind
+import argo.ros.mapping.Mapping
+import argo.ros.mapping.isRos2Action
+import argo.ros.mapping.rosType
+import javino.LineClock
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ConcurrentHashMap
+
+/**
+ * Who else is on the robot's graph, as `rosapi` sees it: warns if nothing can come of a topic or of a command. Safe for use by several
+ * threads.
+ */
+internal class RobotGraph(
+    private val mapping: Mapping,
+    private val api: RosApi,
+    private val clock: LineClock,
+    private val warn: (String) -> Unit,
+) {
+    private val askedNanos = ConcurrentHashMap<String, Long>() // by the topics that commands go to
+
+    /** Compares the types of the topics that are there, and looks for the actions. */
+    fun check() {
+        val topics = mapping.percepts.map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
+        topics.distinct().forEach { (topic, type) -> compareType(topic, type) }
+        mapping.commands.filter { it.kind == Kind.ACTION }.distinctBy { it.target }.forEach { rule ->
+            ifMissing(rule) { warn("rosapi shows no action server ${rule.target} yet") }
+        }
+    }
+
+    /** The topic that [rule] publishes on, and its type; null: on none. */
+    private fun topicOf(rule: CommandRule): Pair<String, String>? = when {
+        rule.kind == Kind.TOPIC -> rule.target to rule.type
+        rule.kind == Kind.ACTION && !isRos2Action(rule.type) -> "${rule.target}/goal" to "${rule.type}Goal"
+        else -> null
+    }
+
+    /** Warns if [topic] has messages of another type than [type]; then the bridge passes none on, in either direction. */
+    private fun compareType(topic: String, type: String) = typeOf(topic).thenApply { known ->
+        if (known.isNotEmpty() && rosType(known) != rosType(type)) {
+            warn("$topic is of type $known on the robot, and the mapping says $type: its messages do not pass the bridge")
+        }
+        known
+    }
+
+    /** The type of [topic]; empty: nobody uses it. */
+    private fun typeOf(topic: String): CompletableFuture<String> =
+        api.ask("/rosapi/topic_type", mapOf("topic" to topic)).thenApply { it.text("type").orEmpty() }
+
+    /** [topic], of [type], has said nothing for long: warns if nothing can come of it. */
+    fun explainSilence(topic: String, type: String) {
+        compareType(topic, type)
+        api.ask("/rosapi/publishers", mapOf("topic" to topic)).whenComplete { answer, trouble ->
+            if (answer?.texts("publishers")?.isEmpty() == true) warn("no node publishes $topic")
+            else if ((trouble as? RosApi.NotKnown)?.isMissing == true) warn("nothing has come of $topic; does a node publish it?")
+        }
+    }
+
+    /**
+     * A command of [rule] is about to be sent: warns if nobody takes what is published on its topic, at most once in [AGAIN_NANOS].
+     *
+     * @param lost called if its goal reaches nobody, with the reason. In ROS 2 that is no more than probable, and the log has it
+     */
+    fun sends(rule: CommandRule, lost: (String) -> Unit) {
+        val reason = "rosapi shows no action server ${rule.target}"
+        when {
+            rule.kind == Kind.ACTION -> ifMissing(rule) {
+                if (isRos2Action(rule.type)) warn("$reason; a goal waits for one until its time is over") else lost(reason)
+            }
+            rule.kind == Kind.TOPIC && isDue(rule.target) -> lookForSubscribers(rule)
+        }
+    }
+
+    /** A topic that is not shown, though the bridge publishes on it, is one that `rosapi` hides. */
+    private fun lookForSubscribers(rule: CommandRule) {
+        compareType(rule.target, rule.type).thenCompose { type ->
+            if (type.isEmpty()) CompletableFuture.completedFuture(null)
+            else api.ask("/rosapi/subscribers", mapOf("topic" to rule.target)).thenApply { it.texts("subscribers") }
+        }.thenAccept { if (it?.isEmpty() == true) warn("no node subscribes to ${rule.target}, so that \"${rule.name}\" does nothing") }
+    }
+
+    private fun isDue(topic: String): Boolean {
+        val now = clock.nanos()
+        return askedNanos.compute(topic) { _, before -> if (before == null || now - before >= AGAIN_NANOS) now else before } == now
+    }
+
+    /** Does [work] if `rosapi` shows topics of an action, as those that a client makes, and no server of it. */
+    private fun ifMissing(rule: CommandRule, work: () -> Unit) {
+        val isShown = if (isRos2Action(rule.type)) CompletableFuture.completedFuture("") else typeOf("${rule.target}/goal")
+        isShown.thenCompose { type ->
+            if (type.isEmpty() && !isRos2Action(rule.type)) CompletableFuture.completedFuture(null)
+            else api.ask("/rosapi/action_servers").thenApply { it.texts("action_servers") }
+        }.thenAccept { servers -> if (servers?.none { absolute(it) == absolute(rule.target) } == true) work() }
+    }
+
+    private fun absolute(name: String) = "/${name.removePrefix("/")}"
+
+    private companion object {
+        val AGAIN_NANOS = SilentTopics.LIMIT_NANOS
+    }
+}

@@ -1,0 +1,134 @@
+package argo.ros.bridge
+
+import javino.LineClock
+import java.util.concurrent.TimeUnit
+
+/**
+ * When the messages of a robot were true, by the platform's clock: by the offset of the robot's clock, or by `/clock` if its time is
+ * simulated. Safe for use by several threads.
+ *
+ * @param clockIsThere called with the type of the topic [CLOCK] when there is one, which is to be [shown][show]
+ * @param warn takes that the time stamps of a topic are of no use
+ * @param tell takes what the ages go by
+ */
+internal class RobotTime(
+    private val clock: LineClock,
+    private val api: RosApi,
+    private val clockIsThere: (type: String) -> Unit,
+    private val warn: (String) -> Unit,
+    private val tell: (String) -> Unit,
+) {
+    private val offset = ClockOffset()
+    private val simulated = SimulatedClock()
+
+    /** Whether the robot goes by the topic [CLOCK]. */
+    @Volatile
+    private var isSimulated = false
+
+    @Volatile
+    private var isClockKnown = false
+
+    @Volatile
+    private var dueNanos: Long? = null // for the next question; null: one is under way
+    private var toldNanos: Long? = null // these two are used by the bridge's thread only
+    private var answers = 0
+
+    /** Begins to ask for the time. */
+    fun ask() {
+        dueNanos = null
+        if (!isClockKnown) askForClock()
+        val askedNanos = clock.nanos()
+        api.ask("/rosapi/get_time").whenComplete { answer, _ ->
+            val ros = answer?.values?.part("time")?.rosNanos()
+            if (ros != null) answered(askedNanos, ros, answer.receivedNanos)
+            dueNanos = clock.nanos() + when {
+                ros == null -> UNKNOWN_INTERVAL_NANOS
+                answers < FIRST_ANSWERS -> FIRST_INTERVAL_NANOS
+                else -> INTERVAL_NANOS
+            }
+        }
+    }
+
+    /** Asks again if it is time to. */
+    fun renew() {
+        if (dueNanos?.let { clock.nanos() - it >= 0 } == true) ask()
+    }
+
+    private fun askForClock() {
+        api.ask("/rosapi/topic_type", mapOf("topic" to CLOCK)).thenAccept { answer ->
+            val type = answer.text("type").orEmpty()
+            if (type.isEmpty() || isClockKnown) return@thenAccept
+            isClockKnown = true
+            clockIsThere(type)
+        }
+    }
+
+    private fun answered(askedNanos: Long, rosNanos: Long, receivedNanos: Long) {
+        offset.add(askedNanos, rosNanos, receivedNanos)
+        answers++
+        simulated.newest?.let { (simNanos, atNanos) -> compare(rosNanos, receivedNanos, simNanos, atNanos) }
+        if (answers >= FIRST_ANSWERS && !isSimulated) report()
+    }
+
+    /** A robot whose time is that of [CLOCK] goes by it. A robot with a clock of its own is decades apart from a simulator's. */
+    private fun compare(rosNanos: Long, receivedNanos: Long, simNanos: Long, atNanos: Long) {
+        if (isSimulated || Math.abs(receivedNanos - atNanos) > SAME_INSTANT_NANOS || Math.abs(rosNanos - simNanos) > SAME_TIME_NANOS) return
+        isSimulated = true
+        tell("the robot's time is simulated; ages go by its time stamps and $CLOCK, at the speed of the simulator")
+    }
+
+    /** The topic [CLOCK] shows [simNanos] at [nowNanos], by the platform's clock. */
+    fun show(simNanos: Long, nowNanos: Long) {
+        val isFirst = simulated.newest == null
+        simulated.show(simNanos, nowNanos)
+        if (isFirst && dueNanos != null) ask() // whether the robot goes by it
+    }
+
+    /**
+     * When something was true that has the time stamp [stampNanos] of the robot and came at [nowNanos], by the platform's clock: not after
+     * it came. What is said to be older than [MAX_AGE_NANOS] has a stamp of another clock, so that nothing is known but when it came.
+     *
+     * @param topic what it is of, for messages
+     * @param stampNanos null: it has none
+     */
+    fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
+        if (stampNanos == null) return nowNanos
+        val shown = (if (isSimulated) simulated.whenShown(stampNanos, nowNanos) else offset.whenShown(stampNanos)) ?: return nowNanos
+        val age = nowNanos - shown
+        if (age !in -AHEAD_NANOS..MAX_AGE_NANOS) {
+            val side = if (age < 0) "ahead of the robot's clock" else "older than ten minutes by the robot's clock"
+            warn("the time stamps of $topic are $side, so that its ages count from the arrival")
+            return nowNanos
+        }
+        return nowNanos - maxOf(0, age)
+    }
+
+    private fun report() {
+        val now = offset.offsetNanos ?: return
+        if (toldNanos?.let { Math.abs(it - now) < CHANGE_NANOS } == true) return
+        toldNanos = now
+        val wall = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - clock.nanos()
+        val aheadMs = TimeUnit.NANOSECONDS.toMillis(now - wall)
+        val side = if (aheadMs < 0) "behind" else "ahead of"
+        val errorMs = maxOf(1, TimeUnit.NANOSECONDS.toMillis(offset.errorNanos))
+        tell("the robot's clock is ${Math.abs(aheadMs)} ms $side this computer's, give or take $errorMs ms; ages go by its time stamps")
+    }
+
+    companion object {
+        /** The topic of a simulator's time. */
+        const val CLOCK = "/clock"
+
+        /** The oldest message that is believed to be that old, in ns. */
+        val MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10)
+
+        /** Stamps may be ahead by so much, for clocks are read with errors. */
+        private val AHEAD_NANOS = TimeUnit.SECONDS.toNanos(1)
+        private const val FIRST_ANSWERS = 4
+        private val FIRST_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(50)
+        private val INTERVAL_NANOS = TimeUnit.SECONDS.toNanos(10)
+        private val UNKNOWN_INTERVAL_NANOS = TimeUnit.MINUTES.toNanos(1)
+        private val CHANGE_NANOS = TimeUnit.MILLISECONDS.toNanos(50)
+        private val SAME_INSTANT_NANOS = TimeUnit.SECONDS.toNanos(1)
+        private val SAME_TIME_NANOS = TimeUnit.MINUTES.toNanos(1)
+    }
+}

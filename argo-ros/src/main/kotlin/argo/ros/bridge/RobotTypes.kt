@@ -1,0 +1,145 @@
+package argo.ros.bridge
+
+import argo.filters.Problem
+import argo.ros.mapping.CommandRule
+import argo.ros.mapping.CommandRule.Kind
+import argo.ros.mapping.Expression
+import argo.ros.mapping.FieldValue
+import argo.ros.mapping.Mapping
+import argo.ros.mapping.MappingException
+import argo.ros.mapping.MessageType
+import argo.ros.mapping.PerceptRule
+import argo.ros.mapping.Place
+import argo.ros.mapping.Scope
+import argo.ros.mapping.Unfit
+import argo.ros.mapping.Value
+import argo.ros.mapping.asJson
+import argo.ros.mapping.fields
+import argo.ros.mapping.isRos2Action
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
+
+/**
+ * The types of the robot's topics, services and actions, as `rosapi` describes them, and the check of a mapping against them. Safe for use
+ * by several threads.
+ *
+ * @param warn takes why nothing can come of a topic, or of a command
+ * @param tell takes that nothing can be checked
+ */
+internal class RobotTypes(
+    private val mapping: Mapping,
+    private val api: RosApi,
+    private val warn: (String) -> Unit,
+    private val tell: (String) -> Unit,
+) {
+    private data class Question(val service: String, val type: String)
+
+    private val known = ConcurrentHashMap<Question, MessageType>()
+    private val unknown = ConcurrentHashMap<Question, String>()
+    private val missing = ArrayList<Question>() // what no service answers; guarded by this, as the next one
+    private var isChecked = false
+
+    /** What the messages of [rule] are made of; null: that is not known. */
+    fun of(rule: PerceptRule): MessageType? = known[questionFor(rule)]
+
+    /** What the messages, requests or goals of [rule] are made of; null: that is not known. */
+    fun of(rule: CommandRule): MessageType? = known[questionFor(rule)]
+
+    /** Why no command of [rule] can leave the bridge; null: nothing is known against it. */
+    fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
+
+    private fun questionFor(rule: PerceptRule) = Question(MESSAGE, rule.type)
+
+    private fun questionFor(rule: CommandRule) = when {
+        rule.kind == Kind.SERVICE -> Question("/rosapi/service_request_details", rule.type)
+        rule.kind == Kind.TOPIC -> Question(MESSAGE, rule.type)
+        isRos2Action(rule.type) -> Question("/rosapi/action_goal_details", rule.type)
+        else -> Question(MESSAGE, rule.type.removeSuffix("Action") + "Goal")
+    }
+
+    /**
+     * Asks for the types, and checks the fields and the constant values of the mapping. Types that are described later are checked then.
+     *
+     * @param limitMs how long the bridge has to describe its types
+     * @throws MappingException if a field is none, or cannot have its value
+     */
+    fun check(limitMs: Long) {
+        val questions = (mapping.percepts.map(::questionFor) + mapping.commands.map(::questionFor)).distinct()
+        val answers = questions.map { question ->
+            api.ask(question.service, mapOf("type" to question.type)).handle { answer, trouble -> take(question, answer, trouble) }
+        }
+        try {
+            CompletableFuture.allOf(*answers.toTypedArray()).get(limitMs, TimeUnit.MILLISECONDS)
+        } catch (_: TimeoutException) {
+            tell("the bridge has not described all types within $limitMs ms; those that it describes later are checked then")
+        }
+        val problems = synchronized(this) {
+            isChecked = true
+            if (missing.isNotEmpty()) tell(if (missing.size == questions.size) NO_ROSAPI else unchecked())
+            questions.flatMap(::problemsOf)
+        }
+        if (problems.isNotEmpty()) throw MappingException(problems)
+    }
+
+    private fun take(question: Question, answer: RosApi.Answer?, trouble: Throwable?) = synchronized(this) {
+        val type = answer?.let { MessageType.of(it.values, question.type) }
+        when {
+            type != null -> known[question] = type
+            answer != null -> explain(question, "$UNKNOWN by rosapi")
+            trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // then the paths that were searched
+        }
+        if (isChecked) problemsOf(question).forEach { warn("$it") }
+    }
+
+    private fun unchecked() = missing.joinToString(", ") { it.type } +
+        " is not checked, since this rosapi does not describe it: a request or goal that does not fit fails, or is dropped, on the robot"
+
+    private fun explain(question: Question, reason: String) {
+        val name = question.type
+        when {
+            UNLOADED.none { it in reason } ->
+                if (reason.isNotEmpty()) warn("the bridge does not describe the type $name, which is not checked: $reason")
+            mapping.percepts.any { questionFor(it) == question } ->
+                warn("the bridge does not know the type $name, so that nothing comes of it: $reason")
+            else -> warn("the bridge does not know the type $name, so that no command with it leaves: $reason")
+        }
+        if (UNLOADED.any { it in reason }) unknown[question] = reason
+    }
+
+    private fun problemsOf(question: Question): List<Problem> {
+        val type = known[question] ?: return emptyList()
+        val percepts = mapping.percepts.filter { questionFor(it) == question }.flatMap { it.fields() }
+        val values = mapping.commands.filter { questionFor(it) == question }.flatMap { it.fields }
+        val inPercepts = percepts.mapNotNull { problem(it.place) { type.typeAt(it.path) } }
+        val inCommands = values.mapNotNull { problem(it.place) { check(it, type) } }
+        return (inPercepts + inCommands).distinct()
+    }
+
+    private fun check(field: FieldValue, type: MessageType) {
+        val isConstant = field.value !is Expression.Compound && field.value.fields().isEmpty()
+        if (isConstant) type.fit(field.path, field.value.valueIn(NOTHING).asJson()) else type.typeAt(field.path)
+    }
+
+    private fun problem(place: Place, work: () -> Unit): Problem? = try {
+        work()
+        null
+    } catch (unfit: Unfit) {
+        Problem(mapping.source, place.line, place.column, unfit.message.orEmpty())
+    }
+
+    private companion object {
+        const val MESSAGE = "/rosapi/message_details"
+        const val NO_ROSAPI = "rosapi does not run beside the bridge, so types and fields are not checked: a message that does not fit " +
+            "its type is dropped there without a report, and ages count from the arrival"
+        val NOTHING = Scope { Value.None("there is none") }
+
+        /** What `rosapi` of ROS 2 means by an answer without a description. */
+        const val UNKNOWN = "it is not described"
+
+        /** How a bridge says that it has no such type. */
+        val UNLOADED = listOf("Unable to load", "Unable to import", "not a valid type string", UNKNOWN)
+    }
+}

@@ -1,0 +1,187 @@
+package argo.ros.mapping
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import java.math.BigDecimal
+import java.math.BigInteger
+import java.util.Base64
+
+/** A path leads to no field, or a field cannot have a value, as [message] says. */
+internal class Unfit(message: String) : Exception(message)
+
+/**
+ * The type of a field.
+ *
+ * @property name a type of ROS 1 or of ROS 2: `float64`, `double`, `geometry_msgs/Vector3`
+ * @property length of the list that it is: [SINGLE] if it is none, [ANY], or the number of its items
+ */
+internal data class FieldType(val name: String, val length: Int) {
+    /** Whether bridges write it as text in base64. */
+    val isBytes: Boolean get() = length != SINGLE && name in BYTES
+
+    override fun toString() = name + if (length == SINGLE) "" else if (length == ANY) "[]" else "[$length]"
+
+    companion object {
+        const val SINGLE = -1
+        const val ANY = 0
+        private val BYTES = setOf("uint8", "char")
+    }
+}
+
+/**
+ * A type of messages, as a robot describes it with all types in it. Does not change.
+ *
+ * @property name the type, as its mapping has it
+ */
+internal class MessageType private constructor(
+    val name: String,
+    private val own: String,
+    private val types: Map<String, Map<String, FieldType>>,
+) {
+    /**
+     * The type of the field at [path]; null: it is in a type that is not described.
+     *
+     * @throws Unfit if there is no such field
+     */
+    fun typeAt(path: List<String>): FieldType? {
+        var type = FieldType(own, FieldType.SINGLE)
+        for ((index, step) in path.withIndex()) {
+            val place = written(path.take(index))
+            type = (if (step[0].isDigit()) itemOf(type, place) else fieldOf(type, step, place)) ?: return null
+        }
+        return type
+    }
+
+    private fun itemOf(type: FieldType, place: String): FieldType {
+        if (type.length == FieldType.SINGLE) throw Unfit("$place of $name is a ${type.name}, and no list")
+        return FieldType(type.name, FieldType.SINGLE)
+    }
+
+    private fun fieldOf(type: FieldType, step: String, place: String): FieldType? {
+        val fields = types[type.name]
+        return when {
+            type.length != FieldType.SINGLE -> throw Unfit("$place of $name is a list; take an item of it, as $place[0].$step")
+            fields != null -> fields[step] ?: throw Unfit("${shownName(type)} has no field $step; it has ${fields.keys.joinToString(", ")}")
+            '/' in type.name -> null
+            else -> throw Unfit("$place of $name is a ${type.name}, and has no field $step")
+        }
+    }
+
+    private fun shownName(type: FieldType) = if (type.name == own) name else type.name
+
+    /** The parts of [path] that are bytes, which a message has as text; none if the path leads to no field. */
+    fun bytesIn(path: List<String>): List<String>? = try {
+        path.indices.map { path.take(it + 1) }.find { typeAt(it)?.isBytes == true }
+    } catch (_: Unfit) {
+        null // refused, or reported, when the type became known
+    }
+
+    /**
+     * [value] for the field at [path].
+     *
+     * @throws Unfit if there is no such field, or it cannot have this value: then ROS drops the whole message
+     */
+    fun fit(path: List<String>, value: JsonElement): JsonElement {
+        val type = typeAt(path) ?: return value
+        return try {
+            fitted(value, type)
+        } catch (unfit: Unfit) {
+            throw Unfit("${written(path)} of $name is a $type: ${unfit.message}")
+        }
+    }
+
+    private fun fitted(value: JsonElement, type: FieldType): JsonElement = when {
+        type.length != FieldType.SINGLE -> list(value, type)
+        type.name in TIMES && value == NOW -> value
+        type.name in types || '/' in type.name ->
+            throw Unfit("$value is no message; give its fields a value, ${types[type.name]?.keys.orEmpty().joinToString(", ")}")
+        value !is JsonPrimitive -> throw Unfit("it takes no list, as $value is")
+        type.name == "string" || type.name == "wstring" -> text(value)
+        type.name == "bool" || type.name == "boolean" -> value.takeIf { isTruth(it) } ?: throw Unfit("$value is neither true nor false")
+        type.name in FLOATS -> value.also { requireFloat(it, FLOATS.getValue(type.name)) }
+        type.name in INTEGERS -> value.also { requireInteger(it, INTEGERS.getValue(type.name)) }
+        else -> value
+    }
+
+    private fun list(value: JsonElement, type: FieldType): JsonElement {
+        if (type.isBytes && value is JsonPrimitive && bytesOf(value) != null) return value
+        if (value !is JsonArray) throw Unfit("$value is no list" + if (type.isBytes) ", nor bytes in base64" else "")
+        val isFull = type.length == FieldType.ANY || value.size == type.length
+        if (!isFull) throw Unfit("a list of ${value.size} items is none of ${type.length}")
+        return JsonArray(value.map { fitted(it, FieldType(type.name, FieldType.SINGLE)) })
+    }
+
+    private fun text(value: JsonPrimitive) = when {
+        value.isString -> value
+        isTruth(value) -> JsonPrimitive(value.content)
+        else -> throw Unfit("$value is a number; write \"$value\"")
+    }
+
+    private fun isTruth(value: JsonPrimitive) = !value.isString && (value.content == "true" || value.content == "false")
+
+    private fun requireFloat(value: JsonPrimitive, most: Double) {
+        val number = numberIn(value) ?: throw Unfit("$value is no number")
+        if (number.abs() > BigDecimal(most)) throw Unfit("$value is beyond its range")
+    }
+
+    private fun requireInteger(value: JsonPrimitive, range: ClosedRange<BigInteger>) {
+        val number = numberIn(value) ?: throw Unfit("$value is no number")
+        if (number.stripTrailingZeros().scale() > 0) throw Unfit("$value is no whole number; the mapping may round it")
+        if (number.toBigInteger() !in range) throw Unfit("$value is not within ${range.start} to ${range.endInclusive}")
+    }
+
+    private fun numberIn(value: JsonPrimitive) = value.takeIf { !it.isString }?.content?.toBigDecimalOrNull()
+
+    companion object {
+        private val NOW = JsonPrimitive("now")
+        private val TIMES = setOf("time", "builtin_interfaces/Time")
+        private val FLOATS = mapOf(
+            "float32" to Float.MAX_VALUE.toDouble(), "float" to Float.MAX_VALUE.toDouble(),
+            "float64" to Double.MAX_VALUE, "double" to Double.MAX_VALUE,
+        )
+        private val INTEGERS: Map<String, ClosedRange<BigInteger>> = listOf(8, 16, 32, 64).flatMap { bits ->
+            val half = BigInteger.TWO.pow(bits - 1)
+            listOf("int$bits" to -half..half - BigInteger.ONE, "uint$bits" to BigInteger.ZERO..half + half - BigInteger.ONE)
+        }.toMap().let { it + mapOf("byte" to it.getValue("int8"), "char" to it.getValue("uint8"), "octet" to it.getValue("uint8")) }
+
+        /** The type [name] that `rosapi` has described as [answer]; null: it has not. */
+        fun of(answer: JsonObject, name: String): MessageType? {
+            val definitions = (answer["typedefs"] as? JsonArray).orEmpty().filterIsInstance<JsonObject>()
+            val types = definitions.mapNotNull { definition -> definition.word("type")?.let { rosType(it) to fieldsOf(definition) } }
+            val own = types.find { it.first == rosType(name) } ?: types.firstOrNull() ?: return null
+            return MessageType(name, own.first, types.toMap())
+        }
+
+        private fun fieldsOf(definition: JsonObject): Map<String, FieldType> {
+            val types = definition.words("fieldtypes")
+            val lengths = definition.words("fieldarraylen")
+            return definition.words("fieldnames").withIndex().associate { (index, field) ->
+                val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // without a bound, as ROS 2 has
+                val length = lengths.getOrNull(index)?.toIntOrNull() ?: FieldType.SINGLE
+                field.removePrefix("_") to FieldType(rosType(type), length) // which rosapi of ROS 2 puts in front
+            }
+        }
+
+        private fun JsonObject.word(name: String) = (this[name] as? JsonPrimitive)?.content
+
+        private fun JsonObject.words(name: String) = (this[name] as? JsonArray).orEmpty().map { (it as? JsonPrimitive)?.content.orEmpty() }
+    }
+}
+
+/** [type] without what ROS 2 has between package and name. */
+internal fun rosType(type: String) = type.replace("/msg/", "/")
+
+/** The bytes that a message has as text in base64, as a list of numbers; null: it is no such text, or has more than [MAX_ITEMS]. */
+internal fun bytesOf(value: JsonElement): JsonElement? {
+    if (value !is JsonPrimitive || !value.isString) return value
+    if (value.content.length > MAX_BASE64) return null
+    return try {
+        JsonArray(Base64.getDecoder().decode(value.content).map { JsonPrimitive(it.toInt() and 0xFF) }).takeIf { it.size <= MAX_ITEMS }
+    } catch (_: IllegalArgumentException) {
+        null
+    }
+}
+
+private const val MAX_BASE64 = (MAX_ITEMS + 2) / 3 * 4
