@@ -60,7 +60,7 @@ public:
 
 private:
   friend class JavinoBoard;
-  bool (*hook_)(JavinoBoard &, bool action); /* The board's, which is called behind counting. */
+  void (*hook_)(JavinoBoard &); /* The board's, which is called behind counting. */
   unsigned long look_ms_;                    /* When it looked for messages the last time. */
   uint8_t frames_;                           /* As the core counts them. */
   uint8_t damaged_;
@@ -355,7 +355,7 @@ private:
    * For what most sketches are spared the code of. Called before messages are looked for, and with an action in hand: whether it has
    * handled that.
    */
-  typedef bool (*Hook)(JavinoBoard &board, bool action);
+  typedef void (*Hook)(JavinoBoard &board);
 
   static void write(void *board, uint8_t byte);
   static void loseAlone(JavinoBoard &board);
@@ -363,8 +363,8 @@ private:
   bool isLost() { return javino_link_lost(&board_.link, silence_ms_, millis()); }
   static void perceiveAlone(JavinoBoard &board);
   static void perceiveWithBoard(JavinoBoard &board);
-  static bool count(JavinoBoard &board, bool action);
-  static bool rules(JavinoBoard &board, bool action);
+  static void count(JavinoBoard &board);
+  static void rules(JavinoBoard &board);
   static void look(void *board);
   static bool react(void *board, const char *text, uint8_t length);
   static bool isFree(void *board);

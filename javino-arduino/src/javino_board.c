@@ -415,7 +415,12 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
             javino_board_clear(b);
         }
     }
+#ifdef JAVINO_VERSION_1_ONLY
     javino_link_poll(&b->link, now_ms);
+#else
+    while (javino_link_poll(&b->link, now_ms) == JAVINO_RULE)
+        rule(b, JAVINO_RULES_SET);
+#endif
 #ifdef SPLITS
     if (!JAVINO_IS_2(&b->link))
         b->part = 0; /* An answer ends with its session. */

@@ -806,7 +806,7 @@ TEST_CASE("what arrives, what is damaged and how long loop() takes is counted") 
     CHECK(counters.longestLoop == 5);
     CHECK(done == std::vector<std::string>{"ledOn"});
     if (watches) {
-      board.run(command(2, std::string("\1\1dist\0001<40\0\2ledOn", 18)));
+      board.run(frame2(0x30, 2, ruleItem(std::string("\1dist\0001<40\0\2ledOn", 17))));
       board.javino.perceive([](JavinoBoard &of) { of.percept("dist", 30); });
       board.later(10);
       CHECK(done.size() == 2);

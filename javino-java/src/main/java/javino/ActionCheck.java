@@ -3,7 +3,6 @@ package javino;
 import java.util.List;
 import java.util.stream.Collectors;
 import javino.wire.BoardAction;
-import javino.wire.BoardRule;
 
 /** Whether a board that has described itself knows a command. */
 final class ActionCheck {
@@ -14,7 +13,7 @@ final class ActionCheck {
 
     /** Why a board with these actions would refuse the command, for a message to a person; null: it would not. */
     static String trouble(String command, List<BoardAction> actions) {
-        if (actions.isEmpty() || BoardRule.isIn(command)) {
+        if (actions.isEmpty()) {
             return null;
         }
         String name = Command.functorOf(command);
@@ -33,8 +32,8 @@ final class ActionCheck {
 
     /** Why a board has refused the command that has told these actions, none if it has told nothing; for a message to a person. */
     static String refusal(String command, List<BoardAction> actions) {
-        if (actions.isEmpty() || BoardRule.isIn(command)) {
-            return "it does not know the action, or not with these arguments";
+        if (actions.isEmpty()) {
+            return "it does not know the action, or not with these arguments, or its program has refused what was asked now";
         }
         String trouble = trouble(command, actions);
         return trouble == null

@@ -1,7 +1,6 @@
 package javino;
 
 import java.util.concurrent.TimeUnit;
-import javino.wire.BoardRule;
 
 /** Sends commands to a version 1 board, which acknowledges nothing: a command has arrived when its last byte has left. */
 final class OneWaySender {
@@ -26,7 +25,7 @@ final class OneWaySender {
     long write(Command command) throws PortException {
         Frame frame = command.frame();
         return writer.writeNow(FrameWriter.Kind.ACTION, MAX_WRITE_MILLIS, () -> {
-            if (BoardRule.isIn(command.text())) {
+            if (command.rule() != null) {
                 throw new ActionRefusedException(
                         port, "the board at port " + port + " speaks version 1, in which it takes no rules");
             }

@@ -1,9 +1,9 @@
 package argo.acting
 
 import argo.calls.Failure
-import argo.calls.failureOf
 import argo.filters.CriticalRule
 import javino.wire.BoardRule
+import javino.wire.CommandItem
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -19,7 +19,7 @@ import kotlin.concurrent.withLock
  */
 internal class BoardRules(
     private val wanted: () -> List<CriticalRule>,
-    private val submit: (command: String, outcome: (Failure?) -> Unit) -> Unit,
+    private val submit: (change: CommandItem.Rule, outcome: (Failure?) -> Unit) -> Unit,
 ) {
     /** A rule that was sent to the board in this session. */
     private class Held(val number: Int, val rule: CriticalRule) {
@@ -69,11 +69,7 @@ internal class BoardRules(
     private fun set(rule: CriticalRule, boardRule: BoardRule) {
         val new = Held(freeNumber(), rule)
         held[rule] = new
-        try {
-            submit(boardRule.text(new.number)) { ended(new, it) }
-        } catch (unsendable: IllegalArgumentException) {
-            ended(new, failureOf(unsendable))
-        }
+        submit(boardRule.setting(new.number)) { ended(new, it) }
     }
 
     /** The number that was not used for longest, so that a report that is under way is not taken for one of another rule. */
