@@ -8,9 +8,10 @@ import os
 import random
 import select
 import sys
+import termios
 import time
 
-from board import PATIENCE, Board, Session, commands, frame1, frames, kind_of, version1
+from board import PATIENCE, ROOT, Board, Session, commands, frame1, frames, kind_of, version1
 from cases import check, damage_one_in_200, equal, texts
 from machine import MACHINES
 
@@ -349,6 +350,35 @@ def a_robot_without_arduino_does_the_same():
         board.await_pin(5, "pwm 77")
 
 
+def another_rate_is_heard_as_on_a_wire():
+    with Board("Stall") as board:
+        board.line.ready()
+        rate = rate_of_the_sketch("Stall")
+        for wrong in (termios.B300, termios.B57600):
+            set_rate(board.line, wrong)
+            board.line.write(frame1(b"getPercepts"))
+            equal(board.line.messages(1.0), [])
+            set_rate(board.line, rate)
+            board.line.ready()
+            board.line.write(frame1(b"stall(600)") + frame1(b"getPercepts"))
+            time.sleep(0.2)
+            set_rate(board.line, wrong)  # so the answer is misheard
+            equal(board.line.messages(2.0), [])
+            set_rate(board.line, rate)
+            board.line.ready()
+
+
+def rate_of_the_sketch(name):
+    begin = (ROOT / f"tests/sketches/{name}/{name}.ino").read_text().split("start(")[1]
+    return getattr(termios, "B" + begin.split(")")[0])
+
+
+def set_rate(line, rate):
+    settings = termios.tcgetattr(line.fd)
+    settings[4] = settings[5] = rate
+    termios.tcsetattr(line.fd, termios.TCSANOW, settings)
+
+
 # ---- time around the board ----
 
 def no_frame_is_lost_while_the_loop_stalls():
@@ -626,6 +656,7 @@ CASES = [
     a_pressed_button_is_reported_unasked,
     the_agents_line_may_be_on_two_other_pins,
     two_computers_have_a_conversation_each,
+    another_rate_is_heard_as_on_a_wire,
     no_frame_is_lost_while_the_loop_stalls,
     a_slow_command_is_carried_out_once,
     an_outcome_is_reported_later_and_the_board_goes_on,
