@@ -42,6 +42,17 @@ inline JavinoDecimals decimals(double value, uint8_t digits) {
 }
 #endif
 
+/** A text that is a string, see quoted(). */
+struct JavinoQuoted {
+  const char *text;
+};
+
+/** In a percept, a text that is a string also where it could be an atom: `percept("says", quoted(word))` is says("hi"). */
+inline JavinoQuoted quoted(const char *text) {
+  JavinoQuoted value = {text};
+  return value;
+}
+
 class JavinoBoard;
 
 /**
@@ -413,6 +424,7 @@ private:
   void term(float value) { term(static_cast<double>(value)); }
 #endif
   void term(const char *value) { javino_percept_term(&board_, value); }
+  void term(const JavinoQuoted &value) { javino_percept_string(&board_, value.text); }
   void term(char *value) { javino_percept_term(&board_, value); }
   void term(const __FlashStringHelper *value);
   /* Any other pointer would be a truth value. */

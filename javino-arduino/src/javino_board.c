@@ -328,12 +328,8 @@ static bool is_atom(const char *text)
     return true;
 }
 
-void javino_percept_term(javino_board *board, const char *text)
+void javino_percept_string(javino_board *board, const char *text)
 {
-    if (is_atom(text)) {
-        javino_percept_text(board, text);
-        return;
-    }
     javino_percept_put(board, '"');
     for (; *text; text++) {
         if (*text == '"' || *text == '\\')
@@ -341,6 +337,14 @@ void javino_percept_term(javino_board *board, const char *text)
         javino_percept_put(board, *text);
     }
     javino_percept_put(board, '"');
+}
+
+void javino_percept_term(javino_board *board, const char *text)
+{
+    if (is_atom(text))
+        javino_percept_text(board, text);
+    else
+        javino_percept_string(board, text);
 }
 
 bool javino_percept_end(javino_board *board)

@@ -149,6 +149,9 @@ void javino_percept_number(javino_board *board, uint32_t magnitude, bool negativ
 /** Writes text as an atom where it is one (front), otherwise as a string ("hi, you"). */
 void javino_percept_term(javino_board *board, const char *text);
 
+/** Writes text as a string ("front"), whatever it is. */
+void javino_percept_string(javino_board *board, const char *text);
+
 /**
  * Ends a percept.
  *

@@ -539,6 +539,16 @@ TEST_CASE("a port that takes nothing is asked once for each message") {
   CHECK(board.run(frame1("getPercepts")) == frame1(""));
 }
 
+TEST_CASE("a quoted text is a string, whatever it is") {
+  Board board;
+  static Board *of;
+  of = &board;
+  board.javino.perceive([] { of->javino.percept("says", quoted("hi"), "hi", quoted("a \"b\""), quoted("")); });
+  Serial.receive(frame1("getPercepts"));
+  board.javino.run();
+  CHECK(Serial.sent() == frame1("says(\"hi\",hi,\"a \\\"b\\\"\",\"\");"));
+}
+
 TEST_CASE("percepts have as many decimals as are asked for, and whole numbers of 64 bits") {
   static Board *of;
   Board board;

@@ -266,7 +266,8 @@ final class FrameWriter implements WaitingCommands<Command> {
         return new PortTimeoutException(
                 transport.name(),
                 "port " + transport.name() + " had no time for a message of " + bytes + " bytes within " + timeoutMillis
-                        + " ms; the line is busy with those before it");
+                        + " ms; the line is busy with those before it, or the board takes long over them, as with delay(3000) "
+                        + "in its loop()");
     }
 
     /** Writes a frame whose turn has come; as {@link #write}. */
