@@ -23,7 +23,8 @@ final class ActionCheck {
             known = action.name().equals(name) ? action : known; // the newest counts
         }
         if (known == null) {
-            return "it has no action " + name + "; it has " + words(actions);
+            return (name.isEmpty() ? "the command names no action" : "it has no action " + name) + "; it has "
+                    + words(actions);
         }
         return known.arguments() == arguments || known.arguments() == BoardAction.ANY
                 ? null
@@ -32,6 +33,9 @@ final class ActionCheck {
 
     /** Why a board has refused the command that has told these actions, none if it has told nothing; for a message to a person. */
     static String refusal(String command, List<BoardAction> actions) {
+        if (!isClosed(command)) {
+            return "a bracket or quote in it is not closed";
+        }
         if (actions.isEmpty()) {
             return "it does not know the action, or not with these arguments, or its program has refused what was asked now";
         }
@@ -39,6 +43,29 @@ final class ActionCheck {
         return trouble == null
                 ? "it has the action, and its program has refused what was asked now; it has " + words(actions)
                 : trouble;
+    }
+
+    /** Whether as many brackets and quotes are closed as are opened. */
+    private static boolean isClosed(String command) {
+        int depth = 0;
+        char quote = 0; // none
+        for (int i = 0; i < command.length(); i++) {
+            char c = command.charAt(i);
+            if (quote != 0) {
+                if (c == '\\' && quote == '"') {
+                    i++;
+                } else if (c == quote) {
+                    quote = 0;
+                }
+            } else if (c == '"' || c == '\'') {
+                quote = c;
+            } else if ("([{".indexOf(c) >= 0) {
+                depth++;
+            } else if (")]}".indexOf(c) >= 0) {
+                depth--;
+            }
+        }
+        return depth == 0 && quote == 0;
     }
 
     /** The commas outside of brackets and quotes, and one more. */

@@ -79,7 +79,10 @@ final class Command implements SessionCommand {
 
     /** Whether it takes the place of {@code earlier}, which waits. */
     boolean replaces(Command earlier) {
-        return options.latest() && earlier.isWaiting() && earlier.rule == null && functorOf(text()).equals(functorOf(earlier.text()));
+        return options.latest()
+                && earlier.isWaiting()
+                && earlier.rule == null
+                && functorOf(text()).equals(functorOf(earlier.text()));
     }
 
     /** What became of it. Completed outside of any lock, since its dependents run on the thread that completes it. */

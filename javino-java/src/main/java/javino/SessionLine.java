@@ -375,7 +375,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             hasToldLostActions = true;
             LOG.log(
                     System.Logger.Level.WARNING,
-                    "port " + transport.name() + ": " + actionsLost + " actions of the board's program found no room in its memory, "
+                    "port " + transport.name() + ": " + actionsLost
+                            + " actions of the board's program found no room in its memory, "
                             + "and it refuses them; give the board more memory, as JavinoSized<600> javino; does, or fewer actions");
         }
         rules = welcome.rules();
@@ -405,8 +406,10 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                         port,
                         command.rule() == null
                                 ? "the board at port " + port + " refuses \"" + text + "\": "
-                                        + ActionCheck.refusal(text, session.vocabulary().orElse(List.of()))
-                                : "the board at port " + port + " refuses " + text + ": it has no room for it, or cannot watch it");
+                                        + ActionCheck.refusal(
+                                                text, session.vocabulary().orElse(List.of()))
+                                : "the board at port " + port + " refuses " + text
+                                        + ": it has no room for it, or cannot watch it");
             case FAILED ->
                 new ActionRefusedException(
                         port,
@@ -420,8 +423,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             case TOO_LONG ->
                 new ActionRefusedException(
                         port,
-                        "the board at port " + port + " takes no command of " + text.length()
-                                + " bytes, in version 2 " + CommandItem.MAX_TEXT + " at most: " + Frame.quoted(text));
+                        "the board at port " + port + " takes no command of " + text.length() + " bytes, in version 2 "
+                                + CommandItem.MAX_TEXT + " at most: " + Frame.quoted(text));
         };
     }
 

@@ -23,7 +23,8 @@ public interface Transport extends AutoCloseable {
     /** What to look at when the board does not answer, as a question to a person. */
     default String doubt() {
         int baud = line().baud();
-        return "does the board run a Javino sketch at " + baud + " baud, with javino.start(" + baud + ") in setup() and javino.run() in "
+        return "does the board run a Javino sketch at " + baud + " baud, with javino.start(" + baud
+                + ") in setup() and javino.run() in "
                 + "loop()? A loop() that waits, as with delay(3000), answers too late";
     }
 

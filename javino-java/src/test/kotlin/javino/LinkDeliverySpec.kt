@@ -232,6 +232,10 @@ class LinkDeliverySpec : FunSpec({
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldEndWith
                 "it has the action, and its program has refused what was asked now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
                 "wave7, wave8, wave9, wave10 and 3 more"
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1", 500) }.message shouldEndWith
+                "refuses \"bad(1\": a bracket or quote in it is not closed"
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("", 500) }.message shouldContain
+                "refuses \"\": the command names no action; it has wave1"
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("fly", 500) }.message shouldEndWith
                 "it has no action fly; it has wave1, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10 and 3 more"
         }

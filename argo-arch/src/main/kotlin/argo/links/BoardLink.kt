@@ -75,7 +75,7 @@ interface BoardLink : AutoCloseable {
     /** Sends [text] as a command, and does not wait. */
     fun send(text: String, options: SendOptions): SentCommand
 
-    /** Sends a command that changes the board's critical rules, and does not wait. Only called if the board has said that it holds rules. */
+    /** Sends a command that changes the board's critical rules, and does not wait; only if the board has said that it holds rules. */
     fun sendRule(rule: CommandItem.Rule, options: SendOptions): SentCommand = throw UnsupportedOperationException("$port holds no rules")
 
     /** Sends [text] as a command and waits for its outcome. */

@@ -39,8 +39,7 @@ final class BoardReceiver {
      * @param nonce that of the session of version 2 when a byte arrives: then a frame of version 1 counts behind a silence only; 0: there
      *     is none
      */
-    BoardReceiver(
-            Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
+    BoardReceiver(Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
         this.reads = reads;
         this.timeoutNanos = timeoutNanos;
         this.nonce = nonce;

@@ -74,10 +74,8 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
     }
 
     private String text(int number) {
-        StringBuilder text = new StringBuilder()
-                .append((char) number)
-                .append(functor)
-                .append(END);
+        StringBuilder text =
+                new StringBuilder().append((char) number).append(functor).append(END);
         for (Condition condition : conditions) {
             text.append((char) ('0' + condition.place))
                     .append(condition.operator.sign)

@@ -26,7 +26,8 @@ public record Welcome(int nonce, int credit, int longestPayload, int rules, int 
 
     /** Its bytes. */
     public String payload() {
-        return "" + (char) nonce + (char) credit + (char) longestPayload + (char) rules + (char) revision + (char) actionsLost;
+        return "" + (char) nonce + (char) credit + (char) longestPayload + (char) rules + (char) revision
+                + (char) actionsLost;
     }
 
     /** Reads a payload; null: it is cut. */

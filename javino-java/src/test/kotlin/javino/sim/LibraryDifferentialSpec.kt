@@ -242,7 +242,8 @@ private class RuleGenerator(private val random: Random) {
 
     private fun rule(): String {
         val conditions = List(random.nextInt(3)) { "${one(1, 1, 2, 3, 9, 0)}${one("<", ">", "{", "}", "=", "!", "?")}${value()}\u0000" }
-        val rule = one("\u0001", "\u0002", "\u0003", "\u0001", "\u0002", "\u0003", "\u0000") + one("d", "d", "~d", "e") + '\u0000' + conditions.joinToString("") +
+        val number = one("\u0001", "\u0002", "\u0003", "\u0001", "\u0002", "\u0003", "\u0000")
+        val rule = number + one("d", "d", "~d", "e") + '\u0000' + conditions.joinToString("") +
             one("", "\u0002stop", "\u0002no", "\u0002")
         return when (random.nextInt(8)) {
             0 -> rule.take(1 + random.nextInt(rule.length))

@@ -40,8 +40,13 @@ internal class BoardDescription(
     ).map(::printable)
 
     /** The members of its JSON object. */
-    fun members(): Map<String, Any?> =
-        mapOf("board" to "a Javino board of ${versionSpoken(protocol)}", "actions" to actions, "actionsLost" to lost, "percepts" to percepts, "rules" to rules)
+    fun members(): Map<String, Any?> = mapOf(
+        "board" to "a Javino board of ${versionSpoken(protocol)}",
+        "actions" to actions,
+        "actionsLost" to lost,
+        "percepts" to percepts,
+        "rules" to rules,
+    )
 
     companion object {
         private const val ANSWER_MS = 1_000
