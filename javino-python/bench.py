@@ -64,7 +64,7 @@ def look():
 board.perceive(look)
 board.on_action("stop", lambda: None)
 def hear(kind, number, payload=b""):
-    line.arrives = frame2(kind, number, payload)
+    line.arrives = frame2(kind, number, payload, 7)
     gc.collect()
     begin = gc.mem_alloc()
     board.run()

@@ -16,6 +16,9 @@ enum {
     ADMUX = 0x7C,
     UCSR0A = 0xC0,
     U2X0 = 1,
+    UCSR0B = 0xC1,
+    TXEN0 = 3,
+    RXEN0 = 4,
     UBRR0L = 0xC4,
     UBRR0H = 0xC5
 };
@@ -252,6 +255,12 @@ static avr_cycle_count_t byte_cycles(const board *b)
     const uint8_t *data = b->avr->data;
     unsigned divisor = (unsigned)(data[UBRR0L] | data[UBRR0H] << 8) + 1;
     return uart(b)->cycles_per_byte = 10ull * divisor * (data[UCSR0A] & 1 << U2X0 ? 8 : 16);
+}
+
+unsigned board_baud(const board *board)
+{
+    bool is_on = board->avr->data[UCSR0B] & (1 << RXEN0 | 1 << TXEN0);
+    return is_on ? (unsigned)(10ull * BOARD_HZ / byte_cycles(board)) : 0;
 }
 
 static avr_cycle_count_t feed(avr_t *avr, avr_cycle_count_t when, void *context)

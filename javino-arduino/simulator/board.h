@@ -73,6 +73,9 @@ void board_reset(board *board);
 /** @return how many bytes board_receive takes at present */
 unsigned board_room(const board *board);
 
+/** @return the rate of the board's serial line; 0 until the sketch has set one */
+unsigned board_baud(const board *board);
+
 /** Sends a byte to the board; it arrives by the rate that the board has set. */
 void board_receive(board *board, uint8_t byte);
 

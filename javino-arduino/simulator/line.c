@@ -1,5 +1,7 @@
 #include "line.h"
 
+#include "rate.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -51,6 +53,7 @@ bool line_open(line *line, const char *link)
         return fail(line->path);
     cfmakeraw(&settings);
     tcsetattr(line->slave, TCSANOW, &settings);
+    rate_forget(line->slave);
     line->opens = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
     if (line->opens < 0 || inotify_add_watch(line->opens, line->path, IN_OPEN | IN_CLOSE) < 0)
         return fail("cannot watch the pseudo-terminal");
@@ -74,8 +77,8 @@ bool line_opened(line *line)
                 if (line->users++ == 0)
                     tcflush(line->slave, TCIFLUSH);
                 opened = true;
-            } else if (event->mask & IN_CLOSE && line->users > 0) {
-                line->users--;
+            } else if (event->mask & IN_CLOSE && line->users > 0 && --line->users == 0) {
+                rate_forget(line->slave); /* The next program may set none. */
             }
             at += sizeof *event + event->len;
         }
@@ -83,14 +86,19 @@ bool line_opened(line *line)
     return opened;
 }
 
-size_t line_read(line *line, uint8_t *bytes, size_t size)
+size_t line_read(line *line, uint8_t *bytes, size_t size, unsigned baud)
 {
     ssize_t got = read(line->master, bytes, size);
+    unsigned far = got > 0 ? rate_of(line->slave) : 0;
+    ssize_t i;
+    for (i = 0; i < got; i++)
+        bytes[i] = rate_sampled(bytes[i], far, baud);
     return got > 0 ? (size_t)got : 0;
 }
 
-void line_write(line *line, uint8_t byte)
+void line_write(line *line, uint8_t byte, unsigned baud)
 {
+    byte = rate_sampled(byte, baud, rate_of(line->slave));
     if (line->users > 0 && write(line->master, &byte, 1) != 1 && errno != EAGAIN)
         fail("writing to the pseudo-terminal");
 }

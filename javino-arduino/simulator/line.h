@@ -27,11 +27,19 @@ bool line_open(line *line, const char *link);
 /** Takes note of who has opened and closed the far end. @return whether somebody has just opened it */
 bool line_opened(line *line);
 
-/** @return bytes that the far end has written, at most size */
-size_t line_read(line *line, uint8_t *bytes, size_t size);
+/**
+ * Bytes as the board receives them that the far end has written. If a program has set another rate there, they are not those.
+ *
+ * @param baud  the board's rate; 0: that of the far end
+ * @return how many, at most size
+ */
+size_t line_read(line *line, uint8_t *bytes, size_t size, unsigned baud);
 
-/** Puts one byte on the line. Where nobody has the far end open, or nobody reads, it is lost, as on a wire. */
-void line_write(line *line, uint8_t byte);
+/**
+ * Puts one byte on the line, at the board's rate. Where nobody has the far end open, or nobody reads, it is lost, as on a wire; where a
+ * program has set another rate it gets another byte.
+ */
+void line_write(line *line, uint8_t byte, unsigned baud);
 
 /** Closes the line and removes the link. */
 void line_close(line *line);

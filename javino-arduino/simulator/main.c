@@ -129,12 +129,14 @@ static void pin_changed(void *context, int pin, pin_state state, double ms)
 
 static void byte_sent(void *context, uint8_t byte)
 {
-    line_write(&((simulator *)context)->line, byte);
+    simulator *s = (simulator *)context;
+    line_write(&s->line, byte, board_baud(&s->board));
 }
 
 static void soft_byte_sent(void *context, uint8_t byte)
 {
-    line_write(&((simulator *)context)->soft_line, byte);
+    simulator *s = (simulator *)context;
+    line_write(&s->soft_line, byte, s->options.soft_baud);
 }
 
 /* The boot loader is not run: it takes its time, and what arrives meanwhile. */
@@ -150,7 +152,7 @@ static bool booting(simulator *s)
     uint64_t now = now_ns();
     if (s->boots_until_ns == 0)
         return false;
-    while (line_read(&s->line, lost, sizeof lost) > 0) {
+    while (line_read(&s->line, lost, sizeof lost, 0) > 0) {
     }
     if (now < s->boots_until_ns)
         return true;
@@ -176,7 +178,7 @@ static void take_bytes(simulator *s)
 {
     uint8_t bytes[256];
     unsigned room = board_room(&s->board);
-    size_t count = line_read(&s->line, bytes, room < sizeof bytes ? room : sizeof bytes);
+    size_t count = line_read(&s->line, bytes, room < sizeof bytes ? room : sizeof bytes, board_baud(&s->board));
     size_t i;
     for (i = 0; i < count; i++)
         board_receive(&s->board, bytes[i]);
@@ -186,7 +188,7 @@ static void take_soft_bytes(simulator *s)
 {
     uint8_t bytes[256];
     unsigned room = soft_room(&s->soft);
-    size_t count = line_read(&s->soft_line, bytes, room < sizeof bytes ? room : sizeof bytes);
+    size_t count = line_read(&s->soft_line, bytes, room < sizeof bytes ? room : sizeof bytes, s->options.soft_baud);
     size_t i;
     for (i = 0; i < count; i++)
         soft_receive(&s->soft, bytes[i]);

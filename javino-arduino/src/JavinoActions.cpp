@@ -9,7 +9,7 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
     return false;
   Action *action = static_cast<Action *>(javino_board_take(board_, sizeof(Action)));
   if (!action) {
-    full_ = true;
+    board_->link.actions_lost++;
     return false;
   }
   action->named.name = name;
@@ -30,7 +30,7 @@ const char *JavinoActions::keep(const __FlashStringHelper *name) {
   if (kept)
     memcpy_P(kept, text, size);
   else
-    full_ = true;
+    board_->link.actions_lost++;
   return kept;
 }
 

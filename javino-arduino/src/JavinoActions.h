@@ -83,7 +83,7 @@ public:
     const __FlashStringHelper *name_;
   };
 
-  explicit JavinoActions(javino_board *board) : board_(board), reader_(NULL), count_(0), described_(true), full_(false) {}
+  explicit JavinoActions(javino_board *board) : board_(board), reader_(NULL), count_(0), described_(true) {}
 
   Place operator[](const char *name) { return Place(*this, name); }
   NamedPlace operator[](const String &name) { return NamedPlace(*this, name); }
@@ -96,7 +96,7 @@ public:
    * Whether an action has been left out because the memory was full, of which JavinoSized has more, or because
    * percepts had already been written.
    */
-  bool full() const { return full_; }
+  bool full() const { return board_->link.actions_lost != 0; }
 
 private:
   friend class JavinoBoard;
@@ -227,7 +227,6 @@ private:
   Function unknown_; /* Called for unknown actions. */
   uint8_t count_;
   bool described_; /* Computers are told which actions there are. */
-  bool full_;
 };
 
 #endif

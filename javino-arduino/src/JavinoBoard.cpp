@@ -49,35 +49,27 @@ void JavinoBoard::perceiveWithBoard(JavinoBoard &board) {
   reinterpret_cast<BoardCallback>(board.perceive_)(board);
 }
 
-bool JavinoBoard::count(JavinoBoard &board, bool action) {
+void JavinoBoard::count(JavinoBoard &board) {
   const javino_link &link = board.board_.link;
   JavinoCounters &counters = *board.counters_;
-  if (!action) {
-    counters.frames += static_cast<uint8_t>(link.frames - counters.frames_);
-    counters.frames_ = link.frames;
-    counters.damaged += static_cast<uint8_t>(link.decoder.damaged - counters.damaged_);
-    counters.damaged_ = link.decoder.damaged;
+  counters.frames += static_cast<uint8_t>(link.frames - counters.frames_);
+  counters.frames_ = link.frames;
+  counters.damaged += static_cast<uint8_t>(link.decoder.damaged - counters.damaged_);
+  counters.damaged_ = link.decoder.damaged;
 #ifdef SERIAL_RX_BUFFER_SIZE
-    counters.overruns += board.stream_.available() == SERIAL_RX_BUFFER_SIZE - 1;
+  counters.overruns += board.stream_.available() == SERIAL_RX_BUFFER_SIZE - 1;
 #endif
-    unsigned long now = millis();
-    if (now - counters.look_ms_ > counters.longestLoop)
-      counters.longestLoop = now - counters.look_ms_;
-    counters.look_ms_ = now;
-  }
-  return counters.hook_ && counters.hook_(board, action);
+  unsigned long now = millis();
+  if (now - counters.look_ms_ > counters.longestLoop)
+    counters.longestLoop = now - counters.look_ms_;
+  counters.look_ms_ = now;
+  if (counters.hook_)
+    counters.hook_(board);
 }
 
 #ifndef JAVINO_VERSION_1_ONLY
-bool JavinoBoard::rules(JavinoBoard &board, bool action) {
-  if (!action) {
-    javino_rules_look(&board.board_, look, board.receive());
-    return true;
-  }
-  if (!javino_rules_is(&board.board_))
-    return false;
-  javino_link_finish(&board.board_.link, javino_rules_set(&board.board_));
-  return true;
+void JavinoBoard::rules(JavinoBoard &board) {
+  javino_rules_look(&board.board_, look, board.receive());
 }
 
 JAVINO_NOINLINE void JavinoBoard::look(void *board) {
@@ -99,7 +91,7 @@ bool JavinoBoard::isFree(void *board) {
 void JavinoBoard::next() {
   mute_ = false;
   if (hook_)
-    hook_(*this, false);
+    hook_(*this);
   javino_board_poll(&board_, receive());
   if (supervise_)
     supervise_(*this);
@@ -151,8 +143,6 @@ void JavinoBoard::handle() {
  * are open. Where it can be one, what follows decides.
  */
 bool JavinoBoard::carryOutAction() {
-  if (hook_ && hook_(*this, true))
-    return true;
   const javino_link &link = board_.link;
   javino_follows follows = JAVINO_FOLLOWS_HEADER;
   if (!JAVINO_IS_2(&link))

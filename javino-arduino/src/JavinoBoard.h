@@ -42,6 +42,17 @@ inline JavinoDecimals decimals(double value, uint8_t digits) {
 }
 #endif
 
+/** A text that is a string, see quoted(). */
+struct JavinoQuoted {
+  const char *text;
+};
+
+/** In a percept, a text that is a string also where it could be an atom: `percept("says", quoted(word))` is says("hi"). */
+inline JavinoQuoted quoted(const char *text) {
+  JavinoQuoted value = {text};
+  return value;
+}
+
 class JavinoBoard;
 
 /**
@@ -60,7 +71,7 @@ public:
 
 private:
   friend class JavinoBoard;
-  bool (*hook_)(JavinoBoard &, bool action); /* The board's, which is called behind counting. */
+  void (*hook_)(JavinoBoard &); /* The board's, which is called behind counting. */
   unsigned long look_ms_;                    /* When it looked for messages the last time. */
   uint8_t frames_;                           /* As the core counts them. */
   uint8_t damaged_;
@@ -355,7 +366,7 @@ private:
    * For what most sketches are spared the code of. Called before messages are looked for, and with an action in hand: whether it has
    * handled that.
    */
-  typedef bool (*Hook)(JavinoBoard &board, bool action);
+  typedef void (*Hook)(JavinoBoard &board);
 
   static void write(void *board, uint8_t byte);
   static void loseAlone(JavinoBoard &board);
@@ -363,8 +374,8 @@ private:
   bool isLost() { return javino_link_lost(&board_.link, silence_ms_, millis()); }
   static void perceiveAlone(JavinoBoard &board);
   static void perceiveWithBoard(JavinoBoard &board);
-  static bool count(JavinoBoard &board, bool action);
-  static bool rules(JavinoBoard &board, bool action);
+  static void count(JavinoBoard &board);
+  static void rules(JavinoBoard &board);
   static void look(void *board);
   static bool react(void *board, const char *text, uint8_t length);
   static bool isFree(void *board);
@@ -413,6 +424,7 @@ private:
   void term(float value) { term(static_cast<double>(value)); }
 #endif
   void term(const char *value) { javino_percept_term(&board_, value); }
+  void term(const JavinoQuoted &value) { javino_percept_string(&board_, value.text); }
   void term(char *value) { javino_percept_term(&board_, value); }
   void term(const __FlashStringHelper *value);
   /* Any other pointer would be a truth value. */

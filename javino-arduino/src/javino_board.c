@@ -328,12 +328,8 @@ static bool is_atom(const char *text)
     return true;
 }
 
-void javino_percept_term(javino_board *board, const char *text)
+void javino_percept_string(javino_board *board, const char *text)
 {
-    if (is_atom(text)) {
-        javino_percept_text(board, text);
-        return;
-    }
     javino_percept_put(board, '"');
     for (; *text; text++) {
         if (*text == '"' || *text == '\\')
@@ -341,6 +337,14 @@ void javino_percept_term(javino_board *board, const char *text)
         javino_percept_put(board, *text);
     }
     javino_percept_put(board, '"');
+}
+
+void javino_percept_term(javino_board *board, const char *text)
+{
+    if (is_atom(text))
+        javino_percept_text(board, text);
+    else
+        javino_percept_string(board, text);
 }
 
 bool javino_percept_end(javino_board *board)
@@ -415,7 +419,12 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
             javino_board_clear(b);
         }
     }
+#ifdef JAVINO_VERSION_1_ONLY
     javino_link_poll(&b->link, now_ms);
+#else
+    while (javino_link_poll(&b->link, now_ms) == JAVINO_RULE)
+        rule(b, JAVINO_RULES_SET);
+#endif
 #ifdef SPLITS
     if (!JAVINO_IS_2(&b->link))
         b->part = 0; /* An answer ends with its session. */

@@ -64,6 +64,7 @@ struct javino_rules;
 
 /** Where rules take part in what a board does, see javino_rules.h. */
 enum {
+    JAVINO_RULES_SET,     /**< A command that sets or removes rules is in hand, and is over then. */
     JAVINO_RULES_PERCEPT, /**< A percept is whole. */
     JAVINO_RULES_ANSWER,  /**< An answer is ready. True: it is no more to be sent. */
     JAVINO_RULES_GO_ON,   /**< An answer that goes out part by part may go on. True: one does. */
@@ -147,6 +148,9 @@ void javino_percept_number(javino_board *board, uint32_t magnitude, bool negativ
 
 /** Writes text as an atom where it is one (front), otherwise as a string ("hi, you"). */
 void javino_percept_term(javino_board *board, const char *text);
+
+/** Writes text as a string ("front"), whatever it is. */
+void javino_percept_string(javino_board *board, const char *text);
 
 /**
  * Ends a percept.

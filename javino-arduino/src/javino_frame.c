@@ -117,12 +117,20 @@ static bool is_kind(uint8_t kind)
     }
 }
 
-static bool is_intact(const uint8_t *frame, const uint8_t *end)
+/* The CRC of data followed by its CRC is zero. */
+static bool is_intact(const javino_decoder *d, const uint8_t *frame, const uint8_t *end)
 {
-    uint16_t crc = JAVINO_CRC_START;
+    uint8_t nonce = 0;
+    uint16_t crc;
+    if (frame[JAVINO_KIND_AT] != JAVINO_HELLO) {
+        nonce = d->session;
+        if (!nonce)
+            return true;
+    }
+    crc = JAVINO_CRC_START(nonce);
     while (++frame < end)
         crc = javino_crc16(crc, *frame);
-    return crc == 0; /* Over a checksum, too, it is none. */
+    return crc == 0;
 }
 
 /**
@@ -159,7 +167,7 @@ static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *
             if (!is_kind(c))
                 break;
         } else if (place && place == (uint16_t)(p[JAVINO_LENGTH_AT] + JAVINO_OVERHEAD - 1)) {
-            if (is_intact(p, out))
+            if (is_intact(d, p, out))
                 read = JAVINO_FOLLOWS_HEADER;
             break;
         }
@@ -320,10 +328,10 @@ void javino_encoder_put(javino_encoder *encoder, uint8_t byte)
 
 #else
 
-void javino_encoder_begin2(javino_encoder *encoder, uint8_t kind, uint8_t number, uint8_t length)
+void javino_encoder_begin2(javino_encoder *encoder, uint8_t nonce, uint8_t kind, uint8_t number, uint8_t length)
 {
     encoder->version2 = true;
-    encoder->crc = JAVINO_CRC_START;
+    encoder->crc = JAVINO_CRC_START(nonce);
     put_plain(encoder, START);
     javino_encoder_put(encoder, length);
     javino_encoder_put(encoder, kind);

@@ -71,8 +71,8 @@ enum {
 
 /* ---- CRC ---- */
 
-/** The CRC before the first byte. */
-#define JAVINO_CRC_START 0xFFFFu
+/** The CRC before the first byte of a frame that is checked with the nonce of a session; 0 for HELLO and WELCOME. */
+#define JAVINO_CRC_START(nonce) ((uint16_t)((uint8_t)~(nonce) << 8 | 0xFF))
 
 /** @return CRC-16/CCITT-FALSE of the bytes so far (crc) and one more. */
 uint16_t javino_crc16(uint16_t crc, uint8_t byte);
@@ -154,7 +154,8 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
  * silence confirms the frame; anything else means that it may have been misread, and the bytes after its
  * first are read again. When silence falls inside such a frame, its bytes after the first are read again too.
  *
- * A frame of version 2 that is damaged, too long for the memory or no computer's is dropped and never read again.
+ * A frame of version 2 that is damaged, too long for the memory, of another session or no computer's is dropped and never read again.
+ * Without a session a checksum is looked at in HELLO only: the others cannot be checked, and only tell that a computer is there.
  *
  * @param now_ms  when the receive buffer was last looked into. Unless javino_decoder_ready returns false, nothing
  *                has come since the last byte handed in.
@@ -194,10 +195,11 @@ void javino_encoder_begin(javino_encoder *encoder, uint8_t length);
 /**
  * Begins a frame of version 2, as javino_encoder_begin.
  *
+ * @param nonce   as for JAVINO_CRC_START
  * @param kind    the byte CC
  * @param number  the byte SS
  */
-void javino_encoder_begin2(javino_encoder *encoder, uint8_t kind, uint8_t number, uint8_t length);
+void javino_encoder_begin2(javino_encoder *encoder, uint8_t nonce, uint8_t kind, uint8_t number, uint8_t length);
 
 /** Writes one byte of payload, in version 2 with an escape where it needs one. */
 void javino_encoder_put(javino_encoder *encoder, uint8_t byte);

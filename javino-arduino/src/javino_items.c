@@ -15,7 +15,7 @@ static uint8_t value_of(char c)
 /* The id of a text's shape, which is a new one if need be; JAVINO_ITEM_TEXT if there is no room for it. */
 static uint8_t id_of(javino_board *b, const char *text, uint8_t length)
 {
-    uint16_t crc = JAVINO_CRC_START;
+    uint16_t crc = JAVINO_CRC_START(0);
     uint16_t sum = 0;
     char before = 0;
     javino_shape *shape = b->shapes;

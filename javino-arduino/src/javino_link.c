@@ -16,7 +16,7 @@
 #define LONG_TEXT 0x00
 #define BY_NUMBER 0x80
 #define NO_COMMAND 0xFE
-#define NO_ITEM 0xFF
+#define RULE 0xFF
 
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
@@ -56,7 +56,7 @@ void javino_link_send(javino_link *link, const char *text, uint8_t length)
 
 void javino_link_begin(javino_link *link, uint8_t kind, uint8_t length)
 {
-    javino_encoder_begin2(&link->encoder, kind | link->flags, link->due, length);
+    javino_encoder_begin2(&link->encoder, kind == JAVINO_WELCOME ? 0 : link->session, kind | link->flags, link->due, length);
 }
 
 static void put(javino_link *l, uint8_t byte)
@@ -87,7 +87,8 @@ static JAVINO_NOINLINE void welcome(javino_link *l)
     uint16_t room = l->decoder.size - JAVINO_OVERHEAD - 1;
     l->credit = JAVINO_CREDIT;
     l->longest = room < JAVINO_MAX_PAYLOAD ? (uint8_t)room : JAVINO_MAX_PAYLOAD;
-    send(l, JAVINO_WELCOME, &l->session, 4);
+    l->revision = JAVINO_REVISION;
+    send(l, JAVINO_WELCOME, &l->session, 6);
 }
 
 /* A nonce of 0 ends the session that there was. */
@@ -140,12 +141,15 @@ static javino_event next_command(javino_link *l)
         const uint8_t *p = end - left;
         uint8_t length = 0;
         uint8_t head;
-        if (!left || (head = *p++) == NO_ITEM)
+        if (!left)
             break;
+        head = *p++;
         left--;
-        if (head < BY_NUMBER) {
+        if (head < BY_NUMBER || head == RULE) {
             length = head;
-            if (head == LONG_TEXT && left) {
+            if (head == RULE || head == LONG_TEXT) {
+                if (!left)
+                    break;
                 length = *p++;
                 left--;
             }
@@ -159,6 +163,8 @@ static javino_event next_command(javino_link *l)
         l->length = length;
         if (head < BY_NUMBER)
             return JAVINO_ACTION;
+        if (head == RULE && l->rules_max)
+            return JAVINO_RULE;
         if ((uint8_t)(head - BY_NUMBER) < l->action_count) {
             l->text = action_at(l, head - BY_NUMBER)->name;
             l->length = (uint8_t)strlen(l->text);
@@ -180,7 +186,8 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
     const uint8_t *payload = frame + JAVINO_PAYLOAD_AT;
     uint8_t first = length ? *payload : 0;
     if (kind == JAVINO_HELLO) {
-        begin_session(l, number);
+        if (number != l->session) /* else it has come twice */
+            begin_session(l, number);
         welcome(l);
     } else if (!l->session) {
         welcome(l);
@@ -235,7 +242,7 @@ static javino_event meaning(javino_link *l, const uint8_t *frame)
 
 JAVINO_NOINLINE void javino_link_finish(javino_link *link, bool done)
 {
-    bool action = link->event == JAVINO_ACTION;
+    bool action = link->event >= JAVINO_ACTION;
     link->event = JAVINO_NOTHING;
 #ifdef JAVINO_VERSION_1_ONLY
     (void)action;

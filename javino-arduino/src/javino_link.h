@@ -27,8 +27,9 @@ extern "C" {
 enum {
     JAVINO_NOTHING, /**< No message. */
     JAVINO_REQUEST, /**< Percepts are asked for. The text is empty or the functors that are wanted, as in (dist,light). */
+    JAVINO_WATCH,   /**< Never found: the percepts that are written now are compared with rules, see javino_rules.h. */
     JAVINO_ACTION,  /**< A command. The text is a literal. */
-    JAVINO_WATCH    /**< Never found: the percepts that are written now are compared with rules, see javino_rules.h. */
+    JAVINO_RULE     /**< Never found on a javino_board, which handles it: rules are set or removed, see javino_rules.h. */
 };
 typedef uint8_t javino_event;
 
@@ -38,6 +39,9 @@ typedef struct {
     uint8_t arguments; /**< How many it takes, or JAVINO_ANY. */
 } javino_action;
 
+/** The revision of version 2 that this library speaks, as WELCOME says. */
+#define JAVINO_REVISION 1
+
 /** Any number of arguments. */
 #define JAVINO_ANY 0xFF
 
@@ -46,7 +50,7 @@ typedef uint8_t javino_later;
 
 /**
  * The board's end of a line. The members are private but for event, text, length and session, which may be read, and
- * actions, action_size and action_count, which may be set.
+ * actions, action_size, action_count and actions_lost, which may be set.
  */
 typedef struct {
     javino_event event; /**< The message in hand: JAVINO_REQUEST, JAVINO_ACTION or JAVINO_NOTHING. */
@@ -61,10 +65,14 @@ typedef struct {
     bool lost;
     uint8_t frames; /**< Intact ones that have arrived, modulo 256. May be read. */
 #ifndef JAVINO_VERSION_1_ONLY
-    uint8_t session;    /**< Its nonce; 0: there is none, and version 1 is spoken. With the next three the payload of WELCOME. */
+    uint8_t session;    /**< Its nonce; 0: there is none, and version 1 is spoken. With the next five the payload of WELCOME. */
     uint8_t credit;
     uint8_t longest;    /* bytes of payload that a frame may have */
     uint8_t rules_max;  /* how many the board holds */
+    uint8_t revision;
+#endif
+    uint8_t actions_lost; /**< Actions of the program that found no room: the computer is told. */
+#ifndef JAVINO_VERSION_1_ONLY
     uint8_t due;        /* number of the command that is carried out next */
     uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
     uint8_t request;    /* number of the request in hand; 0: there is none, or it is answered */

@@ -7,7 +7,6 @@
 #include "javino_items.h"
 #include "javino_literal.h"
 
-#define MARK 1   /* begins the command that sets a rule */
 #define REFLEX 2 /* stands in front of a reflex */
 
 #define ALIGNMENT sizeof(void *)
@@ -203,33 +202,27 @@ static uint16_t bytes_of(const struct javino_rules *r, uint8_t number)
     return 0;
 }
 
-bool javino_rules_is(const javino_board *board)
-{
-    const javino_link *l = &board->link;
-    return board->rules && l->event == JAVINO_ACTION && JAVINO_IS_2(l) && l->length && *l->text == MARK;
-}
-
 static void forget(struct javino_rules *r)
 {
     r->used = r->met = 0;
 }
 
-JAVINO_NOINLINE bool javino_rules_set(javino_board *board)
+/* Sets or removes rules as the command in hand says; false if it is malformed or there is no room. */
+static bool set(javino_board *board)
 {
     struct javino_rules *r = board->rules;
     javino_link *l = &board->link;
-    const char *text = l->text + 1;
-    uint8_t length = l->length - 1;
-    uint8_t number;
+    const char *text = l->text;
+    uint8_t length = l->length;
+    uint8_t number = (uint8_t)*text;
     uint16_t before;
     if (l->rules == 0)
         forget(r); /* A session has begun since. */
-    if (length == 0) {
+    if (number == 0 && length == 1) {
         l->rules = 0;
         forget(r);
         return true;
     }
-    number = (uint8_t)*text;
     if (number == 0 || (length > 1 && !is_rule(text, text + length)))
         return false;
     before = bytes_of(r, number);
@@ -411,6 +404,7 @@ static bool go_on(javino_board *b, uint8_t where)
 static bool take_part(javino_board *b, uint8_t where)
 {
     switch (where) {
+    case JAVINO_RULES_SET: javino_link_finish(&b->link, set(b)); return true;
     case JAVINO_RULES_PERCEPT: watch(b); return true;
     case JAVINO_RULES_ANSWER: return answer(b);
     case JAVINO_RULES_END:

@@ -1,7 +1,8 @@
 /**
  * @file
  * Critical rules that a board watches by itself: conditions on percepts, and a command that the board carries out as a reflex
- * when they begin to be met. The computer sets them with commands, see "Rules on the board" in docs/protocol.md.
+ * when they begin to be met. The computer sets them with commands of their own, which javino_board_poll handles; see "Rules on the board"
+ * in docs/protocol.md.
  */
 #ifndef JAVINO_RULES_H
 #define JAVINO_RULES_H
@@ -51,12 +52,6 @@ struct javino_rules {
  * @return whether there is so much memory, and nothing has arrived
  */
 bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (*is_free)(void *context));
-
-/** Whether the action in hand sets or removes rules. */
-bool javino_rules_is(const javino_board *board);
-
-/** Sets or removes rules as the action in hand says. @return false if it is malformed or there is no room */
-bool javino_rules_set(javino_board *board);
 
 /**
  * Looks at the sensors that the rules name, if JAVINO_RULES_MS have passed. When a rule begins to be met its

@@ -111,23 +111,27 @@ class Stream:
         rng = self.rng
         kind = rng.random()
         if kind < 0.12:
-            return frames.encode(frames.Frame(frames.HELLO, rng.choice((0, *[rng.randrange(1, 256)] * 15))))
+            return self._sealed(frames.Frame(frames.HELLO, rng.choice((0, *[rng.randrange(1, 256)] * 9, *[self.device.board.session] * 6))))
         if kind < 0.25:
             self.request = self.request % 255 + 1
             known = rng.choice((0, 0, rng.randrange(4), len(self.device.board.writer.ids), 255))
             functors = rng.choice((b"", b"", b"(p0,p2)", b"(say)"))
-            return frames.encode(frames.Frame(frames.ASK, self.request, rng.choice((bytes([known]) + functors, b""))))
+            return self._sealed(frames.Frame(frames.ASK, self.request, rng.choice((bytes([known]) + functors, b""))))
         if kind < 0.3:
-            return frames.encode(frames.Frame(frames.DESCRIBE, rng.randrange(1, 256), bytes([rng.randrange(8)])))
+            return self._sealed(frames.Frame(frames.DESCRIBE, rng.randrange(1, 256), bytes([rng.randrange(8)])))
         if kind < 0.4:
             return version1.frame(rng.choice((b"getPercepts", b"getPercepts(p1)", b"front", b"speed(\xa5\xa4)", b"fly", b"")))
         if kind < 0.45:
             return rng.randbytes(rng.randrange(12))
         if kind < 0.5:
-            return frames.encode(frames.Frame(rng.randrange(256), rng.randrange(256), rng.randbytes(rng.randrange(6))))
+            return self._sealed(frames.Frame(rng.randrange(256), rng.randrange(256), rng.randbytes(rng.randrange(6))))
         row = self._row()
         due = self.device.board.due + rng.choice((0, 0, 0, 0, -1, 1, -2, 100, 128, 130))
-        return frames.encode(frames.Frame(rng.choice((frames.COMMANDS, frames.COMMANDS_RESUME)), due & 255, row))
+        return self._sealed(frames.Frame(rng.choice((frames.COMMANDS, frames.COMMANDS_RESUME)), due & 255, row))
+
+    def _sealed(self, frame):
+        """The bytes of a frame, mostly in the session of now."""
+        return frames.encode(frame, self.rng.choice((*[self.device.board.session] * 15, self.rng.randrange(256))))
 
     def _row(self):
         rng = self.rng
@@ -135,7 +139,7 @@ class Stream:
         for _ in range(rng.randrange(6)):
             row += commands.item(rng.choice((commands.NOTHING, rng.randrange(8), 0, 1, rng.choice(self.TEXTS))))
         if rng.random() < 0.1:
-            row += rng.choice((b"\xff\x80", b"\x00", b"\x05abc", b"\x00\x90abc", b"\x00\x00\x80", b"\x00\x05front", b"\x81", b"\xfd"))
+            row += rng.choice((b"\xff\x80", b"\xff\x00", b"\xff", b"\xff\x03\x07a\x00", b"\xff\x01\x00", b"\x00", b"\x05abc", b"\x00\x90abc", b"\x00\x00\x80", b"\x00\x05front", b"\x81", b"\xfd"))
         return row
 
     def _harm(self, data):

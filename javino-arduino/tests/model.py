@@ -5,7 +5,8 @@
     model.py --mutations  explore with each of a list of defects in a machine, and expect that a property fails
 
 The machines are those of the reference, with few numbers before they wrap and a small window. The lines keep the order of frames and lose
-any of them; damage is loss. Breadth first, so a failure is shown by the shortest way to it.
+any of them; damage is loss, and so is what belongs to another session. A frame to the board may come once more, later. Breadth first, so a
+failure is shown by the shortest way to it.
 
 The properties: what is reported done was carried out once, what is reported refused was refused; all in order, nothing twice; nothing
 behind a refused command is handled before the computer has seen the refusal; a command whose time is over is not sent; an answer that is
@@ -22,7 +23,7 @@ from machines import Machine
 from javino2 import board as boards
 from javino2 import session as sessions, window as windows
 from javino2.commands import NOTHING, read_row
-from javino2.frames import ACK, ASK, COMMANDS, COMMANDS_RESUME, Frame
+from javino2.frames import ACK, ASK, COMMANDS, COMMANDS_RESUME, Frame, begins_sessions
 
 NUMBERS, WINDOW, IN_FLIGHT, PART_SIZE = 4, 2, 2, 6
 
@@ -48,9 +49,12 @@ class Setup(NamedTuple):
     sessions_given_up: int = 0
     over: int = 0  # commands whose time is over while they are out
     strays: int = 0  # frames with a number that acknowledges more than is out
+    copies: int = 0  # frames to the board that come once more, later
 
 
 def next_nonce(last):
+    if last == 100:
+        raise Violation("one HELLO after another, and no session")
     return last + 1
 
 
@@ -136,7 +140,8 @@ class State(NamedTuple):
     board: int
     to_board: tuple
     to_computer: tuple
-    left: tuple  # asks, board restarts, computer restarts, sessions given up, over, strays
+    copy: tuple  # frames that come once more
+    left: tuple  # asks, board restarts, computer restarts, sessions given up, over, strays, copies
     sent: int  # commands that went out
     carried: int  # a bit for each command
     refused: int
@@ -152,8 +157,9 @@ class Model:
         self.believed = 0
         self.computers, self.boards = Machine(step_computer), Machine(step_board)
         self.fresh_board = self.boards.id_of(self._board())
-        session = sessions.Session(lambda last: next_nonce(last), NUMBERS, WINDOW)
-        self.start = State(self.computers.id_of(session), self.fresh_board, (), (), setup[1:], 0, 0, 0, 0, (None,) * self.commands, ())
+        # Nothing but the protocol's other rules may show that a number cannot be right.
+        session = sessions.Session(lambda last: next_nonce(last), NUMBERS, WINDOW, impossible=None)
+        self.start = State(self.computers.id_of(session), self.fresh_board, (), (), (), setup[1:], 0, 0, 0, 0, (None,) * self.commands, ())
 
     def _board(self):
         return boards.Board(Program(self.setup.behaviour), numbers=NUMBERS, part_size=PART_SIZE)
@@ -172,7 +178,20 @@ class Model:
                 raise Violation(f"the answer {answer} is believed, and was never said")
         for frame in frames:
             self._check_sent(state, frame)
-        return state._replace(computer=id, to_board=state.to_board + frames, reported=tuple(reported))
+        sealed = sealed_in(self.computers.objects[id].nonce, frames)
+        return state._replace(computer=id, to_board=state.to_board + sealed, reported=tuple(reported))
+
+    def to_computer(self, state, sealed, lately):
+        """A frame from the board arrives; one of another session is damaged."""
+        nonce, frame = sealed
+        session = self.computers.objects[state.computer]
+        return self.computer(state, ("frame", frame, lately)) if nonce in (0, session.nonce if session.open else 0) else state
+
+    def to_board(self, state, sealed):
+        """A frame from the computer arrives; a board without a session cannot tell of which it is."""
+        nonce, frame = sealed
+        session = self.boards.objects[state.board].session
+        return self.board(state, frame) if not nonce or session in (0, nonce) else state
 
     def board(self, state, event):
         id, (frames, log) = self.boards.after(state.board, event)
@@ -187,7 +206,7 @@ class Model:
                 if state.carried >> about[0]:
                     raise Violation(f"command {about[0]} is carried out after {bin(state.carried)}: twice, or out of order")
                 state = state._replace(carried=state.carried | 1 << about[0])
-        return state._replace(board=id, to_computer=state.to_computer + frames)
+        return state._replace(board=id, to_computer=state.to_computer + sealed_in(self.boards.objects[id].session, frames))
 
     # ---- properties ----
 
@@ -228,14 +247,20 @@ class Model:
             behind = state._replace(to_board=state.to_board[1:])
             yield "lost on the way to the board", lambda: behind
             if len(state.to_computer) < IN_FLIGHT:
-                yield f"to the board: {show(state.to_board[0])}", lambda: self.board(behind, state.to_board[0])
+                yield f"to the board: {show(state.to_board[0])}", lambda: self.to_board(behind, state.to_board[0])
+                if left[6]:
+                    copied = spend(behind, 6)._replace(copy=state.copy + state.to_board[:1])
+                    yield f"to the board, and later again: {show(state.to_board[0])}", lambda: self.to_board(copied, state.to_board[0])
+        if state.copy and len(state.to_computer) < IN_FLIGHT:
+            rest = state._replace(copy=state.copy[1:])
+            yield f"to the board once more: {show(state.copy[0])}", lambda: self.to_board(rest, state.copy[0])
         if state.to_computer:
             before = state._replace(to_computer=state.to_computer[1:])
             yield "lost on the way to the computer", lambda: before
             if room:
                 frame = state.to_computer[0]
-                yield f"to the computer: {show(frame)}", lambda: self.computer(before, ("frame", frame, False))
-                yield f"to the computer, lately repeated: {show(frame)}", lambda: self.computer(before, ("frame", frame, True))
+                yield f"to the computer: {show(frame)}", lambda: self.to_computer(before, frame, False)
+                yield f"to the computer, lately repeated: {show(frame)}", lambda: self.to_computer(before, frame, True)
         if board.busy and len(state.to_computer) < IN_FLIGHT:
             yield "the outcome of an action", lambda: self.board(state, "report")
         if room:
@@ -284,17 +309,24 @@ class Model:
 
     def settled(self, state):
         session = self.computers.objects[state.computer]
-        return session.open and not session.window.out and state.sent == self.commands and not state.to_board and not state.to_computer
+        return (session.open and not session.window.out and state.sent == self.commands and not state.to_board and not state.to_computer
+                and not self._is_deaf(state))
+
+    def _is_deaf(self, state):
+        """Whether the board has the session of an earlier HELLO, so that it takes and sends nothing of this one."""
+        return self.boards.objects[state.board].session not in (0, self.computers.objects[state.computer].nonce)
 
     def fair(self, state):
         """The next state where nothing is lost and no timer is early."""
         if state.to_board:
-            return self.board(state._replace(to_board=state.to_board[1:]), state.to_board[0])
+            return self.to_board(state._replace(to_board=state.to_board[1:]), state.to_board[0])
         if state.to_computer:
-            return self.computer(state._replace(to_computer=state.to_computer[1:]), ("frame", state.to_computer[0], False))
+            return self.to_computer(state._replace(to_computer=state.to_computer[1:]), state.to_computer[0], False)
         if self.boards.objects[state.board].busy:
             return self.board(state, "report")
         session = self.computers.objects[state.computer]
+        if session.open and self._is_deaf(state):
+            return self.computer(state, ("give up",))  # behind four repetitions without an answer
         if session.open and not session.window.out and state.sent < self.commands:
             return self._send(state, min(WINDOW, self.commands - state.sent))
         return self.computer(state, ("timer",))
@@ -338,7 +370,13 @@ def spend(state, what):
     return state._replace(left=tuple(left))
 
 
-def show(frame):
+def sealed_in(nonce, frames):
+    """Frames as the line carries them: with the nonce of their session, 0 for those that are the same in all."""
+    return tuple((0 if begins_sessions(frame.kind) else nonce, frame) for frame in frames)
+
+
+def show(sealed):
+    frame = sealed[1]
     return f"{frame.kind:02X} {frame.number} {frame.payload.hex()}"
 
 
@@ -386,6 +424,8 @@ def setups():
         yield Setup(behaviour, computer_restarts=1)
         yield Setup(behaviour, sessions_given_up=1)
         yield Setup(behaviour, board_restarts=1)
+    for behaviour in ("DD", "RD", "dD"):
+        yield Setup(behaviour, copies=1, sessions_given_up=1)
     yield Setup("RD", board_restarts=1, computer_restarts=1, sessions_given_up=1, over=1)
     for behaviour in product("DRdr", repeat=4):
         yield Setup(behaviour)

@@ -3,7 +3,7 @@ from contextlib import contextmanager
 from unittest.mock import patch
 
 from javino2.board import Board
-from javino2.frames import COMMANDS_RESUME, FLAGS, PERCEPTS, REFUSED
+from javino2.frames import COMMANDS_RESUME, FLAGS, HELLO, PERCEPTS, REFUSED
 from javino2.parts import Assembly
 from javino2.percepts import Writer
 from javino2.session import Session
@@ -41,6 +41,12 @@ def begin_without(*kept):
     return begin
 
 
+def begins_anew(original, self, frame):
+    if frame.kind == HELLO:
+        self.session = 0
+    return original(self, frame)
+
+
 def no_refused_in_answers(original, self, kind, payload=b""):
     frame = original(self, kind, payload)
     return frame._replace(kind=frame.kind & ~REFUSED) if frame.kind & ~FLAGS == PERCEPTS else frame
@@ -57,10 +63,6 @@ def forgets_nothing(original, self, due, refused, busy):
 
 def any_welcome(original, self, frame):
     return original(self, frame._replace(payload=bytes([self.nonce]) + frame.payload[1:]))
-
-
-def any_welcome_but_00(original, self, frame):
-    return original(self, frame if not frame.payload[0] else frame._replace(payload=bytes([self.nonce]) + frame.payload[1:]))
 
 
 def any_part(original, self, kind, payload):
@@ -90,6 +92,8 @@ MUTATIONS = [
     ("the board does not look at what is due", patch.object(Board, "_is_next", lambda self, n: not self.refused and not self.busy)),
     ("the board jumps gaps", patch.object(Board, "_is_next", lambda s, n: (n - s.due) % s.numbers < 2 and not s.refused and not s.busy)),
     ("the board goes on behind a refusal", patch.object(Board, "_is_next", lambda self, n: n == self.due and not self.busy)),
+    ("HELLO that comes twice begins anew", replaced(Board, "receive", begins_anew)),
+    ("frames are the same in all sessions", patch("model.begins_sessions", lambda kind: True)),
     ("the board goes on while an outcome is open", patch.object(Board, "_is_next", lambda self, n: n == self.due and not self.refused)),
     ("HELLO leaves due as it is", replaced(Board, "_begin", begin_without("due"))),
     ("HELLO leaves REFUSED as it is", replaced(Board, "_begin", begin_without("refused"))),
@@ -103,7 +107,6 @@ MUTATIONS = [
     ("RESUME is not repeated", replaced(Window, "repetition", resume_once)),
     ("REFUSED counts for the first command alone", replaced(Window, "heard", only_first_out_is_acknowledged)),
     ("any WELCOME is the right one", replaced(Session, "_welcomed", any_welcome)),
-    ("any WELCOME but 00 is the right one", replaced(Session, "_welcomed", any_welcome_but_00)),
     ("a session is opened with the nonce of the last", patch("model.next_nonce", lambda last: 1)),
     ("a window as large as there are numbers", wide_window()),
     ("parts are put together in the order in which they come", replaced(Assembly, "take", any_part)),

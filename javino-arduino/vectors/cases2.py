@@ -2,6 +2,7 @@
 from javino2 import commands, parts, rules, vocabulary
 from javino2.device import Device
 from javino2.frames import FROM_BOARD, TO_BOARD, Frame, Receiver, encode
+from javino2.frames import HELLO as HELLO_KIND
 from javino2.line import Line
 from javino2.percepts import MAX_SHAPES, Reader, Writer
 from javino2.program import Program
@@ -9,12 +10,14 @@ from javino2.program import Program
 ABOUT = [
     "Test vectors of version 2 of the Javino protocol, see docs/protocol.md. Made and checked by reference.py (make vectors).",
     "Names that end in hex hold bytes as hexadecimal digits. Texts are bytes of ISO 8859-1, a character for each byte.",
-    "frames: a frame's kind (CC) and number (SS), its payload before escaping, and its bytes on the line.",
+    "frames: a frame's kind (CC) and number (SS), its payload before escaping, and its bytes on the line in the session with this nonce.",
     "receive: chunks of bytes arrive gapMs after the chunk before, the bytes of a chunk at once; the timeout is 100 ms, and no gap"
-    " equals it or a quarter of it. direction says who receives: to-board the board, from-board the computer. frames are all that is"
-    " delivered, as CC SS payload. For a board, session says whether it has one all the time, and version1 lists the messages of version"
-    " 1 that count, which is decided 200 ms after the last chunk.",
-    "commands: the payload of COMMANDS and the row of commands that is read from it: the number of an action, a text, or null for FE."
+    " equals it or a quarter of it. direction says who receives: to-board the board, from-board the computer. session is the nonce of its"
+    " session all the time, 0 for none. frames are all that is delivered, as CC SS payload; to a board without a session they count with"
+    " any checksum, HELLO excepted. For a board version1 lists the messages of version 1 that count, which is decided 200 ms after the last"
+    " chunk.",
+    "commands: the payload of COMMANDS and the row of commands that is read from it: the number of an action, a text, an object with the"
+    " text of a rule, or null for FE."
     " Where write is true the row is written as this payload too.",
     "percepts: the answers of one session of a board with room for so many shapes: what the newest ASK says is known, the texts, the"
     " items (neighbouring ids joined). A computer that reads all answers reads the texts.",
@@ -24,10 +27,11 @@ ABOUT = [
     "assemble: payloads from the board, as CC and payload, and the answers that they make, each as the request's number and the items.",
     "vocabulary: pages; an action is its name and how many arguments it has, 255 for any number. numbers: what goes by number without"
     " arguments.",
-    "rules: the command that sets a rule, percepts, and whether each meets it; met is null where a board refuses the command.",
+    "rules: the text that sets a rule, percepts, and whether each meets it; met is null where a board refuses the text.",
     "board: conversations. A board has actions, texts that its program refuses, and texts whose outcome is reported later; all others"
-    " are carried out. Frames are CC SS payload; of the payload of WELCOME compare the first byte alone. A step has what goes to the"
-    " board (to), what it sends (from) and what its program carries out (carried). percepts sets the texts of now, look has the rules"
+    " are carried out. Frames are CC SS payload; of the payload of WELCOME compare the first byte only. A step has what goes to the"
+    " board (to), what it sends (from) and what its program carries out (carried). Frames are those of the session that the HELLO before"
+    " them began, or of that with the nonce in the step's nonce; those from the board are of its session. percepts sets the texts of now, look has the rules"
     " compared, unasked has percepts sent unasked, report gives the outcome of the action whose outcome was open, restart switches the"
     " board off and on. messages are of version 1 and go to the board before all else, each behind a silence; answers are those it sends.",
 ]
@@ -44,9 +48,10 @@ def raw(data):
 # ---- frames ----
 
 def frames():
-    def case(name, kind, number, payload=b""):
+    def case(name, kind, number, payload=b"", nonce=7):
         frame = Frame(kind, number, payload)
-        return {"name": name, "kind": "%02x" % kind, "number": number, "payloadHex": payload.hex(), "frameHex": encode(frame).hex()}
+        return {"name": name, "nonce": nonce, "kind": "%02x" % kind, "number": number, "payloadHex": payload.hex(),
+             "frameHex": encode(frame, nonce).hex()}
 
     def found(name, start, condition):
         """The first case of a row whose checksum is as asked."""
@@ -59,7 +64,11 @@ def frames():
     assert hello["frameHex"] == "a5001007bf08"
     return [
         hello,
-        case("WELCOME", 0x80, 0, bytes([7, 60, 255, 4])),
+        case("HELLO with another nonce in use", 0x10, 7, nonce=9),
+        case("WELCOME", 0x80, 0, bytes([7, 60, 255, 4, 1, 0])),
+        case("WELCOME 00 with REFUSED and BUSY", 0xE0, 3, bytes([0, 60, 255, 4, 1, 0]), nonce=0),
+        case("ACK in the session 1", 0x81, 10, nonce=1),
+        case("ACK in the session 255", 0x81, 10, nonce=255),
         case("ASK that knows nothing", 0x20, 1, b"\x00"),
         case("ASK for functors", 0x20, 2, b"\x05(dist,light)"),
         case("DESCRIBE", 0x28, 1, b"\x00"),
@@ -92,24 +101,26 @@ def frames():
 
 def receive():
     hello, row, ask = Frame(0x10, 7), Frame(0x30, 0, b"\x80\x81"), Frame(0x20, 1, b"\x00")
-    h, r, a = encode(hello), encode(row), encode(ask)
-    long = encode(Frame(0x30, 2, b"\x14say(\"fffe05hello\", 1)"))
-    escaped = encode(Frame(0x30, 0xA5, b"\x03a\xa4b"))
-    ack, busy = encode(Frame(0x81, 2)), encode(Frame(0xA5, 2, b"\x01\x00x;"))
+    def sealed(frame):
+        return encode(frame, 7)
 
-    def case(name, direction, *chunks, session=False):
+    h, r, a = sealed(hello), sealed(row), sealed(ask)
+    long = sealed(Frame(0x30, 2, b"\x14say(\"fffe05hello\", 1)"))
+    escaped = sealed(Frame(0x30, 0xA5, b"\x03a\xa4b"))
+    ack, busy = sealed(Frame(0x81, 2)), sealed(Frame(0xA5, 2, b"\x01\x00x;"))
+    welcome = sealed(Frame(0x80, 0, bytes([7, 60, 255, 4, 1, 0])))
+
+    def case(name, direction, *chunks, session=7):
         chunks = [c if isinstance(c, tuple) else (0, c) for c in chunks]
         now, received, receiver = 1000, [], Receiver(direction)
         line = Line(received.append, now=now)
-        line.session = session
+        line.session = receiver.nonce = session
         for gap, data in chunks:
             now += gap
             line.receive(data, now)
             receiver.receive(data, now)
         line.idle(now + 200)
-        out = {"name": name, "direction": direction}
-        if direction == TO_BOARD:
-            out["session"] = session
+        out = {"name": name, "direction": direction, "session": session}
         out["chunks"] = [{"gapMs": gap, "hex": data.hex()} for gap, data in chunks]
         got = [m for m in received if isinstance(m, Frame)] if direction == TO_BOARD else receiver.frames
         out["frames"] = [show(f) for f in got]
@@ -159,21 +170,29 @@ def receive():
         case("a start that is damaged", to, b"\xa4" + r[1:] + h),
         case("a byte too many", to, r[:5] + b"\x00" + r[5:] + h),
         case("a wrong checksum", to, changed(r, len(r) - 1, r[-1] ^ 1) + h),
+        case("frames of other sessions", to, encode(row, 8) + encode(ask, 135) + encode(row) + r + encode(hello, 9)),
+        case("frames of other sessions, from a board", FROM_BOARD, encode(Frame(0x81, 2), 8) + encode(Frame(0x81, 2)) + welcome + ack),
+        case("frames that a board without a session cannot check", to, r + encode(ask, 9) + changed(r, len(r) - 1, r[-1] ^ 1) + a,
+             session=0),
+        case("HELLO is checked without a session", to, changed(h, len(h) - 1, h[-1] ^ 1) + h, session=0),
+        case("what is no frame is none without a session", to, r[:5], (150, r[5:] + changed(r, 1, 9)), (150, encode(Frame(0x32, 1)) + h),
+             session=0),
+        case("a computer without a session hears WELCOME only", FROM_BOARD, ack + busy + welcome + changed(welcome, 5, 8) + ack, session=0),
         case("the checksum's bytes exchanged", to, r[:-2] + r[:-3:-1] + h),
         case("a frame of version 1 in a text", to, long + h),
-        case("a damaged frame with one of version 1 in its text is nothing, in a session", to, changed(long, 8, 1) + h, session=True),
-        case("the start is damaged in front of a text with a frame of version 1, in a session", to, b"\x25" + long[1:] + h, session=True),
-        case("version 1 between frames, without a session", to, h + v1, (50, v1 + h), (10, r)),
+        case("a damaged frame with one of version 1 in its text is nothing, in a session", to, changed(long, 8, 1) + h),
+        case("the start is damaged in front of a text with a frame of version 1, in a session", to, b"\x25" + long[1:] + h),
+        case("version 1 between frames, without a session", to, h + v1, (50, v1 + h), (10, r), session=0),
         case("version 1 between frames, in a session: it counts behind a silence", to, r + v1, (50, v1), (10, r), (50, v1), (10, r),
-             session=True),
+             ),
         case("version 1 behind noise and behind another, in a session", to, (200, b"x" + v1), (200, v1 + v1), (200, b"f" + v1), (200, v1),
-             session=True),
-        case("version 1 in chunks, in a session", to, (200, v1[:3]), (60, v1[3:7]), (10, v1[7:]), session=True),
-        case("version 1 cut by a silence, in a session", to, (200, v1[:8]), (150, v1[8:]), (150, v1), session=True),
-        case("A5 in the payload of version 1, without a session", to, b"fffe03a\xa5b", (200, h)),
-        case("A5 in the payload of version 1, in a session", to, (200, b"fffe03a\xa5b"), (200, h), session=True),
+             ),
+        case("version 1 in chunks, in a session", to, (200, v1[:3]), (60, v1[3:7]), (10, v1[7:])),
+        case("version 1 cut by a silence, in a session", to, (200, v1[:8]), (150, v1[8:]), (150, v1)),
+        case("A5 in the payload of version 1, without a session", to, b"fffe03a\xa5b", (200, h), session=0),
+        case("A5 in the payload of version 1, in a session", to, (200, b"fffe03a\xa5b"), (200, h)),
         case("A5 in the header of version 1", to, (200, b"fffe0" + h), (200, b"ff" + h)),
-        case("A5 behind a frame of version 1", to, v1 + h),
+        case("A5 behind a frame of version 1", to, v1 + h, session=0),
         case("version 1 to a computer", FROM_BOARD, v1 + ack + b"fffe0" + ack + v1),
     ]
     misread = {
@@ -181,7 +200,7 @@ def receive():
         "a frame of version 1 takes in one of version 2, which is shown by what follows": b"fffe09get" + h + b"xyz",
         "a frame of version 1 that is cut takes in another, which silence shows": b"fffe20get" + v1,
     }
-    for session in (False, True):
+    for session in (0, 7):
         where = "in" if session else "without"
         cases += [case(f"{what}, {where} a session", to, (200, data), session=session) for what, data in misread.items()]
     cases += [case(f"a frame cut after {i} bytes, a frame at once", to, r[:i] + h) for i in range(1, len(r))]
@@ -203,6 +222,8 @@ def read_frame(shown):
 
 def command_rows():
     def out(command):
+        if isinstance(command, commands.Rule):
+            return {"rule": text(command.text)}
         return text(command) if isinstance(command, bytes) else command
 
     def written(name, *row):
@@ -226,13 +247,18 @@ def command_rows():
         written("a text of 253 bytes, the longest", b"x" * 253),
         written("a text of 128 bytes among others", 1, b"x" * 128, 2),
         written("bytes above 7F", b"say(\"\xa4\xa5\xff\")", 1),
-        written("a rule", b"\x01\x07dist\x002<40\x00\x02stop"),
+        written("a rule", commands.Rule(b"\x07dist\x002<40\x00\x02stop")),
+        written("rules among others", 1, commands.Rule(b"\x07"), b"x", commands.Rule(b"\x00"), 2),
+        written("a long rule", 0, commands.Rule(b"\x07" + b"d" * 200 + b"\x00"), 1),
+        written("a text that looks like a rule", b"\x07dist\x002<40\x00\x02stop"),
         read("a text that is cut", b"\x80\x05spee"),
         read("a text of which only the length is there", b"\x80\x81\x05"),
         read("a long text that is cut", b"\x82\x00\x80" + b"x" * 127),
         read("a long text of which the length is missing", b"\x82\x00"),
-        read("FF ends the row", b"\x80\xff\x81"),
-        read("FF in a text is a byte", b"\x02\xff\xfe\x81"),
+        read("a rule that is cut", b"\x80\xff\x05\x07dis"),
+        read("a rule of which the length is missing", b"\x80\xff"),
+        read("an empty rule ends the row", b"\x80\xff\x00\x81"),
+        read("FE and FF in a text are bytes", b"\x02\xff\xfe\x81"),
         read("FE alone", b"\xfe"),
         read("an empty text ends the row", b"\x80\x00\x00\x81"),
         read("a short text in the long form", b"\x00\x02hi\x80"),
@@ -316,6 +342,8 @@ def void():
         case("known are the ids without a gap", b"\x01\x05b(2);", a, b"\x03\x05d(4);", b"\x02\x02c;", b"\x80\x04\x7f\x8f\x9f"),
         case("digits that end too soon", a + b, b"\x80\x02\x1f\x2a", a + b, b"\x80\x02\x1f", a + b, b"\x80\x01\x12\x34", a, b"\x80\x01"),
         case("a half byte that is no digit", a, b"\x80\x01\xaf"),
+        case("a free half byte that is no F", a, b"\x80\x01\x12\xf5"),
+        case("no percept, and ids that there are not", a, b"\x80\x00", a, b"\xfe\x01\x1f", a, b"\xff\x01\x1f"),
         case("a number without digits", a, b"\x80\x01\xff"),
         case("a text that is cut", a, b"\x00\x05a(1)", a, b"\x00"),
         case("what is in front of an item that cannot be read is void too", a, b + b"\x85\x01\x1f"),
@@ -410,12 +438,12 @@ def rule_cases():
              "met": [rules.met(rule, p) for p in percepts]}
 
     def on(conditions):
-        return b"\x01\x07d\x00" + conditions
+        return b"\x07d\x00" + conditions
 
     one = (b"d(39);", b"d(40);", b"d(41);", b"d(-40);", b"d(40.0);", b"d(040);", b"d(39.99);", b"d(a);", b"d;", b"e(39);", b"d(\"40\");")
     words = (b"d(f);", b"d(fl);", b"d(\"f\");", b"d(1);", b"d;", b"d( f );", b"d(F);")
     refused = [
-        ("number 0", b"\x01\x00d\x00"), ("no functor", b"\x01\x07\x00"), ("a functor without its end", b"\x01\x07d"),
+        ("number 0", b"\x00d\x00"), ("no functor", b"\x07\x00"), ("a functor without its end", b"\x07d"),
         ("place 0", on(b"0<40\x00")), ("a place that is no digit", on(b"a<40\x00")), ("an unknown operator", on(b"1?40\x00")),
         ("a value without its end", on(b"1<40")), ("no value", on(b"1<\x00")), ("less than an atom", on(b"1<f\x00")),
         ("a condition that is cut", on(b"1")), ("a reflex without text", on(b"\x02")),
@@ -442,7 +470,7 @@ def rule_cases():
         case("with a reflex", on(b"1<40\x00\x02stop(now)"), b"d(39);", b"d(41);"),
         case("arguments with commas, quotes and brackets", on(b"3<5\x00"),
              b"d([1,2],\"a,b)\",4);", b"d(p(1,2),'x,y',5);", b"d(a,b,4)[source(x),n(9)];", b"d(\"\\\",\",0,4);"),
-        case("a functor with other letters", b"\x01\xffdist2\x001}100\x00", b"dist2(100);", b"dist(100);", b"dist22(100);"),
+        case("a functor with other letters", b"\xffdist2\x001}100\x00", b"dist2(100);", b"dist(100);", b"dist22(100);"),
         *[case("refused: " + name, command) for name, command in refused],
     ]
 
@@ -457,19 +485,24 @@ def converse(name, has, *steps):
     description = {"actions": [["front", 0], ["left", 0], ["speed", 1], ["bump", 0], ["grip", 0]], "refuses": ["bump"],
          "later": ["grip"]} | has
     program = Program([(raw(n), a) for n, a in description["actions"]], map(raw, description["refuses"]), map(raw, description["later"]))
-    device, shown = Device(program, 0), []
+    device, shown, nonce = Device(program, 0), [], 0
     for step in steps:
         step, out = dict(step), []
         program.carried_out.clear()
         if "percepts" in step:
             program.texts = [raw(t) for t in step["percepts"]]
         if step.get("restart"):
-            device = Device(program, 0)
+            device, nonce = Device(program, 0), 0
         if "messages" in step:
+            nonce = 0
             step["answers"] = [text(a) for m in step["messages"] for a in device.message(raw(m))]
         board = device.board
-        for frame in step.get("to", []):
-            out += board.receive(read_frame(frame))
+        for frame in map(read_frame, step.get("to", [])):
+            if frame.kind == HELLO_KIND:
+                nonce = frame.number
+            # What is of another session is damaged, and passed over.
+            if frame.kind == HELLO_KIND or board.session in (0, step.get("nonce", nonce)):
+                out += board.receive(frame)
         if "report" in step:
             out += board.report(step["report"])
         if step.get("look"):
@@ -497,7 +530,8 @@ def row(number, *items, resume=False):
 
 HELLO = to(f(0x10, 7))
 FRONT, LEFT, SPEED, BUMP, GRIP = 0, 1, b"speed(5)", 3, 4
-SET_RULE = b"\x01\x07dist\x002<40\x00\x02front"
+rule = commands.Rule
+SET_RULE = rule(b"\x07dist\x002<40\x00\x02front")
 CONVERSATIONS = [
     ("HELLO and WELCOME", {}, HELLO, to(f(0x10, 7)), to(f(0x10, 8))),
     ("without a session everything is answered with WELCOME 00", {}, to(row(0, FRONT)), to(f(0x20, 1, b"\x00")), to(f(0x28, 1, b"\x00")),
@@ -508,7 +542,7 @@ CONVERSATIONS = [
      to(row(0, FRONT, LEFT, SPEED, FRONT))),
     ("a gap is not jumped", {}, HELLO, to(row(1, LEFT)), to(row(0, FRONT)), to(row(2, SPEED)), to(row(1, LEFT, SPEED))),
     ("FE uses a number up", {}, HELLO, to(row(0, None, FRONT)), to(row(2, None)), to(row(2, LEFT)), to(row(3, FRONT))),
-    ("a row that is cut", {}, HELLO, to(f(0x30, 0, b"\x80\x05spee")), to(f(0x30, 1, b"\x81\xff\x80"))),
+    ("a row that is cut", {}, HELLO, to(f(0x30, 0, b"\x80\x05spee")), to(f(0x30, 1, b"\x81\xff\x00\x80"))),
     ("numbers wrap", {}, HELLO, *[to(row(16 * i % 256, *[FRONT] * 16)) for i in range(15)], to(row(240, *[LEFT] * 15)),
      to(row(254, LEFT, FRONT, LEFT)),
      to(row(255, FRONT, LEFT, SPEED)), to(row(250, *[LEFT] * 10)), to(row(130, FRONT)), to(row(3, FRONT))),
@@ -543,7 +577,20 @@ CONVERSATIONS = [
     ("HELLO ends BUSY: the outcome of then counts no more", {}, HELLO, to(row(0, GRIP)), to(f(0x10, 9)), {"report": "done"},
      to(row(0, FRONT))),
     ("a restart", {}, HELLO, to(row(0, FRONT)), {"restart": True}, to(row(1, LEFT)), to(row(0, FRONT)), to(f(0x10, 9)), to(row(0, FRONT))),
-    ("HELLO again: numbers begin anew", {}, HELLO, to(row(0, FRONT, LEFT)), to(f(0x10, 7)), to(row(0, FRONT))),
+    ("HELLO with another nonce: numbers begin anew", {}, HELLO, to(row(0, FRONT, LEFT)), to(f(0x10, 8)), to(row(0, FRONT))),
+    ("HELLO that comes twice changes nothing", {}, HELLO,
+     {"percepts": ["dist(f,50);"], "to": [row(0, SET_RULE, BUMP, LEFT), f(0x20, 1, b"\x00")]},
+     to(f(0x10, 7)), to(row(2, LEFT, resume=True)), {"percepts": ["dist(f,39);"], "look": True}, to(f(0x20, 2, b"\x01"))),
+    ("HELLO that comes twice leaves BUSY as it is", {}, HELLO, to(row(0, GRIP)), to(f(0x10, 7)), {"report": "done"}, to(row(1, LEFT))),
+    ("HELLO 00 ends the session", {}, HELLO, to(row(0, FRONT)), to(f(0x10, 0)), to(row(1, LEFT)), to(f(0x10, 0))),
+    ("frames of another session are passed over", {}, HELLO, to(row(0, FRONT)), {"to": [row(1, LEFT), f(0x20, 1, b"\x00")], "nonce": 9},
+     to(row(1, LEFT)), to(f(0x10, 9)), {"to": [row(0, FRONT)], "nonce": 7}, to(row(0, LEFT))),
+    ("without a session frames of any are answered with WELCOME 00", {}, {"to": [row(3, FRONT), f(0x20, 1, b"\x00")], "nonce": 9}, HELLO,
+     to(row(0, FRONT))),
+    ("a text is no rule", {}, HELLO, {"percepts": ["dist(f,39);"], "to": [row(0, b"\x07dist\x002<40\x00\x02front")]},
+     to(row(1, b"\x01\x07dist\x002<40\x00\x02front", resume=True)), to(row(2, b"\x01", resume=True)), {"look": True}),
+    ("a control character is no blank", {}, HELLO, to(row(0, b"\nfront")), to(row(1, b"front\n", resume=True)),
+     to(row(2, b"\tspeed(5)", resume=True))),
     ("answers", {}, HELLO, {"percepts": ["dist(f,123);", "light(f,95);"], "to": [f(0x20, 1, b"\x00")]}, to(f(0x20, 2, b"\x02")),
      to(f(0x20, 255, b"\x01")),
      to(f(0x20, 1, b"\x02(light)")), to(f(0x20, 2, b"\x00(none)"))),
@@ -563,20 +610,20 @@ CONVERSATIONS = [
      {"look": True}, {"percepts": ["dist(f,38);"], "look": True}, {"percepts": ["dist(f,50);"], "look": True},
           {"percepts": ["dist(f,2);"], "look": True},
      {"percepts": [], "look": True}, {"percepts": ["dist(l,90);", "dist(f,39);", "dist(r,1);"], "look": True}),
-    ("a rule without a reflex, and one whose reflex is refused", {}, HELLO, to(row(0, b"\x01\x01a\x00", b"\x01\x02b\x00\x02bump")),
+    ("a rule without a reflex, and one whose reflex is refused", {}, HELLO, to(row(0, rule(b"\x01a\x00"), rule(b"\x02b\x00\x02bump"))),
      {"percepts": ["b(2);", "a(1);"], "look": True}),
     ("a rule is met at once when it is set", {}, HELLO, {"percepts": ["dist(f,39);"], "to": [row(0, SET_RULE)]}, {"look": True},
      to(row(1, SET_RULE)), {"look": True}),
-    ("rules are removed", {}, HELLO, {"percepts": ["a;", "b;"], "to": [row(0, b"\x01\x01a\x00", b"\x01\x02b\x00", b"\x01\x01")]},
+    ("rules are removed", {}, HELLO, {"percepts": ["a;", "b;"], "to": [row(0, rule(b"\x01a\x00"), rule(b"\x02b\x00"), rule(b"\x01"))]},
      {"look": True},
-     to(row(3, b"\x01", b"\x01\x09")), {"look": True}),
-    ("HELLO forgets rules", {}, HELLO, to(row(0, b"\x01\x01a\x00")), to(f(0x10, 8)), {"percepts": ["a;"], "look": True}),
-    ("a rule that a board cannot watch is refused", {}, HELLO, to(row(0, b"\x01\x07d\x001?4\x00", FRONT))),
+     to(row(3, rule(b"\x00"), rule(b"\x09"))), {"look": True}),
+    ("HELLO forgets rules", {}, HELLO, to(row(0, rule(b"\x01a\x00"))), to(f(0x10, 8)), {"percepts": ["a;"], "look": True}),
+    ("a rule that a board cannot watch is refused", {}, HELLO, to(row(0, rule(b"\x07d\x001?4\x00"), FRONT))),
     ("a reflex while a refusal holds, and BUSY", {}, HELLO, {"percepts": ["dist(f,3);"], "to": [row(0, SET_RULE, BUMP)]}, {"look": True},
      {"percepts": [], "to": [row(2, GRIP, resume=True)], "look": True}, {"percepts": ["dist(f,3);"], "look": True}, {"report": "done"}),
     ("with rules set an answer goes in parts of twelve bytes", {}, HELLO,
-     {"percepts": ["dist(f,123);", "light(f,95);"], "to": [row(0, b"\x01\x01a\x00"), f(0x20, 1, b"\x00")]}, to(f(0x20, 2, b"\x02")),
-          to(row(1, b"\x01"), f(0x20, 3, b"\x00"))),
+     {"percepts": ["dist(f,123);", "light(f,95);"], "to": [row(0, rule(b"\x01a\x00")), f(0x20, 1, b"\x00")]}, to(f(0x20, 2, b"\x02")),
+          to(row(1, rule(b"\x00")), f(0x20, 3, b"\x00"))),
     ("a request of version 1 ends the session", {}, HELLO, to(row(0, FRONT, LEFT)),
      {"percepts": ["dist(f,1);"], "messages": ["getPercepts"]}, to(row(2, FRONT)), to(f(0x20, 1, b"\x00")), {"unasked": True},
      to(f(0x10, 8)), to(row(0, LEFT))),

@@ -25,21 +25,23 @@ class Refused(Exception):
 
 
 def _read_row(row):
-    """The commands of a payload: the number of an action, a text, or _NOTHING. An item that cannot be read ends the row."""
+    """The commands of a payload: the number of an action, a text, (rule,) for the text of a rule, or _NOTHING. An item that cannot be read
+    ends the row."""
     at = 0
-    while at < len(row) and row[at] != 0xFF:
-        first = row[at]
+    while at < len(row):
+        first = size = row[at]
         at += 1
-        if first >= 0x80:
+        if 0x80 <= first < 0xFF:
             yield _NOTHING if first == 0xFE else first - 0x80
             continue
-        if first == 0:
-            first = row[at] if at < len(row) else 0
+        if first in (0, 0xFF):
+            size = row[at] if at < len(row) else 0
             at += 1
-        if not 0 < first <= len(row) - at:
+        if not 0 < size <= len(row) - at:
             return
-        yield to_text(row[at:at + first])
-        at += first
+        text = to_text(row[at:at + size])
+        yield (text,) if first == 0xFF else text
+        at += size
 
 
 def _asks_for(functors, functor):
@@ -123,8 +125,13 @@ class Board:
 
         `arguments` is how many it takes, or ANY; with another number the action is refused. The function refuses it too by returning False
         or raising Refused. Another exception refuses it and ends `run`. Without a function this decorates one:
-        `@board.on_action("speed", arguments=1)`. Registering a name again replaces its function.
+        `@board.on_action("speed", arguments=1)`, or `@board.on_action("speed", 1)`. Registering a name again replaces its function.
         """
+        if isinstance(function, int):
+            function, arguments = None, function
+        if function is not None and not callable(function):
+            raise TypeError("on_action(%r, %r): give the function behind the name, or the number of arguments to decorate one"
+                            % (name, function))
         if function is None:
             return lambda decorated: self.on_action(name, decorated, arguments)
         data = to_bytes(name)
@@ -325,9 +332,9 @@ class Board:
     def _command(self, command):
         if command is _NOTHING:
             return True
+        if isinstance(command, tuple):
+            return self._rules is not None and self._rules.set(command[0])
         if isinstance(command, str):
-            if command[0] == "\x01":
-                return self._rules is not None and self._rules.set(command)
             return self.carry_out(command)
         if command >= len(self._actions) or self._actions[command][1] not in (0, ANY):
             return False
@@ -429,7 +436,7 @@ class Board:
             kind |= frames.REFUSED
         if self._is_busy:
             kind |= frames.BUSY
-        self._put(frames.frame2(kind, self._due, payload))
+        self._put(frames.frame2(kind, self._due, payload, self._session))
 
     # ---- frames, as the receiver finds them ----
 
@@ -457,11 +464,11 @@ class Board:
     def take2(self, kind, number, payload):
         """Takes a frame of version 2."""
         self._note_valid()
-        if kind == frames.HELLO:
+        if kind == frames.HELLO and number != self._session:  # else it has come twice
             self._begin(number)
         if kind == frames.HELLO or not self._session:
             rules = 0 if self._rules is None else self._rules.room
-            self._say(frames.WELCOME, bytes((self._session, self._credit, self._longest, rules)))
+            self._say(frames.WELCOME, bytes((self._session, self._credit, self._longest, rules, frames.REVISION, 0)))
         elif kind == frames.ASK:
             if self._parts:
                 self._next_ask = number, payload

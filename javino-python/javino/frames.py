@@ -25,6 +25,9 @@ VOCABULARY = 0x86
 REFUSED = 0x40
 BUSY = 0x20
 
+REVISION = 1
+"""The revision of version 2 that is spoken here, as WELCOME says."""
+
 MAX_PAYLOAD = 255
 """Bytes of payload that a frame holds at most, in either version."""
 
@@ -35,11 +38,11 @@ _HEX = b"0123456789abcdefABCDEF"
 _NO, _MAYBE, _YES = 0, 1, 2
 
 
-def crc16(data):
-    """CRC-16/CCITT-FALSE of the bytes."""
+def crc16(data, nonce=0):
+    """CRC-16/CCITT-FALSE of the bytes; with a nonce that of a frame of this session."""
+    crc = 0xFFFF ^ nonce << 8
     if crc_hqx:
-        return crc_hqx(data, 0xFFFF)
-    crc = 0xFFFF
+        return crc_hqx(data, crc)
     for byte in data:
         # Eight steps of the polynomial 1021 at once.
         x = (crc >> 8) ^ byte
@@ -53,10 +56,10 @@ def frame1(payload):
     return _PREAMBLE + b"%02X" % len(payload) + payload
 
 
-def frame2(kind, number, payload):
-    """A frame of version 2 around at most 255 bytes, with its escapes."""
+def frame2(kind, number, payload, nonce):
+    """A frame of version 2 around at most 255 bytes, with its escapes, in the session with this nonce."""
     body = bytes((len(payload), kind, number)) + payload
-    crc = crc16(body)
+    crc = crc16(body, 0 if kind == HELLO or kind & ~(REFUSED | BUSY) == WELCOME else nonce)
     body += bytes((crc >> 8, crc & 255))
     return b"\xa5" + body.replace(b"\xa4", b"\xa4\x04").replace(b"\xa5", b"\xa4\x05")
 
@@ -79,8 +82,8 @@ class Receiver:
     """
 
     def __init__(self, sink, timeout=100, longest=MAX_PAYLOAD):
-        self.session = False
-        """Whether the board has a session; set in `take1` and `take2`."""
+        self.session = 0
+        """The nonce of the board's session, 0 without one; set in `take1` and `take2`."""
         self._sink = sink
         self._timeout = timeout
         self._longest = longest
@@ -215,5 +218,7 @@ class Receiver:
             self._body = None
         elif size == body[0] + 5:
             self._body = None
-            if crc16(body) == 0:  # of the bytes and their own checksum
+            nonce = 0 if body[1] == HELLO else self.session
+            is_unchecked = body[1] != HELLO and not nonce  # a board without a session cannot tell, and only says so
+            if is_unchecked or crc16(body, nonce) == 0:  # of the bytes and their own checksum
                 self._sink.take2(body[1], body[2], bytes(body[3:size - 2]))

@@ -27,8 +27,8 @@ def functor_of(text):
     """What stands in front of the arguments and annotations."""
     for i in range(len(text)):
         if text[i] in "([;":
-            return text[:i].strip()
-    return text.strip()
+            return text[:i].strip(" ")
+    return text.strip(" ")
 
 
 def split(text):
@@ -46,7 +46,7 @@ def split(text):
             is_whole = False
     is_open = i < len(text) and text[i] == "("
     if i < len(text) and text[i] == ";":
-        return functor, [], is_whole and not text[i + 1:].strip()
+        return functor, [], is_whole and not text[i + 1:].strip(" ")
     while i < len(text):
         c = text[i]
         if quote:
@@ -65,7 +65,7 @@ def split(text):
                 is_whole = False
             nesting = nesting[:-1]
         if is_open and not quote and (not nesting or nesting == "(" and c == ","):
-            arguments.append(text[begin:i].strip())
+            arguments.append(text[begin:i].strip(" "))
             begin = i + 1
             is_open = bool(nesting)
         elif not nesting and not quote and c not in " ;]":

@@ -1,9 +1,6 @@
 """Critical rules that the board itself watches: conditions on percepts, set by the computer."""
 from .literals import compare, functor_of, is_number, split
 
-MARK = 1
-"""The byte with which the command that sets a rule begins."""
-
 MAX_PERCEPT = 253
 """Bytes of a percept that a report holds, with its `;`."""
 
@@ -21,7 +18,7 @@ def _word(text, begin):
 
 
 def read(text):
-    """The rule of a command without its mark and number, as (functor, conditions, reflex); None if it has another form."""
+    """The rule of a command without its number, as (functor, conditions, reflex); None if it has another form."""
     functor, at = _word(text, 0)
     if not functor:
         return None
@@ -82,14 +79,14 @@ class Rules:
         self._met = ()
 
     def set(self, text):
-        """Does what a command says that begins with the mark. Returns false if it is refused."""
-        if len(text) == 1:
+        """Does what a command says. Returns false if it is refused."""
+        number = ord(text[0])
+        if number == 0 and len(text) == 1:
             self.forget()
             return True
-        number = ord(text[1])
-        rule = read(text[2:]) if len(text) > 2 else None
+        rule = read(text[1:]) if len(text) > 1 else None
         others = [each for each in self._rules if each[0] != number]
-        if number == 0 or len(text) > 2 and (rule is None or len(others) >= self.room):
+        if number == 0 or len(text) > 1 and (rule is None or len(others) >= self.room):
             return False
         if rule:
             others.append((number, rule))

@@ -97,11 +97,11 @@ def an_outcome_is_reported_later(python):
     with Board(python) as board:
         for ok, refused in (("true", False), ("false", True)):
             row = commands.write_row([b"grip(%s)" % ok.encode()])
-            frame = frames.encode(frames.Frame(frames.COMMANDS_RESUME, board.session.due, row))
-            board.line.write(frame)
+            frame = frames.Frame(frames.COMMANDS_RESUME, board.session.due, row)
+            board.line.send(frame)
             equal([(f.kind, f.number) for f in board.line.frames(5.0)], [(frames.ACK | frames.BUSY, board.session.due)])
             equal(board.session.ask("(dist)"), "dist(f,100);")
-            board.line.write(frame)  # as if the acknowledgement had been lost
+            board.line.send(frame)  # as if the acknowledgement had been lost
             found = [f for _ in range(2) for f in board.line.frames(5.0)]
             equal((kind_of(found[-1]), found[-1].number), (frames.ACK, board.session.due + 1))
             equal(bool(found[-1].kind & frames.REFUSED), refused)
@@ -111,7 +111,7 @@ def an_outcome_is_reported_later(python):
 
 def a_reflex_is_carried_out_by_the_board_itself(python):
     with Board(python) as board:
-        equal((board.session.welcome[3], board.session.send("\x01\x05dist\x001=f\x002<40\x00\x02stop")), (8, 1))
+        equal((board.session.welcome[3], board.session.send(commands.Rule(b"\x05dist\x001=f\x002<40\x00\x02stop"))), (8, 1))
         for _ in range(3):
             board.session.send("near(30)")
             equal([f.payload for f in board.line.frames(5.0) if kind_of(f) == frames.CRITICAL], [b"\x05\x01dist(f,30);"])
@@ -120,7 +120,7 @@ def a_reflex_is_carried_out_by_the_board_itself(python):
             board.session.send("near(50)")
             time.sleep(0.1)
             check(len(board.session.ask()) > 30, "an answer in parts is too short")
-        board.session.send("\x01")
+        board.session.send(commands.Rule(b"\x00"))
         board.session.send("near(30)")
         time.sleep(0.1)
         equal(board.session.ask("(dist)"), "dist(f,30);")
@@ -183,7 +183,7 @@ def version_1_carries_out_no_other_action_on_a_damaged_line(python):
     rng, damaged, sent = random.Random(9), [0], 0
     damage = damage_one_in_200(rng, damaged)
     with Board(python) as board:
-        board.line.write(frames.encode(frames.Frame(frames.HELLO, 0)))  # ends the session
+        board.line.send(frames.Frame(frames.HELLO, 0))  # ends the session
         board.line.frames(1.0)
         actions, carried = texts(rng), []
         board.carried()

@@ -22,6 +22,7 @@ class Computer:
 
     def __init__(self):
         self.receiver = frames.Receiver(frames.FROM_BOARD)
+        self.receiver.nonce = 7
         self.next = [frames.Frame(frames.HELLO, 7), frames.Frame(frames.DESCRIBE, 1, b"\0"), frames.Frame(frames.ASK, 1, b"\0")]
         self.actions = None
 
@@ -39,7 +40,7 @@ class Computer:
             self.next += [frames.Frame(frames.COMMANDS_RESUME, i, commands.write_row([row])) for i, row in enumerate(rows)]
         if not self.next:
             raise javino.LineGone("the computer has gone")
-        return frames.encode(self.next.pop(0))
+        return frames.encode(self.next.pop(0), 7)
 
 
 def run(name, text):

@@ -24,16 +24,20 @@ class Bench:
 
     def __init__(self, **options):
         self.now, self.line, self.carried = 0, Memory(), []
+        self.nonce = 7  # of the newest HELLO
         self.board = javino.Board(self.line, ticks=lambda: self.now, **options)
 
     def hear(self, kind, number, payload=b""):
         """The frames that answer this one."""
-        self.line.arrives = frames.encode(frames.Frame(kind, number, payload))
+        if kind == frames.HELLO:
+            self.nonce = number
+        self.line.arrives = frames.encode(frames.Frame(kind, number, payload), self.nonce)
         self.board.run()
         return self.sent()
 
     def sent(self):
         receiver = frames.Receiver(frames.FROM_BOARD)
+        receiver.nonce = self.nonce
         receiver.receive(self.line.sent, 0)
         self.line.sent = b""
         return receiver.frames
@@ -115,11 +119,22 @@ class Acting(unittest.TestCase):
         self.assertEqual(bench.command(0, b"act"), [frames.Frame(frames.ACK | frames.REFUSED, 1)])
         self.assertEqual(len(calls), 1)
 
+    def test_a_decorator_takes_the_number_of_arguments_by_its_name_or_without(self):
+        bench = Bench()
+        bench.board.on_action("speed", 1)(bench.carried.append)
+        bench.board.on_action("turn", arguments=1)(bench.carried.append)
+        bench.greet()
+        bench.command(0, b"speed(5)")
+        bench.command(1, b"turn(6)")
+        self.assertEqual(bench.carried, [5, 6])
+        with self.assertRaisesRegex(TypeError, "give the function behind the name"):
+            bench.board.on_action("speed", "1")
+
     def test_run_within_an_action_keeps_what_arrives_for_later(self):
         bench = Bench()
 
         def slow():
-            bench.line.arrives = frames.encode(frames.Frame(frames.COMMANDS, 1, commands.write_row([b"stop"])))
+            bench.line.arrives = frames.encode(frames.Frame(frames.COMMANDS, 1, commands.write_row([b"stop"])), bench.nonce)
             bench.board.run()
             bench.carried.append("slow")
         bench.board.act["slow"] = slow
@@ -221,7 +236,7 @@ class Perceiving(unittest.TestCase):
         bench.board.act["stop"] = lambda: bench.carried.append(bench.now)
         bench.board.watch_rules()
         bench.greet()
-        bench.command(0, b"\x01\x01dist\x002<40\x00\x02stop")
+        bench.command(0, commands.Rule(b"\x01dist\x002<40\x00\x02stop"))
         bench.now += 100
         found, begin = bench.hear(frames.ASK, 1, b"\0"), bench.now
         self.assertLess(len(found), 3)

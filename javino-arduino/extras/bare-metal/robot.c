@@ -108,13 +108,6 @@ static bool act(void *context, const char *text, uint8_t length)
     return false;
 }
 
-static bool carry_out(void)
-{
-    if (javino_rules_is(&board))
-        return javino_rules_set(&board);
-    return act(NULL, board.link.text, board.link.length);
-}
-
 /* ---- Percepts ---- */
 
 static void percept(const char *functor, const char *side, uint32_t value)
@@ -170,7 +163,7 @@ static void turn_of_the_loop(void)
         javino_board_answer(&board);
         break;
     case JAVINO_ACTION:
-        javino_link_finish(&board.link, carry_out());
+        javino_link_finish(&board.link, act(NULL, board.link.text, board.link.length));
         break;
     default:
         machine_sleep();

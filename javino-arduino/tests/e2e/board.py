@@ -31,6 +31,7 @@ class Line:
         self._begin()
 
     def _begin(self):
+        self.nonce = 0  # of the session that the last HELLO has begun
         self.damage = lambda data: data
         self.listen(HALT_MS)
 
@@ -46,6 +47,7 @@ class Line:
             # What version 1 does not take begins a frame of version 2.
             rest = bytes([byte]) if self.decoder2.body is not None else self.decoder1.put(byte)
             if rest:
+                self.decoder2.nonce = self.nonce
                 self.decoder2.receive(rest, now)
         self.decoder1.last = now
 
@@ -57,6 +59,12 @@ class Line:
         while data:
             select.select([], [self.fd], [], PATIENCE)
             data = data[os.write(self.fd, data):]
+
+    def send(self, frame):
+        """Sends a frame of version 2, of the session that the last HELLO has begun."""
+        if frame.kind == frames.HELLO:
+            self.nonce = frame.number
+        self.write(frames.encode(frame, self.nonce))
 
     def answer_bytes(self, seconds):
         """The bytes of the next frame of version 1, as the board has sent them; fewer if time runs out."""
@@ -144,7 +152,7 @@ class Session:
         end = time.monotonic() + PATIENCE
         repeated = -1
         while time.monotonic() < end:
-            self.line.write(frames.encode(frame))
+            self.line.send(frame)
             repeated += 1
             again = time.monotonic() + self.patience
             while time.monotonic() < again:
@@ -158,7 +166,7 @@ class Session:
         return kind_of(frame) == frames.WELCOME and frame.payload[0] == self.nonce
 
     def send(self, *row):
-        """Commands, each a text or a number. Returns how many were carried out; refused tells whether the last of them was not."""
+        """Commands, each a text, a number or a Rule. Returns how many were carried out; refused tells whether the last of them was not."""
         first = self.due
         kind = frames.COMMANDS_RESUME if self.refused else frames.COMMANDS
         row = [c.encode("latin1") if isinstance(c, str) else c for c in row]

@@ -8,9 +8,10 @@ import os
 import random
 import select
 import sys
+import termios
 import time
 
-from board import PATIENCE, Board, Session, commands, frame1, frames, kind_of, version1
+from board import PATIENCE, ROOT, Board, Session, commands, frame1, frames, kind_of, version1
 from cases import check, damage_one_in_200, equal, texts
 from machine import MACHINES
 
@@ -60,7 +61,7 @@ def a_repeated_command_is_carried_out_once():
         board.line.ready()
         session = Session(board.line)
         for _ in range(4):
-            board.line.write(frames.encode(frames.Frame(frames.COMMANDS, 0, commands.write_row([b"speed(100)", b"stop"]))))
+            board.line.send(frames.Frame(frames.COMMANDS, 0, commands.write_row([b"speed(100)", b"stop"])))
             found = []
             while frames.ACK not in [f.kind for f in found]:
                 found = board.line.frames(5.0)
@@ -135,14 +136,14 @@ def a_reflex_is_carried_out_by_the_board_itself(robot="Robot4WD"):
         board.line.ready()
         session = Session(board.line)
         check(session.welcome[3] > 0, "the board holds no rules")
-        session.send("\x01\x01dist\x001=f\x002<40\x00\x02stop", "front")
+        session.send(commands.Rule(b"\x01dist\x001=f\x002<40\x00\x02stop"), "front")
         equal(session.refused, False)
         board.watch(7)
         board.await_pin(7, "high")
         took = []
         for _ in range(10):
             # While an answer is on its way, too.
-            board.line.write(frames.encode(frames.Frame(frames.ASK, 9, bytes([session.texts.known()]))))
+            board.line.send(frames.Frame(frames.ASK, 9, bytes([session.texts.known()])))
             begin = float(board.command("time"))
             board.command("set A0 100")
             took.append(board.await_pin(7, "low") - begin)
@@ -349,6 +350,35 @@ def a_robot_without_arduino_does_the_same():
         board.await_pin(5, "pwm 77")
 
 
+def another_rate_is_heard_as_on_a_wire():
+    with Board("Stall") as board:
+        board.line.ready()
+        rate = rate_of_the_sketch("Stall")
+        for wrong in (termios.B300, termios.B57600):
+            set_rate(board.line, wrong)
+            board.line.write(frame1(b"getPercepts"))
+            equal(board.line.messages(1.0), [])
+            set_rate(board.line, rate)
+            board.line.ready()
+            board.line.write(frame1(b"stall(600)") + frame1(b"getPercepts"))
+            time.sleep(0.2)
+            set_rate(board.line, wrong)  # so the answer is misheard
+            equal(board.line.messages(2.0), [])
+            set_rate(board.line, rate)
+            board.line.ready()
+
+
+def rate_of_the_sketch(name):
+    begin = (ROOT / f"tests/sketches/{name}/{name}.ino").read_text().split("start(")[1]
+    return getattr(termios, "B" + begin.split(")")[0])
+
+
+def set_rate(line, rate):
+    settings = termios.tcgetattr(line.fd)
+    settings[4] = settings[5] = rate
+    termios.tcsetattr(line.fd, termios.TCSANOW, settings)
+
+
 # ---- time around the board ----
 
 def no_frame_is_lost_while_the_loop_stalls():
@@ -359,8 +389,8 @@ def no_frame_is_lost_while_the_loop_stalls():
                 board.line.ready()
                 if version == 2:
                     Session(board.line)
-                    command = lambda i: frames.encode(frames.Frame(frames.COMMANDS, i % 256, commands.write_row([b"count"])))
-                    board.line.write(frames.encode(frames.Frame(frames.COMMANDS, 0, commands.write_row([f"stall({stall})".encode()]))))
+                    command = lambda i: frames.encode(frames.Frame(frames.COMMANDS, i % 256, commands.write_row([b"count"])), board.line.nonce)
+                    board.line.send(frames.Frame(frames.COMMANDS, 0, commands.write_row([f"stall({stall})".encode()])))
                 else:
                     command = lambda i: frame1(b"count")
                     board.line.write(frame1(f"stall({stall})".encode()))
@@ -386,7 +416,7 @@ def a_slow_command_is_carried_out_once():
         for at in (0, 160, 470, 1100, 2400):
             while float(board.command("time")) < begin + at:
                 time.sleep(0.005)
-            board.line.write(frames.encode(frames.Frame(frames.COMMANDS, 0, commands.write_row([b"slow(3300)"]))))
+            board.line.send(frames.Frame(frames.COMMANDS, 0, commands.write_row([b"slow(3300)"])))
         while float(board.command("time")) < begin + 4000:
             time.sleep(0.01)
         equal({(f.kind, f.number) for f in board.line.frames(2.0)}, {(frames.ACK, 1)})
@@ -400,7 +430,7 @@ def an_outcome_is_reported_later_and_the_board_goes_on():
         for fingers, refused in (("high", False), ("low", True)):
             board.command(f"set 7 {fingers}")
             begin = float(board.command("time"))
-            frame = frames.encode(frames.Frame(frames.COMMANDS, session.due, commands.write_row([b"close"])))
+            frame = frames.encode(frames.Frame(frames.COMMANDS, session.due, commands.write_row([b"close"])), board.line.nonce)
             board.line.write(frame)
             equal([(f.kind, f.number) for f in board.line.frames(5.0)], [(frames.ACK | frames.BUSY, session.due)])
             equal(session.ask(), "gripper(closing);")
@@ -626,6 +656,7 @@ CASES = [
     a_pressed_button_is_reported_unasked,
     the_agents_line_may_be_on_two_other_pins,
     two_computers_have_a_conversation_each,
+    another_rate_is_heard_as_on_a_wire,
     no_frame_is_lost_while_the_loop_stalls,
     a_slow_command_is_carried_out_once,
     an_outcome_is_reported_later_and_the_board_goes_on,

@@ -86,7 +86,7 @@ static size_t arrive_frame(javino_board *board, uint16_t now, const uint8_t *dat
     if (size < 3)
         return size;
     size = size - 3 < data[2] % 80u ? size - 3 : data[2] % 80u;
-    javino_encoder_begin2(&encoder, kinds[data[0] % 5], data[1], (uint8_t)size);
+    javino_encoder_begin2(&encoder, (uint8_t)(data[1] % 16 ? board->link.session : data[1]), kinds[data[0] % 5], data[1], (uint8_t)size);
     for (i = 0; i < size; i++)
         javino_encoder_put(&encoder, data[3 + i]);
     javino_encoder_end(&encoder);
@@ -127,8 +127,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         while ((event = javino_board_poll(&board, now)) != JAVINO_NOTHING) {
             if (event == JAVINO_REQUEST) {
                 answer(&board, data[i]);
-            } else if (javino_rules_is(&board)) {
-                javino_link_finish(&board.link, javino_rules_set(&board));
             } else {
                 read_action(&board.link);
                 if (data[i] & 2)

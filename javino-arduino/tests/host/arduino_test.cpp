@@ -539,6 +539,16 @@ TEST_CASE("a port that takes nothing is asked once for each message") {
   CHECK(board.run(frame1("getPercepts")) == frame1(""));
 }
 
+TEST_CASE("a quoted text is a string, whatever it is") {
+  Board board;
+  static Board *of;
+  of = &board;
+  board.javino.perceive([] { of->javino.percept("says", quoted("hi"), "hi", quoted("a \"b\""), quoted("")); });
+  Serial.receive(frame1("getPercepts"));
+  board.javino.run();
+  CHECK(Serial.sent() == frame1("says(\"hi\",hi,\"a \\\"b\\\"\",\"\");"));
+}
+
 TEST_CASE("percepts have as many decimals as are asked for, and whole numbers of 64 bits") {
   static Board *of;
   Board board;
@@ -806,7 +816,7 @@ TEST_CASE("what arrives, what is damaged and how long loop() takes is counted") 
     CHECK(counters.longestLoop == 5);
     CHECK(done == std::vector<std::string>{"ledOn"});
     if (watches) {
-      board.run(command(2, std::string("\1\1dist\0001<40\0\2ledOn", 18)));
+      board.run(frame2(0x30, 2, ruleItem(std::string("\1dist\0001<40\0\2ledOn", 17))));
       board.javino.perceive([](JavinoBoard &of) { of.percept("dist", 30); });
       board.later(10);
       CHECK(done.size() == 2);

@@ -61,10 +61,10 @@ struct Receiver {
   json messages = json::array(); /* of version 1 */
   json frames = json::array();   /* of version 2 */
 
-  explicit Receiver(uint16_t timeout = 100, bool session = false) {
+  explicit Receiver(uint16_t timeout = 100, uint8_t nonce = 0) {
     javino_decoder_init(&decoder, memory.data(), JAVINO_WINDOW, timeout);
-    if (session)
-      javino_decoder_session(&decoder, 1);
+    if (nonce)
+      javino_decoder_session(&decoder, nonce);
   }
 
   void idle(uint16_t now) {
@@ -97,7 +97,7 @@ void collect(void *text, uint8_t byte) {
 TEST_CASE("the checksum is that of the vectors") {
   for (const json &c : vectors()["crc"]) {
     INFO(c["name"]);
-    uint16_t crc = JAVINO_CRC_START;
+    uint16_t crc = JAVINO_CRC_START(0);
     for (unsigned char byte : bytesOf(c["hex"]))
       crc = javino_crc16(crc, byte);
     CHECK(::hexOf(crc, 4) == c["crc"]);
@@ -124,12 +124,13 @@ TEST_CASE("frames are written as in the vectors") {
     std::string payload = bytesOf(c["payloadHex"]);
     uint8_t kind = static_cast<uint8_t>(bytesOf(c["kind"])[0]);
     javino_encoder encoder = {collect, &out, 0, false};
-    javino_encoder_begin2(&encoder, kind, c["number"], static_cast<uint8_t>(payload.size()));
+    const uint8_t nonce = beginsSessions(kind) ? 0 : c["nonce"].get<uint8_t>();
+    javino_encoder_begin2(&encoder, nonce, kind, c["number"], static_cast<uint8_t>(payload.size()));
     for (unsigned char byte : payload)
       javino_encoder_put(&encoder, byte);
     javino_encoder_end(&encoder);
     CHECK(hexOf(out) == c["frameHex"]);
-    CHECK(out == frame2(kind, c["number"], payload));
+    CHECK(out == frame2(kind, c["number"], payload, nonce));
   }
 }
 
@@ -291,7 +292,7 @@ TEST_CASE("every single damage to a frame of version 2 is found, and in a sessio
         // What remains of a whole frame would be one.
         if (damaged.find(whole) != std::string::npos)
           continue;
-        Receiver receiver(100, true);
+        Receiver receiver(100, session);
         receiver.receive(damaged, 0);
         receiver.receive(hello(), 0);
         receiver.idle(101);

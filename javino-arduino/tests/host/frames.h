@@ -9,8 +9,11 @@
 #include <string>
 #include <vector>
 
-inline unsigned crcOf(const std::string &bytes) {
-  unsigned crc = 0xFFFF;
+/** The nonce of the newest hello(): frames are those of this session. */
+inline unsigned session = 7;
+
+inline unsigned crcOf(const std::string &bytes, unsigned nonce = 0) {
+  unsigned crc = 0xFFFF ^ nonce << 8;
   for (unsigned char byte : bytes) {
     crc ^= static_cast<unsigned>(byte) << 8;
     for (int i = 0; i < 8; i++)
@@ -64,10 +67,15 @@ inline std::string frame1(const std::string &payload) {
   return "fffe" + hexOf(static_cast<unsigned>(payload.size()), 2) + payload;
 }
 
-/** A frame of version 2. */
-inline std::string frame2(unsigned kind, unsigned number, const std::string &payload = "") {
+/** Whether frames of this kind have the same checksum in all sessions. */
+inline bool beginsSessions(unsigned kind) {
+  return kind == 0x10 || (kind & 0x9F) == 0x80;
+}
+
+/** A frame of version 2, of the session with this nonce. */
+inline std::string frame2(unsigned kind, unsigned number, const std::string &payload = "", unsigned nonce = session) {
   std::string body = std::string{octet(static_cast<unsigned>(payload.size())), octet(kind), octet(number)} + payload;
-  unsigned crc = crcOf(body);
+  unsigned crc = crcOf(body, beginsSessions(kind) ? 0 : nonce);
   body += {octet(crc >> 8), octet(crc)};
   std::string frame = "\xA5";
   for (char c : body)
@@ -84,7 +92,13 @@ inline std::string item(const std::string &text) {
   return (text.size() < 0x80 ? length : std::string(1, '\0') + length) + text;
 }
 
+/** A command that sets or removes rules, in a row. */
+inline std::string ruleItem(const std::string &text) {
+  return std::string{octet(0xFF), octet(static_cast<unsigned>(text.size()))} + text;
+}
+
 inline std::string hello(unsigned nonce = 7) {
+  session = nonce;
   return frame2(0x10, nonce);
 }
 
@@ -113,8 +127,8 @@ struct Frame2 {
   std::string payload;
 };
 
-/** The frames of version 2 that follow each other; the test fails if the bytes are anything else. */
-inline std::vector<Frame2> frames2(const std::string &bytes) {
+/** The frames of version 2 that follow each other, of this session; the test fails if the bytes are anything else. */
+inline std::vector<Frame2> frames2(const std::string &bytes, unsigned nonce = session) {
   std::vector<Frame2> found;
   for (size_t at = 0; at < bytes.size();) {
     REQUIRE(bytes[at] == octet(0xA5));
@@ -127,7 +141,7 @@ inline std::vector<Frame2> frames2(const std::string &bytes) {
     REQUIRE(body.size() >= 5);
     REQUIRE(body.size() == 5u + static_cast<uint8_t>(body[0]));
     found.push_back({static_cast<uint8_t>(body[1]), static_cast<uint8_t>(body[2]), body.substr(3, body.size() - 5)});
-    unsigned crc = crcOf(body.substr(0, body.size() - 2));
+    unsigned crc = crcOf(body.substr(0, body.size() - 2), beginsSessions(static_cast<uint8_t>(body[1])) ? 0 : nonce);
     REQUIRE(body.substr(body.size() - 2) == std::string{octet(crc >> 8), octet(crc)});
   }
   return found;

@@ -12,7 +12,7 @@ namespace {
 
 std::string rule(unsigned number, const std::string &functor, const std::vector<std::string> &conditions = {},
                  const std::string &reflex = "") {
-  std::string text = std::string{1, octet(number)} + functor + '\0';
+  std::string text = std::string(1, octet(number)) + functor + '\0';
   for (const std::string &condition : conditions)
     text += condition + '\0';
   return reflex.empty() ? text : text + '\x02' + reflex;
@@ -55,7 +55,7 @@ struct Robot {
     REQUIRE(javino.watchRules());
     javino.start(9600);
     javino.run();
-    CHECK(run(hello()) == frame2(0x80, 0, std::string{7, JAVINO_CREDIT, octet(255), JAVINO_RULES_MAX}));
+    CHECK(run(hello()) == frame2(0x80, 0, std::string{7, JAVINO_CREDIT, octet(255), JAVINO_RULES_MAX, 1, 0}));
   }
 
   std::string run(const std::string &bytes, unsigned long ms = 0) {
@@ -65,7 +65,7 @@ struct Robot {
     return Serial.sent();
   }
 
-  std::string set(const std::string &text) { return run(command(due++, text)); }
+  std::string set(const std::string &text) { return run(frame2(0x30, due++, ruleItem(text))); }
 
   bool takes(const std::string &text) {
     std::string said = set(text);
@@ -127,7 +127,8 @@ TEST_CASE("a new session forgets the rules") {
   CHECK(r.run("", 100) == "");
   CHECK(stops == 0);
   r.due = 0;
-  CHECK(r.set(rule(3, "dist", {"2<40"}, "stop")) == critical(1, 3, 1, "dist(f,1);") + ack(1));
+  CHECK(r.set(rule(3, "dist", {"2<40"}, "stop")) == ack(1));
+  CHECK(r.run("", 5) == critical(1, 3, 1, "dist(f,1);"));
 }
 
 TEST_CASE("an unknown reflex and none are told") {
@@ -147,11 +148,21 @@ TEST_CASE("rules find room as far as there is memory, and replace those of their
     number++;
   CHECK(number > 4);
   CHECK(number <= JAVINO_RULES_MAX + 1);
-  r.run(frame2(0x31, r.due, item(rule(1, "dist", {"2<99"}, "stop"))));
+  r.run(frame2(0x31, r.due, ruleItem(rule(1, "dist", {"2<99"}, "stop"))));
   r.due++;
-  CHECK(r.takes("\x01\x02"));
+  CHECK(r.takes("\x02"));
   CHECK(r.takes(rule(2, "dist", {"2<40"}, "stop")));
-  CHECK(r.takes("\x01"));
+  CHECK(r.takes(std::string(1, '\0')));
+  distance = 1;
+  CHECK(r.run("", 5) == "");
+}
+
+TEST_CASE("a text is no rule, whatever it begins with") {
+  Robot r;
+  for (const std::string &text : {rule(1, "dist", {"2<99"}, "stop"), "\x01" + rule(1, "dist", {"2<99"}, "stop"), std::string("\x01")}) {
+    CHECK(r.run(frame2(0x31, r.due, item(text))) == ack(r.due + 1, REFUSED));
+    r.due++;
+  }
   distance = 1;
   CHECK(r.run("", 5) == "");
 }
@@ -159,10 +170,10 @@ TEST_CASE("rules find room as far as there is memory, and replace those of their
 TEST_CASE("a board that does not watch rules refuses them") {
   Javino javino;
   Serial.in.clear();
-  Serial.receive(hello() + command(0, rule(1, "dist")));
+  Serial.receive(hello() + frame2(0x30, 0, ruleItem(rule(1, "dist"))));
   Serial.sent();
   javino.run();
-  CHECK(Serial.sent() == frame2(0x80, 0, std::string{7, JAVINO_CREDIT, octet(255), 0}) + ack(1, REFUSED));
+  CHECK(Serial.sent() == frame2(0x80, 0, std::string{7, JAVINO_CREDIT, octet(255), 0, 1, 0}) + ack(1, REFUSED));
 }
 
 namespace {
@@ -189,10 +200,7 @@ struct Watcher : Conversation {
   }
 
   void set(const std::string &text) {
-    REQUIRE(hear(command(board.link.due, text)) == JAVINO_ACTION);
-    REQUIRE(javino_rules_is(&board));
-    finish(javino_rules_set(&board));
-    poll();
+    hear(frame2(0x30, board.link.due, ruleItem(text)));
     sent();
   }
 

@@ -7,6 +7,7 @@ DONE, REFUSES, LATER = "done", "refused", "later"
 NO_REFLEX, REFLEX_DONE, REFLEX_REFUSED = 0, 1, 2
 PART_WITH_RULES = 12
 MAX_CRITICAL_PERCEPT = 253
+REVISION = 1
 
 
 class Board:
@@ -17,10 +18,12 @@ class Board:
     `part_size` bytes of it, or as many as a frame holds; with rules set at most twelve.
     """
 
-    def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256, part_size=None):
+    def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256, part_size=None,
+                 actions_lost=0):
         self.program = program
         self.credit, self.longest, self.max_rules, self.shapes, self.numbers = credit, longest, max_rules, shapes, numbers
         self.part_size = part_size
+        self.actions_lost = actions_lost  # actions of the program that found no room
         self._begin(0)
 
     def _begin(self, session):
@@ -35,7 +38,8 @@ class Board:
     def receive(self, frame):
         """The frames that answer this one."""
         if frame.kind == HELLO:
-            self._begin(frame.number)
+            if frame.number != self.session:
+                self._begin(frame.number)
             return [self._welcome()]
         if not self.session:
             return [self._welcome()]
@@ -56,7 +60,7 @@ class Board:
         return Frame(kind | flags, self.due, payload)
 
     def _welcome(self):
-        return self._say(WELCOME, bytes([self.session, self.credit, self.longest, self.max_rules]))
+        return self._say(WELCOME, bytes([self.session, self.credit, self.longest, self.max_rules, REVISION, self.actions_lost]))
 
     # ---- commands ----
 
@@ -97,8 +101,8 @@ class Board:
             if command >= len(self.program.actions) or self.program.actions[command][1] not in (0, vocabulary.ANY_NUMBER):
                 return REFUSES
             return self.program.carry_out(self.program.actions[command][0])
-        if rules.is_rule(command):
-            return self._set_rule(command)
+        if isinstance(command, commands.Rule):
+            return self._set_rule(command.text)
         return self.program.carry_out(command)
 
     # ---- percepts ----
@@ -124,7 +128,7 @@ class Board:
             rule = rules.read(command)
         except rules.Malformed:
             return REFUSES
-        if rule is None:
+        if rule == 0:
             self.rules = {}
         elif isinstance(rule, int):
             self.rules.pop(rule, None)

@@ -64,7 +64,7 @@ class Computer:
         if not self.session.open:
             return False
         frame = self.session.ask()
-        self.ask_bytes = len(encode(frame))
+        self.ask_bytes = len(encode(frame, self.session.nonce))
         self._send(frame)
         return True
 
@@ -81,10 +81,12 @@ class Computer:
         return sending
 
     def receive(self, data, now):
-        self.receiver.receive(data, now)
-        frames, self.receiver.frames = self.receiver.frames, []
-        for frame in frames:
-            self._heard(frame, now)
+        for byte in data:
+            self.receiver.nonce = self.session.nonce if self.session.open else 0
+            self.receiver.receive(bytes([byte]), now)
+            frames, self.receiver.frames = self.receiver.frames, []
+            for frame in frames:
+                self._heard(frame, now)
 
     def _heard(self, frame, now):
         session = self.session
@@ -141,7 +143,7 @@ class Computer:
 
     def _repeat(self, frame, now):
         count = len(commands.read_row(frame.payload))
-        carrier = Carrier(count, len(encode(frame)))
+        carrier = Carrier(count, len(encode(frame, self.session.nonce)))
         while self.carriers and count >= self.carriers[0].commands:
             count -= self.carriers.pop(0).commands
         if count:
@@ -169,7 +171,7 @@ class Computer:
             if not window.out:
                 self.timed, self.repeated_at = (len(row), now), None
             frame = window.send(row)
-            self.carriers.append(Carrier(len(row), len(encode(frame))))
+            self.carriers.append(Carrier(len(row), len(encode(frame, self.session.nonce))))
             self._send(frame)
             if len(window.out) == len(row):
                 self._start_timer(now)
@@ -183,4 +185,4 @@ class Computer:
             self.session.window.time_over(command)
 
     def _send(self, frame):
-        self.sending.append(encode(frame))
+        self.sending.append(encode(frame, self.session.nonce))

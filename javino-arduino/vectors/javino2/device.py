@@ -22,10 +22,13 @@ class Device:
         return self._sent()
 
     def report(self, outcome):
-        return b"".join(map(encode, self.board.report(outcome)))
+        return self._encoded(self.board.report(outcome))
 
     def percepts_unasked(self):
-        return b"".join(map(encode, self.board.percepts_unasked()))
+        return self._encoded(self.board.percepts_unasked())
+
+    def _encoded(self, frames):
+        return b"".join(encode(frame, self.board.session) for frame in frames)
 
     def _sent(self):
         sending, self.sending = self.sending, b""
@@ -33,10 +36,10 @@ class Device:
 
     def _take(self, message):
         if isinstance(message, Frame):
-            self.sending += b"".join(map(encode, self.board.receive(message)))
+            self.sending += self._encoded(self.board.receive(message))
         else:
             self.sending += b"".join(map(version1.frame, self.message(message)))
-        self.line.session = bool(self.board.session)
+        self.line.session = self.board.session
 
     def message(self, message):
         """The messages that answer this one of version 1."""

@@ -17,9 +17,9 @@ class Frame(NamedTuple):
     payload: bytes = b""
 
 
-def crc16(data):
-    """CRC-16/CCITT-FALSE of the bytes."""
-    crc = 0xFFFF
+def crc16(data, nonce=0):
+    """CRC-16/CCITT-FALSE of the bytes; with a nonce that of a frame of this session."""
+    crc = 0xFFFF ^ nonce << 8
     for byte in data:
         crc ^= byte << 8
         for _ in range(8):
@@ -32,10 +32,15 @@ def escape(data):
     return data.replace(b"\xa4", b"\xa4\x04").replace(b"\xa5", b"\xa4\x05")
 
 
-def encode(frame):
-    """The bytes of a frame on the line."""
+def begins_sessions(kind):
+    """Whether the checksum of frames of this kind is the same in all sessions."""
+    return kind == HELLO or kind & ~FLAGS == WELCOME
+
+
+def encode(frame, nonce=0):
+    """The bytes of a frame on the line, in the session with this nonce."""
     body = bytes([len(frame.payload), frame.kind, frame.number]) + frame.payload
-    return bytes([START]) + escape(body + crc16(body).to_bytes(2, "big"))
+    return bytes([START]) + escape(body + crc16(body, 0 if begins_sessions(frame.kind) else nonce).to_bytes(2, "big"))
 
 
 def is_kind(direction, kind):
@@ -45,12 +50,13 @@ def is_kind(direction, kind):
 
 
 class Receiver:
-    """Finds the frames of one direction, and drops all else."""
+    """Finds the frames of one direction, and drops all else. `nonce` is that of the session; 0: there is none."""
 
     def __init__(self, direction, timeout=100, longest=255):
         self.direction = direction
         self.timeout = timeout
         self.longest = longest
+        self.nonce = 0
         self.body = None  # bytes of the frame that is being read, without the escapes; None outside of frames
         self.escaped = False
         self.last = 0
@@ -91,5 +97,15 @@ class Receiver:
         elif len(self.body) == length + 5:
             body, crc = self.body[:-2], self.body[-2:]
             self.body = None
-            if crc16(body).to_bytes(2, "big") == crc:
+            if self._counts(body[1]) and self._is_intact(body, crc):
                 self.frames.append(Frame(body[1], body[2], body[3:]))
+
+    def _counts(self, kind):
+        """A computer without a session hears WELCOME only."""
+        return bool(self.nonce) or self.direction == TO_BOARD or begins_sessions(kind)
+
+    def _is_intact(self, body, crc):
+        if begins_sessions(body[1]):
+            return crc16(body).to_bytes(2, "big") == crc
+        # A board without a session cannot tell.
+        return not self.nonce or crc16(body, self.nonce).to_bytes(2, "big") == crc

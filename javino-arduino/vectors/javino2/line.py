@@ -7,13 +7,13 @@ from .frames import START, TO_BOARD, Receiver
 class Line:
     """Finds frames of version 2, and of version 1 where they count, and hands each to `deliver`: a Frame, or a payload of version 1.
 
-    `session` says whether the board has one now; set it before the next byte comes, in `deliver` at the latest.
+    `session` is the nonce of the board's session now, 0 for none; set it before the next byte comes, in `deliver` at the latest.
     """
 
     def __init__(self, deliver, timeout=100, longest=255, now=0):
         self.deliver = deliver
         self.timeout = timeout
-        self.session = False
+        self.session = 0
         self.version1 = version1.Decoder(timeout, START, self._deliver1)
         self.version2 = Receiver(TO_BOARD, timeout, longest)
         self.last = now
@@ -54,6 +54,7 @@ class Line:
             self._put(byte)
 
     def _put2(self, byte):
+        self.version2.nonce = self.session
         self.version2.receive(bytes([byte]), self.version2.last)
         frames, self.version2.frames = self.version2.frames, []
         for frame in frames:

@@ -132,4 +132,6 @@ class Reader:
                 text += bytes(0x30 + h for h in halves[begin:at]) + piece
                 at += 1
             texts.append(text)
+        if at % 2 and halves[at] != END_OF_NUMBER:
+            raise Void
         return texts, items[(at + 1) // 2:]

@@ -3,7 +3,8 @@ import re
 from fractions import Fraction
 from typing import NamedTuple, Optional
 
-MARK, REFLEX = 1, 2
+REFLEX = 2
+BLANK = b" "
 NOT = b"!"
 _OPERATORS = {b"<": lambda a, b: a < b, b">": lambda a, b: a > b, b"{": lambda a, b: a <= b, b"}": lambda a, b: a >= b,
               b"=": lambda a, b: a == b, NOT: lambda a, b: a != b}
@@ -27,20 +28,14 @@ class Malformed(Exception):
     pass
 
 
-def is_rule(command):
-    return command[:1] == bytes([MARK])
-
-
 def read(text):
-    """What a rule's command sets: a Rule, the number of the rule that it removes, or None if it removes all."""
+    """What a rule's command sets: a Rule, the number of the rule that it removes, or 0 if it removes all."""
+    number = text[0]
     if len(text) == 1:
-        return None
-    number = text[1]
+        return number
     if number == 0:
         raise Malformed
-    if len(text) == 2:
-        return number
-    functor, rest = _word(text[2:])
+    functor, rest = _word(text[1:])
     if not functor:
         raise Malformed
     conditions = []
@@ -86,7 +81,7 @@ def literal(percept):
     """The functor of a percept and its arguments, without the blanks around them."""
     functor, rest = re.match(rb"([^(\[;]*)(.*)", percept, re.DOTALL).groups()
     if not rest.startswith(b"("):
-        return functor.strip(), []
+        return functor.strip(BLANK), []
     arguments, begin, depth, quote, escaped = [], 1, 0, None, False
     for i in range(len(rest)):
         c = rest[i:i + 1]
@@ -104,8 +99,8 @@ def literal(percept):
         elif c in b")]}":
             depth -= 1
         if not quote and (depth == 0 or depth == 1 and c == b","):
-            arguments.append(rest[begin:i].strip())
+            arguments.append(rest[begin:i].strip(BLANK))
             begin = i + 1
             if depth == 0:
                 break
-    return functor.strip(), arguments
+    return functor.strip(BLANK), arguments

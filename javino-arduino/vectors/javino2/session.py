@@ -5,13 +5,17 @@ from .parts import Assembly
 from .percepts import Reader
 from .window import Window
 
+REVISION = 1
+
 
 class Session:
     """`next_nonce` gives a nonce from the last one. What comes in is added to `outcomes` (command, outcome), `answers` (request, texts;
     texts is None where the answer is void), `critical` (payloads) and `pages` of the vocabulary, for who calls to take."""
 
-    def __init__(self, next_nonce, numbers=256, size=16):
+    def __init__(self, next_nonce, numbers=256, size=16, impossible=16):
         self.next_nonce, self.numbers, self.size = next_nonce, numbers, size
+        self.impossible = impossible  # how many numbers in a row that cannot be right end a session
+        self.other_revision = None  # of a board with which there is no session
         self.nonce = 0
         self.outcomes, self.answers, self.critical, self.pages = [], [], [], []
         self.window = Window(numbers, size)
@@ -29,6 +33,7 @@ class Session:
         self.window = Window(self.numbers, self.size)
         self.reader, self.assembly = Reader(), Assembly()
         self.requests, self.asked = 0, []
+        self.impossible_numbers = 0
 
     def hello(self):
         return Frame(HELLO, self.nonce)
@@ -52,13 +57,16 @@ class Session:
     def receive(self, frame, repeated_lately):
         """The frames that are sent at once, when this one comes."""
         kind = frame.kind & ~FLAGS
-        if kind == WELCOME and not self._welcomed(frame):
-            return [self.hello()]
+        if kind == WELCOME:
+            return [] if self._welcomed(frame) else [self.hello()]
         if not self.open:
             return []
         busy = bool(frame.kind & BUSY)
         news = self.window.heard(frame.number, bool(frame.kind & REFUSED), busy)
         self.outcomes += news.outcomes
+        self.impossible_numbers = 0 if news.accepted else self.impossible_numbers + 1
+        if self.impossible_numbers == self.impossible:
+            return [self.give_up()]
         if kind in (PERCEPTS, PART, LAST_PART):
             self._part(kind, frame.payload)
         elif kind == CRITICAL:
@@ -70,13 +78,17 @@ class Session:
 
     def _welcomed(self, frame):
         """Takes a WELCOME; returns whether it leaves things as they are, or opens the session."""
-        nonce = frame.payload[:1]
-        if nonce == bytes([self.nonce]):
-            if not self.open:
-                self._open(frame.payload)
+        nonce, revision = frame.payload[:1], (frame.payload[4:5] or b"\0")[0]
+        is_own = nonce == bytes([self.nonce])
+        if is_own == self.open:
             return True
-        if not self.open:
+        if is_own and revision != REVISION:
+            self.other_revision = revision
             return True
+        if is_own and not frame.number and not frame.kind & FLAGS:
+            self._open(frame.payload)
+            return True
+        # The board was restarted, or a session of another computer had the same nonce by chance.
         self._close()
         return False
 

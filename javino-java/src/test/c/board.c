@@ -76,10 +76,6 @@ static bool act_on_reflex(void *context, const char *text, uint8_t length)
 static void act(void)
 {
     javino_link *link = &board.link;
-    if (javino_rules_is(&board)) {
-        javino_link_finish(link, javino_rules_set(&board));
-        return;
-    }
     if (begins(link, "no") || begins(link, "\1") || (begins(link, "speed") && link->length == 5)) {
         javino_link_finish(link, false);
         return;

@@ -3,7 +3,6 @@ package javino;
 import java.util.List;
 import java.util.stream.Collectors;
 import javino.wire.BoardAction;
-import javino.wire.BoardRule;
 
 /** Whether a board that has described itself knows a command. */
 final class ActionCheck {
@@ -14,11 +13,8 @@ final class ActionCheck {
 
     /** Why a board with these actions would refuse the command, for a message to a person; null: it would not. */
     static String trouble(String command, List<BoardAction> actions) {
-        if (actions.isEmpty() || BoardRule.isIn(command)) {
+        if (actions.isEmpty()) {
             return null;
-        }
-        if (command.isEmpty()) {
-            return "it is empty; the board has " + words(actions);
         }
         String name = Command.functorOf(command);
         int arguments = name.length() == command.length() ? 0 : argumentsBehind(command, name.length());
@@ -27,7 +23,8 @@ final class ActionCheck {
             known = action.name().equals(name) ? action : known; // the newest counts
         }
         if (known == null) {
-            return "it has no action " + name + "; it has " + words(actions);
+            return (name.isEmpty() ? "the command names no action" : "it has no action " + name) + "; it has "
+                    + words(actions);
         }
         return known.arguments() == arguments || known.arguments() == BoardAction.ANY
                 ? null
@@ -36,55 +33,61 @@ final class ActionCheck {
 
     /** Why a board has refused the command that has told these actions, none if it has told nothing; for a message to a person. */
     static String refusal(String command, List<BoardAction> actions) {
-        if (actions.isEmpty() || BoardRule.isIn(command)) {
-            return "it does not know the action, or not with these arguments";
+        if (!isClosed(command)) {
+            return "a bracket or quote in it is not closed";
+        }
+        if (actions.isEmpty()) {
+            return "it does not know the action, or not with these arguments, or its program has refused what was asked now";
         }
         String trouble = trouble(command, actions);
-        if (trouble != null) {
-            return trouble;
-        }
-        return isClosed(command)
+        return trouble == null
                 ? "it has the action, and its program has refused what was asked now; it has " + words(actions)
-                : "its brackets or quotes are not closed; the board has " + words(actions);
+                : trouble;
     }
 
+    /** Whether as many brackets and quotes are closed as are opened. */
     private static boolean isClosed(String command) {
-        Arguments read = new Arguments(command, 0);
-        return read.depth == 0 && !read.isQuoted;
-    }
-
-    /** What stands behind a functor: the commas outside of brackets and quotes, and what is left open. */
-    private static final class Arguments {
-        private int commas;
-        private int depth;
-        private boolean isQuoted;
-
-        Arguments(String text, int from) {
-            for (int i = from; i < text.length(); i++) {
-                char c = text.charAt(i);
-                if (c == '\\' && isQuoted) {
+        int depth = 0;
+        char quote = 0; // none
+        for (int i = 0; i < command.length(); i++) {
+            char c = command.charAt(i);
+            if (quote != 0) {
+                if (c == '\\' && quote == '"') {
                     i++;
-                } else if (c == '"') {
-                    isQuoted = !isQuoted;
-                } else if (!isQuoted) {
-                    take(c);
+                } else if (c == quote) {
+                    quote = 0;
                 }
-            }
-        }
-
-        private void take(char c) {
-            if (c == '(' || c == '[') {
+            } else if (c == '"' || c == '\'') {
+                quote = c;
+            } else if ("([{".indexOf(c) >= 0) {
                 depth++;
-            } else if (c == ')' || c == ']') {
+            } else if (")]}".indexOf(c) >= 0) {
                 depth--;
-            } else if (c == ',' && depth == 0) {
-                commas++;
             }
         }
+        return depth == 0 && quote == 0;
     }
 
+    /** The commas outside of brackets and quotes, and one more. */
     private static int argumentsBehind(String command, int open) {
-        return command.startsWith(")", open + 1) ? 0 : new Arguments(command, open + 1).commas + 1;
+        int depth = 0;
+        int arguments = command.startsWith(")", open + 1) ? 0 : 1;
+        boolean isQuoted = false;
+        for (int i = open + 1; i < command.length(); i++) {
+            char c = command.charAt(i);
+            if (c == '\\' && isQuoted) {
+                i++;
+            } else if (c == '"') {
+                isQuoted = !isQuoted;
+            } else if (!isQuoted && (c == '(' || c == '[')) {
+                depth++;
+            } else if (!isQuoted && (c == ')' || c == ']')) {
+                depth--;
+            } else if (!isQuoted && c == ',' && depth == 0) {
+                arguments++;
+            }
+        }
+        return arguments;
     }
 
     private static String words(List<BoardAction> actions) {

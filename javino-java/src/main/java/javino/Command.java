@@ -2,6 +2,7 @@ package javino;
 
 import java.util.concurrent.CompletableFuture;
 import javino.session.SessionCommand;
+import javino.wire.CommandItem;
 
 /** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
 final class Command implements SessionCommand {
@@ -13,6 +14,7 @@ final class Command implements SessionCommand {
     }
 
     private final Frame frame;
+    private final CommandItem.Rule rule; // null: it is a text for the board's program
     private final SendOptions options;
     private final long submittedAt;
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
@@ -22,13 +24,29 @@ final class Command implements SessionCommand {
 
     /** @param now when it was submitted, by the link's clock */
     Command(Frame frame, SendOptions options, long now) {
+        this(frame, null, options, now);
+    }
+
+    /** One that changes the board's rules, which version 2 only can carry. */
+    Command(CommandItem.Rule rule, SendOptions options, long now) {
+        this(Frame.of("rule " + (int) rule.text().charAt(0)), rule, options, now);
+    }
+
+    private Command(Frame frame, CommandItem.Rule rule, SendOptions options, long now) {
         this.frame = frame;
+        this.rule = rule;
         this.options = options;
         submittedAt = now;
     }
 
+    /** Its frame in version 1, which is not there for {@link #rule} but for its length. */
     Frame frame() {
         return frame;
+    }
+
+    @Override
+    public CommandItem.Rule rule() {
+        return rule;
     }
 
     @Override
@@ -62,7 +80,10 @@ final class Command implements SessionCommand {
 
     /** Whether it takes the place of {@code earlier}, which waits. */
     boolean replaces(Command earlier) {
-        return options.latest() && earlier.isWaiting() && functorOf(text()).equals(functorOf(earlier.text()));
+        return options.latest()
+                && earlier.isWaiting()
+                && earlier.rule == null
+                && functorOf(text()).equals(functorOf(earlier.text()));
     }
 
     /** What became of it. Completed outside of any lock, since its dependents run on the thread that completes it. */

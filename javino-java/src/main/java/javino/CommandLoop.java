@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
-import javino.wire.WireFrame;
+import javino.wire.CommandItem;
 
 /**
  * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Whichever of
@@ -55,8 +55,17 @@ final class CommandLoop {
 
     /** Queues a command, and writes it if that waits for nothing; see {@link Link#send(String, SendOptions)}. */
     Command submit(Frame frame, SendOptions options) {
-        Command command = new Command(frame, options, clock.nanos());
+        return submit(new Command(frame, options, clock.nanos()), options);
+    }
+
+    /** As {@link #submit(Frame, SendOptions)}, of a command that changes the board's rules. */
+    Command submit(CommandItem.Rule rule, SendOptions options) {
+        return submit(new Command(rule, options, clock.nanos()), options);
+    }
+
+    private Command submit(Command command, SendOptions options) {
         String trouble = line.vocabulary()
+                .filter(actions -> command.rule() == null)
                 .map(actions -> ActionCheck.trouble(command.text(), actions))
                 .orElse(null);
         if (trouble != null) {
@@ -101,7 +110,7 @@ final class CommandLoop {
 
     private Writing beginAtOnce(Command command) {
         if (line.isVersion2()) {
-            WireFrame frame = line.nextAtOnce();
+            byte[] frame = line.nextAtOnce();
             return frame == null ? null : () -> line.write(frame);
         }
         return !channel.mustAsk() && writer.beginAtOnce(command) ? () -> writeAtOnce(command) : null;

@@ -4,7 +4,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import javino.wire.BoardRule;
 
 /**
  * A message of version 1 of the Javino protocol: {@code fffe}, the payload's length in two hexadecimal digits, the payload. Version 2 has
@@ -20,6 +19,7 @@ public final class Frame {
     /** Bytes on the line before the payload: four of preamble, two of length. */
     public static final int HEADER_LENGTH = 6;
 
+    private static final char DELETE = 0x7F;
     private static final String PREAMBLE = "fffe";
     private static final char[] DIGITS = "0123456789ABCDEF".toCharArray();
 
@@ -49,14 +49,19 @@ public final class Frame {
      * As {@link #of(String)}, of a command. A board searches a damaged frame for others, and one that does not fit its memory, so the text
      * of a command must not hold what a frame begins with.
      *
-     * @throws IllegalArgumentException also if the text holds {@code fffe} and two hexadecimal digits, or begins with the
-     *     byte 01 and sets or removes no {@link BoardRule}
+     * @throws IllegalArgumentException also if the text holds {@code fffe} and two hexadecimal digits, or a control character (U+0000 to
+     *     U+001F, U+007F)
      */
     public static Frame ofCommand(String text) {
-        if (BoardRule.isIn(text) && text.length() > 2 && BoardRule.read(text) == null) {
-            throw new IllegalArgumentException(
-                    "the command " + quoted(text) + " begins with the byte 01, as a rule for the board does, "
-                            + "but is none; let it begin with another character");
+        for (int i = 0; i < text.length(); i++) {
+            if (text.charAt(i) < ' ' || text.charAt(i) == DELETE) {
+                throw new IllegalArgumentException(String.format(
+                        Locale.ROOT,
+                        "the command %s holds the control character U+%04X as character %d, and commands have none; leave it out",
+                        quoted(text.replaceAll("\\p{Cntrl}", "?")),
+                        (int) text.charAt(i),
+                        i + 1));
+            }
         }
         if (text.contains(PREAMBLE)) { // which is found sooner than a pattern, in the way of each command
             requireNoHeader(text);

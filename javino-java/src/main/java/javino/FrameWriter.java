@@ -304,7 +304,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     PortTimeoutException noTime(int bytes, long timeoutMillis) {
         String reason = monitor.get(this::isHeldBack)
                 ? "the board does not answer, and would lose commands, which wait until it does"
-                : "the line is busy with those before it";
+                : "the line is busy with those before it, or the board takes long over them, as with delay(3000) in its loop()";
         return new PortTimeoutException(
                 transport.name(),
                 "port " + transport.name() + " had no time for a message of " + bytes + " bytes within " + timeoutMillis

@@ -26,6 +26,9 @@ final class Inbox {
         /** Bytes have come. */
         void receiving(long now);
 
+        /** The nonce of the session to which frames belong, see {@link WireDecoder}. */
+        int nonce();
+
         /** A frame's checksum was wrong. */
         void damaged();
 
@@ -45,6 +48,11 @@ final class Inbox {
 
         @Override
         public void receiving(long now) {}
+
+        @Override
+        public int nonce() {
+            return 0;
+        }
 
         @Override
         public void damaged() {}
@@ -97,7 +105,7 @@ final class Inbox {
         this.frames = frames;
         long timeout = FrameDecoder.interByteTimeoutNanos(transport.line());
         version1 = new FrameDecoder(timeout, this::keep);
-        version2 = new WireDecoder(true, timeout, this::handOn);
+        version2 = new WireDecoder(true, timeout, frames::nonce, this::handOn);
         lastByteNanos = clock.nanos();
     }
 

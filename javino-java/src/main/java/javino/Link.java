@@ -8,6 +8,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Lock;
 import java.util.function.Supplier;
 import javino.wire.BoardAction;
+import javino.wire.CommandItem;
 
 /**
  * An open port that one owner exchanges messages through.
@@ -132,6 +133,11 @@ public final class Link implements AutoCloseable {
         return line.vocabulary();
     }
 
+    /** How many actions of the board's program found no room on the board, so that it refuses them; 0 while that is not known. */
+    public int actionsLost() {
+        return line.actionsLost();
+    }
+
     /**
      * Sets who is called when the board reports something of its own accord, in place of who was before. If a session has begun before,
      * {@link BoardListener#sessionBegan} is called at once, on the calling thread.
@@ -233,10 +239,10 @@ public final class Link implements AutoCloseable {
         return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
     }
 
-    /** What may be the reason of a silence: what came in place of a message, or else {@code usual}. */
+    /** What may be the reason of a silence: that there can be no session, what came in place of a message, or else {@code usual}. */
     private String doubt(String usual) {
         StrayBytes stray = strayBytes();
-        return stray.count() == 0 ? usual : stray.inWords();
+        return line.noSession().orElseGet(() -> stray.count() == 0 ? usual : stray.inWords());
     }
 
     /** What has come since the last message and is none so far. Any thread; does not wait. */
@@ -262,6 +268,14 @@ public final class Link implements AutoCloseable {
      */
     public CompletableFuture<Void> send(String command, SendOptions options) {
         return commands.submit(Frame.ofCommand(command), options).outcome();
+    }
+
+    /**
+     * As {@link #send}, of a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No text does so.
+     * The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
+     */
+    public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
+        return commands.submit(rule, options).outcome();
     }
 
     /**

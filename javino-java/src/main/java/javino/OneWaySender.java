@@ -2,7 +2,6 @@ package javino;
 
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import javino.wire.BoardRule;
 
 /** Sends commands to a version 1 board, which acknowledges nothing: a command has arrived when its last byte has left. */
 final class OneWaySender {
@@ -46,7 +45,7 @@ final class OneWaySender {
                             + " give the port the option spacing(Ms) with the longest time of a loop(), or use version 2");
         }
         return writer.writeNow(FrameWriter.Kind.ACTION, timeoutMillis, () -> {
-            if (BoardRule.isIn(command.text())) {
+            if (command.rule() != null) {
                 throw new ActionRefusedException(
                         port, "the board at port " + port + " speaks version 1, in which it takes no rules");
             }

@@ -12,6 +12,7 @@ import javino.session.CommandOutcome;
 import javino.session.ComputerSession;
 import javino.session.SessionListener;
 import javino.wire.BoardAction;
+import javino.wire.CommandItem;
 import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
 import javino.wire.Welcome;
@@ -32,7 +33,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final int MAX_WRITE_MILLIS = 5000;
-    private static final int NO_SESSION = -1;
+    private static final int NONE = -1;
 
     private final Monitor monitor;
     private final Transport transport;
@@ -55,6 +56,9 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private boolean isAsked; // what is requested has been asked for, behind so many bytes:
     private long askedBehind;
     private int followers;
+    private volatile int otherRevision = NONE; // of version 2, which the board speaks
+    private volatile int actionsLost;
+    private boolean hasToldLostActions;
 
     /** @param monitor guards it, with the inbox and the writer */
     SessionLine(Monitor monitor, Transport transport, LineClock clock, FrameWriter writer, LinkSettings settings) {
@@ -108,7 +112,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     /** A HELLO to a board that may speak version 2. */
     byte[] hello() {
-        return monitor.get(() -> session.hello().toBytes());
+        return monitor.get(() -> session.hello().toBytes(0));
     }
 
     /** When a frame of version 2 came last, or the line was opened. */
@@ -125,9 +129,9 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     void onBoardEvents(BoardListener boardListener) {
         int room = monitor.get(() -> {
             listener = boardListener;
-            return session.isOpen() ? rules : NO_SESSION;
+            return session.isOpen() ? rules : NONE;
         });
-        if (room != NO_SESSION) {
+        if (room != NONE) {
             boardListener.sessionBegan(room);
         }
     }
@@ -141,7 +145,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
         try {
             while (true) {
-                WireFrame frame = monitor.getInterruptibly(() -> nextUnless(isDone, deadline, reads));
+                byte[] frame = monitor.getInterruptibly(() -> nextUnless(isDone, deadline, reads));
                 report();
                 if (frame != null) {
                     write(frame, deadline - clock.nanos(), true);
@@ -157,14 +161,14 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     /** Reads or waits until there is a frame to be written now, which is returned; null: something else is to be done, or is done. */
-    private WireFrame nextUnless(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
+    private byte[] nextUnless(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
         while (true) {
             writer.requireLine();
             long now = clock.nanos();
             if (isDone.getAsBoolean() || deadline - now <= 0 || !reports.isEmpty()) {
                 return null;
             }
-            WireFrame frame = nextAtOnce();
+            byte[] frame = nextAtOnce();
             if (frame != null) {
                 return frame;
             }
@@ -202,16 +206,18 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return writer.head() == null ? untilFrame : Math.min(untilFrame, lookAt - now);
     }
 
-    private WireFrame next(long now) {
+    /** The bytes are those of the session of now, whatever begins before they are written. */
+    private byte[] next(long now) {
         WireFrame frame = session.next(now, writer);
-        if (frame != null) {
-            if (frame.kind() == FrameKind.ASK && !isAsked) {
-                isAsked = true;
-                askedBehind = writer.written();
-            }
-            writer.beginFrame();
+        if (frame == null) {
+            return null;
         }
-        return frame;
+        if (frame.kind() == FrameKind.ASK && !isAsked) {
+            isAsked = true;
+            askedBehind = writer.written();
+        }
+        writer.beginFrame();
+        return frame.toBytes(session.nonce());
     }
 
     /**
@@ -220,31 +226,31 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
      * @param mayWait whether the driver may be waited for; else the first has been found to be {@linkplain FrameWriter#isWritableNow
      *     writable now}
      */
-    private void write(WireFrame first, long left, boolean mayWait) throws PortException {
-        for (WireFrame frame = first; frame != null; frame = nextBehind(mayWait)) {
+    private void write(byte[] first, long left, boolean mayWait) throws PortException {
+        for (byte[] frame = first; frame != null; frame = nextBehind(mayWait)) {
             writeOne(frame, mayWait ? Math.max(1, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left))) : 0);
         }
     }
 
-    private WireFrame nextBehind(boolean mayWait) {
+    private byte[] nextBehind(boolean mayWait) {
         return monitor.get(() -> mayWait || writer.isWritableNow() ? nextAtOnce() : null);
     }
 
-    private void writeOne(WireFrame frame, long millis) throws PortException {
+    private void writeOne(byte[] frame, long millis) throws PortException {
         try {
-            writer.writeFrame(frame.toBytes(), (int) millis, session::wrote);
+            writer.writeFrame(frame, (int) millis, session::wrote);
         } catch (PortTimeoutException e) {
             inbox.look(); // the line may be gone; if not, what it did not take is repeated
         }
     }
 
     /** The frame that may be written now, which {@link #write} follows; null: there is none. The caller holds the monitor's lock. */
-    WireFrame nextAtOnce() {
+    byte[] nextAtOnce() {
         return writer.hasLine() && writer.nanosUntilFrame() == 0 ? next(clock.nanos()) : null;
     }
 
     /** Writes a frame that {@link #nextAtOnce} has returned. The caller holds no lock. */
-    void write(WireFrame frame) throws PortException {
+    void write(byte[] frame) throws PortException {
         write(frame, Long.MAX_VALUE, false);
         report();
     }
@@ -316,6 +322,11 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     @Override
+    public int nonce() {
+        return session.nonce();
+    }
+
+    @Override
     public void damaged() {
         session.damaged();
     }
@@ -333,8 +344,49 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     @Override
+    public void otherRevision(int revision) {
+        if (otherRevision != revision) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + transport.name() + ": " + otherRevisionInWords(revision)
+                            + (wanted == Protocol.V2
+                                    ? ""
+                                    : "; until then version 1 is used with it, in which commands are not confirmed"));
+        }
+        otherRevision = revision;
+    }
+
+    private static String otherRevisionInWords(int revision) {
+        return revision < Welcome.REVISION
+                ? "the board speaks an older draft of version 2 of Javino, which is not spoken any more; upload its sketch again "
+                        + "with the library of this version of ARGO (ArgoJavino, or the Python package javino)"
+                : "the board speaks revision " + revision + " of version 2 of Javino, and this program only revision "
+                        + Welcome.REVISION + "; use a newer version of ARGO";
+    }
+
+    /** Why there is no session with a board that has answered HELLO; empty: it has not, or there is one. */
+    Optional<String> noSession() {
+        return otherRevision == NONE ? Optional.empty() : Optional.of(otherRevisionInWords(otherRevision));
+    }
+
+    /** Actions of the board's program that found no room there, as far as is known. */
+    int actionsLost() {
+        return actionsLost;
+    }
+
+    @Override
     public void began(Welcome welcome) {
         found();
+        otherRevision = NONE;
+        actionsLost = welcome.actionsLost();
+        if (actionsLost > 0 && !hasToldLostActions) {
+            hasToldLostActions = true;
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + transport.name() + ": " + actionsLost
+                            + " actions of the board's program found no room in its memory, "
+                            + "and it refuses them; give the board more memory, as JavinoSized<600> javino; does, or fewer actions");
+        }
         rules = welcome.rules();
         notify(called -> called.sessionBegan(welcome.rules()));
     }
@@ -363,8 +415,17 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             case REFUSED ->
                 new ActionRefusedException(
                         port,
-                        "the board at port " + port + " refuses \"" + text + "\": "
-                                + ActionCheck.refusal(text, session.vocabulary().orElse(List.of())));
+                        command.rule() == null
+                                ? "the board at port " + port + " refuses \"" + text + "\": "
+                                        + ActionCheck.refusal(
+                                                text, session.vocabulary().orElse(List.of()))
+                                : "the board at port " + port + " refuses " + text
+                                        + ": it has no room for it, or cannot watch it");
+            case FAILED ->
+                new ActionRefusedException(
+                        port,
+                        "the board at port " + port + " began \"" + text
+                                + "\", and has reported that it could not carry it out");
             case UNCONFIRMED ->
                 new ActionUnconfirmedException(
                         port,
@@ -373,8 +434,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             case TOO_LONG ->
                 new ActionRefusedException(
                         port,
-                        "the board at port " + port + " takes no command of " + text.length() + " bytes: "
-                                + Frame.quoted(text));
+                        "the board at port " + port + " takes no command of " + text.length() + " bytes, in version 2 "
+                                + CommandItem.MAX_TEXT + " at most: " + Frame.quoted(text));
         };
     }
 

@@ -22,7 +22,10 @@ public interface Transport extends AutoCloseable {
 
     /** What to look at when the board does not answer, as a question to a person. */
     default String doubt() {
-        return "does the board run a Javino sketch at " + line().baud() + " baud?";
+        int baud = line().baud();
+        return "does the board run a Javino sketch at " + baud + " baud, with javino.start(" + baud
+                + ") in setup() and javino.run() in "
+                + "loop()? A loop() that waits, as with delay(3000), answers too late";
     }
 
     /**

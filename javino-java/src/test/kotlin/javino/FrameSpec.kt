@@ -10,7 +10,6 @@ import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import javino.wire.BoardRule
 
 class FrameSpec : FunSpec({
     test("a frame is the preamble, the length in two upper-case digits, and the payload") {
@@ -61,10 +60,13 @@ class FrameSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { Frame.ofCommand("say(€)") }
     }
 
-    test("a command begins with the byte 01 only if it sets or removes a rule") {
-        shouldThrow<IllegalArgumentException> { Frame.ofCommand("\u0001say(hello)") }.message shouldContain "begins with the byte 01"
-        val rule = BoardRule("dist", listOf(BoardRule.Condition(2, BoardRule.Operator.LESS, "10")), "stop")
-        for (text in listOf(rule.text(3), BoardRule.removal(3), BoardRule.removal(0))) Frame.ofCommand(text).text() shouldBe text
+    test("a command holds no control character") {
+        for (text in listOf("\u0001", "\nsay", "say(\"a\tb\")", "stop\u0000", "\u007Fstop", "\u001F")) {
+            shouldThrow<IllegalArgumentException> { Frame.ofCommand(text) }
+        }
+        shouldThrow<IllegalArgumentException> { Frame.ofCommand("say(\u0001)") }.message shouldBe
+            "the command \"say(?)\" holds the control character U+0001 as character 5, and commands have none; leave it out"
+        Frame.ofCommand("say(\"\u0080\u00FF ~\")").text() shouldBe "say(\"\u0080\u00FF ~\")"
     }
 
     test("any other text is a command") {

@@ -13,7 +13,7 @@ import java.util.concurrent.CopyOnWriteArrayList
 private class VersionsHeard(private val versions: MutableList<Int>) : SimulatedBoard {
     override fun run(line: Transport) {
         val version1 = FrameDecoder(Long.MAX_VALUE / 2) { versions += 1 }
-        val version2 = WireDecoder(false, Long.MAX_VALUE / 2) { versions += 2 }
+        val version2 = WireDecoder(false, Long.MAX_VALUE / 2, { 0 }) { versions += 2 }
         val buffer = ByteArray(64)
         while (true) {
             val count = line.read(buffer, 0, buffer.size, 100)

@@ -18,6 +18,7 @@ import javino.wire.BoardRule
 import javino.wire.FrameKind
 import javino.wire.ReflexOutcome
 import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ExecutionException
 
 private const val REQUEST = "getPercepts"
 
@@ -232,8 +233,10 @@ class LinkDeliverySpec : FunSpec({
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldEndWith
                 "it has the action, and its program has refused what was asked now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
                 "wave7, wave8, wave9, wave10 and 3 more"
-            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1", 500) }.message shouldContain
-                "its brackets or quotes are not closed; the board has wave1,"
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1", 500) }.message shouldEndWith
+                "refuses \"bad(1\": a bracket or quote in it is not closed"
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("", 500) }.message shouldContain
+                "refuses \"\": the command names no action; it has wave1"
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("fly", 500) }.message shouldEndWith
                 "it has no action fly; it has wave1, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10 and 3 more"
         }
@@ -245,15 +248,18 @@ class LinkDeliverySpec : FunSpec({
         val rule = BoardRule("dist", listOf(BoardRule.Condition(2, BoardRule.Operator.LESS, "10")), "stop")
         bench(board).use { bench ->
             bench.link.onBoardEvents(events)
-            bench.link.sendAndAwait(rule.text(3), SendOptions(true, 0))
+            bench.link.sendRule(rule.setting(3), SendOptions(true, 0))
+            bench.link.sendAndAwait("on", 500)
             board.sees("dist(f,11);dist(b,9);")
             bench.link.watch(100)
             events.all shouldContainExactly listOf("began 4", "3 CARRIED_OUT dist(b,9);")
-            board.handled shouldContainExactly listOf("2:stop")
-            shouldThrow<IllegalArgumentException> { bench.link.send("\u0001say(hello)", SendOptions.defaults()) }
+            board.handled shouldContainExactly listOf("2:on", "2:stop")
+            shouldThrow<IllegalArgumentException> { bench.link.send("\u0003dist\u0000", SendOptions.defaults()) }
         }
         VirtualBench(LinkSettings.defaults().withBootMillis(0), VirtualBoard(), Protocol.V1).use { bench ->
-            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait(rule.text(3), 500) }.message shouldContain "version 1"
+            val refused = bench.link.sendRule(rule.setting(3), SendOptions.defaults())
+            bench.link.sendAndAwait("on", 500)
+            shouldThrow<ExecutionException> { refused.get() }.cause!!.message shouldContain "version 1"
         }
     }
 

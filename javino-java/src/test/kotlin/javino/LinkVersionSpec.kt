@@ -11,9 +11,16 @@ import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import javino.sim.VirtualBoard2
 import javino.virtual.LineEnd
+import javino.wire.FrameKind
+import javino.wire.Welcome
 import javino.wire.WireDecoder
+import javino.wire.WireFrame
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
 
 private const val REQUEST = "getPercepts"
 
@@ -65,6 +72,36 @@ private class BusyBoard(val model: FieldBoardModel) : LineEnd {
             end.write(byteArrayOf(unsent.removeFirst()), 0, 1, 0)
         }
     }
+}
+
+/** A WELCOME as boards said it before there were revisions. */
+private fun olderDraft(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().take(4))
+
+private fun newerRevision(welcome: WireFrame) =
+    WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().replaceRange(4, 5, "${(Welcome.REVISION + 1).toChar()}"))
+
+private fun actionsLost(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().dropLast(1) + '3')
+
+/** What the logger of this name warns of while [work] is done. */
+private fun warningsOf(name: String, work: () -> Unit): List<String> {
+    val warnings = mutableListOf<String>()
+    val logger = Logger.getLogger(name)
+    val handler = object : Handler() {
+        override fun publish(record: LogRecord) {
+            warnings += record.message
+        }
+
+        override fun flush() = Unit
+
+        override fun close() = Unit
+    }
+    logger.addHandler(handler)
+    try {
+        work()
+    } finally {
+        logger.removeHandler(handler)
+    }
+    return warnings
 }
 
 class LinkVersionSpec : FunSpec({
@@ -301,7 +338,7 @@ class LinkVersionSpec : FunSpec({
         val watcher = object : LineEnd {
             private var now = 0.0
             private val version1 = FrameDecoder(Long.MAX_VALUE / 2) { times += false to now }
-            private val version2 = WireDecoder(false, Long.MAX_VALUE / 2) { times += true to now }
+            private val version2 = WireDecoder(false, Long.MAX_VALUE / 2, { 0 }) { times += true to now }
             override fun look(end: Transport, now: Double) {
                 this.now = now
                 board.look(object : Transport by end {
@@ -388,6 +425,63 @@ class LinkVersionSpec : FunSpec({
             bench.link.protocol() shouldBe Protocol.V2
             board.handled.filter { REQUEST !in it } shouldContainExactly listOf("2:on")
         }
+    }
+
+    test("a board of an older draft of version 2 is spoken to in version 1, and the log says what to do") {
+        val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) olderDraft(it) else it) } }
+        val warnings = warningsOf("javino.SessionLine") {
+            bench(board, LinkSettings.defaults().withBootMillis(0)).use { bench ->
+                bench.link.request(REQUEST, 500).text() shouldBe "1;"
+                bench.link.protocol() shouldBe Protocol.V1
+                bench.link.sendAndAwait("ledOn", 500)
+                bench.awayFor(50)
+                board.handled.last() shouldBe "1:ledOn"
+            }
+        }
+        warnings.single() shouldContain "upload its sketch again"
+        warnings.single() shouldContain "version 1 is used"
+    }
+
+    test("if version 2 is forced, a board of another revision of it gives no answer, and the error says why") {
+        for ((welcome, words) in listOf(::olderDraft to "upload its sketch again", ::newerRevision to "use a newer version of ARGO")) {
+            val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) welcome(it) else it) } }
+            VirtualBench(LinkSettings.defaults().withBootMillis(0), board, Protocol.V2).use { bench ->
+                shouldThrow<PortTimeoutException> { bench.link.request(REQUEST, 500) }.message shouldContain words
+            }
+            board.handled.shouldBeEmpty()
+        }
+    }
+
+    test("actions that found no room on a board are told once, however many sessions there are") {
+        val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) actionsLost(it) else it) } }
+        val warnings = warningsOf("javino.SessionLine") {
+            bench(board).use { bench ->
+                bench.link.actionsLost() shouldBe 0
+                repeat(3) {
+                    bench.link.request(REQUEST, 500)
+                    board.restart()
+                }
+                bench.link.actionsLost() shouldBe '3'.code
+            }
+        }
+        warnings.single() shouldContain "51 actions of the board's program found no room"
+    }
+
+    test("two boards that are exchanged on their lines carry out no command of the other's") {
+        val boards = List(2) { VirtualBoard2() }
+        var areExchanged = false
+        fun line(number: Int) = LineEnd { end, now -> boards[if (areExchanged) 1 - number else number].look(end, now) }
+        val benches = List(2) { VirtualBench(LinkSettings.defaults().withBootMillis(0), line(it), Protocol.AUTO) }
+        benches.forEach { it.link.request(REQUEST, 500) }
+        boards[0].restart() // so that the sessions differ, which begin with the same nonce at the same time
+        benches[0].link.request(REQUEST, 500)
+        benches.forEachIndexed { i, bench -> bench.link.sendAndAwait("first($i)", 500) }
+        areExchanged = true
+        shouldThrow<ActionUnconfirmedException> { benches[0].link.sendAndAwait("off(0)", 500) }
+        boards.flatMap { it.handled }.none { "off" in it } shouldBe true
+        benches[0].link.sendAndAwait("second(0)", 500)
+        boards[1].handled.last() shouldBe "2:second(0)"
+        benches.forEach { it.close() }
     }
 
     test("a version that is forced is spoken alone") {

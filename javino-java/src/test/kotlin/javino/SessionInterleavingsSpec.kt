@@ -28,8 +28,8 @@ private class AnsweringLine(program: BoardProgram) : Transport {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
     private val answers = ArrayDeque<ByteArray>()
-    private val board = BoardSession(program, BoardSession.Capacity.FULL) { answers += it.toBytes() }
-    private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, board::receive)
+    private val board = BoardSession(program, BoardSession.Capacity.FULL) { frame, nonce -> answers += frame.toBytes(nonce) }
+    private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, board::nonce, board::receive)
     private var isClosed = false
 
     @Volatile

@@ -31,8 +31,9 @@ class StrayBytesSpec : FunSpec({
         failure("fffe20dist(f,30);") shouldContain "which is a part of a message: are bytes lost, or is the time for an answer too short?"
     }
 
-    test("a board that sends nothing at all is asked about as before") {
-        failure("") shouldEndWith "does the board run a Javino sketch at 9600 baud?"
+    test("a board that sends nothing at all is asked about its sketch, with the calls that are forgotten most") {
+        failure("") shouldEndWith "does the board run a Javino sketch at 9600 baud, with javino.start(9600) in setup() and javino.run() " +
+            "in loop()? A loop() that waits, as with delay(3000), answers too late"
     }
 
     test("who listens is told as well") {

@@ -6,7 +6,6 @@ import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.Predicate
 import argo.filters.TermTest
-import javino.Frame
 import javino.wire.BoardRule
 import javino.wire.BoardRule.Condition
 import java.math.BigDecimal
@@ -22,7 +21,7 @@ internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     if (rule.arity != null || !isPlain(rule.predicate)) return null
     val conditions = rule.conditions.map { (it as? Argument)?.let(::conditionOf) ?: return null }
     if (!conditions.all { it.isExact(conditions) }) return null
-    return BoardRule("${rule.predicate}", conditions, critical.reflex).takeIf { it.text(ANY_NUMBER).length <= Frame.MAX_PAYLOAD }
+    return BoardRule("${rule.predicate}", conditions, critical.reflex).takeIf { it.isSendable }
 }
 
 private fun conditionOf(condition: Argument): Condition? {
@@ -56,6 +55,5 @@ private fun decimalOf(value: Double): String? =
     if (value.isInfinite()) null
     else BigDecimal(value.toString()).stripTrailingZeros().takeIf { it.precision() <= EXACT_DIGITS }?.toPlainString()
 
-private const val ANY_NUMBER = 1
 private const val EXACT_DIGITS = 15
 private val PRINTABLE = Regex("[ -~]+")

@@ -1,9 +1,9 @@
 package argo.acting
 
 import argo.calls.Failure
-import argo.calls.failureOf
 import argo.filters.CriticalRule
 import javino.wire.BoardRule
+import javino.wire.CommandItem
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -19,7 +19,7 @@ import kotlin.concurrent.withLock
  */
 internal class BoardRules(
     private val wanted: () -> List<CriticalRule>,
-    private val submit: (command: String, outcome: (Failure?) -> Unit) -> Unit,
+    private val submit: (change: CommandItem.Rule, outcome: (Failure?) -> Unit) -> Unit,
 ) {
     /** A rule that was sent to the board in this session. */
     private class Held(val number: Int, val rule: CriticalRule) {
@@ -27,7 +27,7 @@ internal class BoardRules(
     }
 
     /** A command to the board: the rule [set], or else a removal. */
-    private class Message(val text: () -> String, val set: Held? = null)
+    private class Message(val change: CommandItem.Rule, val set: Held? = null)
 
     private val lock = ReentrantLock()
     private val held = LinkedHashMap<CriticalRule, Held>()
@@ -72,9 +72,7 @@ internal class BoardRules(
 
     private fun submit(message: Message) {
         try {
-            submit(message.text()) { failure -> message.set?.let { ended(it, failure) } }
-        } catch (unsendable: IllegalArgumentException) {
-            message.set?.let { ended(it, failureOf(unsendable)) }
+            submit(message.change) { failure -> message.set?.let { ended(it, failure) } }
         } finally {
             lock.withLock { isSending = false }
         }
@@ -88,15 +86,15 @@ internal class BoardRules(
             .mapNotNull { rule -> boardRuleOf(rule)?.let { rule to it } }.take(room).toMap()
         val leaving = held.values.filter { it.rule !in next }
         leaving.forEach { held -= it.rule }
-        if (held.isEmpty() && leaving.isNotEmpty()) unsent += Message({ BoardRule.removal(ALL) })
-        else leaving.forEach { unsent += Message({ BoardRule.removal(it.number) }) }
+        if (held.isEmpty() && leaving.isNotEmpty()) unsent += Message(BoardRule.removal(ALL))
+        else leaving.forEach { unsent += Message(BoardRule.removal(it.number)) }
         for ((rule, boardRule) in next) if (rule !in held) set(rule, boardRule)
     }
 
     private fun set(rule: CriticalRule, boardRule: BoardRule) {
         val new = Held(freeNumber(), rule)
         held[rule] = new
-        unsent += Message({ boardRule.text(new.number) }, new)
+        unsent += Message(boardRule.setting(new.number), new)
     }
 
     /** The number that was not used for longest, so that a report that is under way is not taken for one of another rule. */

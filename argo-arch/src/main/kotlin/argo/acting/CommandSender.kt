@@ -10,6 +10,7 @@ import javino.PortException
 import javino.PortFaultException
 import javino.PortGoneException
 import javino.SendOptions
+import javino.wire.CommandItem
 import java.util.logging.Level
 import java.util.logging.Logger
 
@@ -30,18 +31,23 @@ internal class CommandSender(
     private val writer = lazy { platform.start("argo-$owner-acting-${link.port}", ::writeCommands) }
 
     /** Queues [text], see [BoardLink.send], and writes it at once if the line is free for it. */
-    fun send(text: String, options: CommandOptions): Transmission {
-        val sent = link.send(text, options.forLink())
+    fun send(text: String, options: CommandOptions): Transmission = transmission("\"$text\"", link.send(text, options.forLink()))
+
+    /** As [send], of a command that changes the board's rules, ahead of those that wait. */
+    fun send(change: CommandItem.Rule): Transmission =
+        transmission("a rule", link.sendRule(change, CommandOptions(urgent = true).forLink()))
+
+    private fun transmission(what: String, sent: SentCommand): Transmission {
         if (link.isOpen) writer.value
-        return Transmission { left, outcome -> follow(text, sent, left, outcome) }
+        return Transmission { left, outcome -> follow(what, sent, left, outcome) }
     }
 
-    private fun follow(text: String, sent: SentCommand, left: () -> Unit, outcome: (Failure?) -> Unit) {
+    private fun follow(what: String, sent: SentCommand, left: () -> Unit, outcome: (Failure?) -> Unit) {
         val ended =
             if (sent.left === sent.outcome) sent.outcome.handle { _, trouble -> trouble.also { left() } }
             else sent.left.handle { _, _ -> left() }.thenCombine(sent.outcome.handle { _, trouble -> trouble }) { _, trouble -> trouble }
         ended.thenAccept { trouble -> outcome(trouble?.let(::failed)) }.exceptionally { broken ->
-            null.also { LOG.log(Level.WARNING, "what waited for the outcome of \"$text\" has failed", broken) }
+            null.also { LOG.log(Level.WARNING, "what waited for the outcome of $what has failed", broken) }
         }
     }
 

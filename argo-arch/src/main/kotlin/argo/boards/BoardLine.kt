@@ -1,7 +1,6 @@
 package argo.boards
 
 import argo.acting.BoardRules
-import argo.acting.CommandOptions
 import argo.acting.CommandSender
 import argo.connecting.OpenPort
 import argo.connecting.PortStatus
@@ -26,7 +25,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
     /** The critical rules that the board watches. */
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
-        { command, outcome -> commands.send(command, CommandOptions(urgent = true)).follow({ }, outcome) },
+        { change, outcome -> commands.send(change).follow({ }, outcome) },
     )
 
     override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs

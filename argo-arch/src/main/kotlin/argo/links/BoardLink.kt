@@ -7,6 +7,7 @@ import javino.PortGoneException
 import javino.PortTimeoutException
 import javino.SendOptions
 import javino.wire.BoardAction
+import javino.wire.CommandItem
 import java.util.concurrent.CompletableFuture
 
 /**
@@ -77,6 +78,9 @@ interface BoardLink : AutoCloseable {
 
     /** Sends [text] as a command, and does not wait. */
     fun send(text: String, options: SendOptions): SentCommand
+
+    /** Sends a command that changes the board's critical rules, and does not wait; only if the board has said that it holds rules. */
+    fun sendRule(rule: CommandItem.Rule, options: SendOptions): SentCommand = throw UnsupportedOperationException("$port holds no rules")
 
     /** Sends [text] as a command and waits for its outcome. */
     @Throws(PortException::class)

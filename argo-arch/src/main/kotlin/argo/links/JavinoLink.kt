@@ -7,6 +7,7 @@ import javino.Protocol
 import javino.Reply
 import javino.SendOptions
 import javino.wire.BoardAction
+import javino.wire.CommandItem
 
 /** A [link] that carries bytes: a serial line, a connection to a board, a simulated board. */
 class JavinoLink(private val link: Link) : BoardLink {
@@ -32,6 +33,8 @@ class JavinoLink(private val link: Link) : BoardLink {
     override fun watch(timeoutMs: Int) = link.watch(timeoutMs)
 
     override fun send(text: String, options: SendOptions) = SentCommand(link.send(text, options))
+
+    override fun sendRule(rule: CommandItem.Rule, options: SendOptions) = SentCommand(link.sendRule(rule, options))
 
     override fun sendAndAwait(text: String, options: SendOptions) = link.sendAndAwait(text, options)
 

@@ -12,6 +12,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import javino.wire.BoardRule
+import javino.wire.CommandItem
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 
@@ -39,10 +40,11 @@ private class RulesBench {
     /** The commands since the last call. */
     fun news(): List<String> = sent.toList().also { sent.clear() }
 
-    private fun words(command: String): String {
-        if (command.length == 1) return "none"
-        val rule = BoardRule.read(command) ?: return "-${command[1].code}"
-        return "${command[1].code}=${rule.functor()}"
+    private fun words(change: CommandItem.Rule): String {
+        if (change == BoardRule.removal(0)) return "none"
+        val number = change.text()[0].code
+        val rule = BoardRule.read(change) ?: return "-$number"
+        return "$number=${rule.functor()}"
     }
 }
 
@@ -174,21 +176,21 @@ class BoardRulesSpec : FunSpec({
             Condition.Argument(index, TermTest.Compare(operator, GroundTerm.of(value)))
 
         fun mapped(vararg conditions: Condition, predicate: String = "dist") =
-            boardRuleOf(CriticalRule(Rule(predicate, *conditions), "stop"))?.text(7)?.replace('\u0000', '|')
+            boardRuleOf(CriticalRule(Rule(predicate, *conditions), "stop"))?.setting(7)?.text()?.replace('\u0000', '|')
 
         test("numbers and atoms with all operators") {
-            mapped() shouldBe "\u0001\u0007dist|\u0002stop"
-            mapped(argument(0, Operator.EQ, "front"), argument(1, Operator.LT, "15")) shouldBe "\u0001\u0007dist|1=front|2<15|\u0002stop"
-            mapped(argument(0, Operator.GE, "-1.50"), argument(0, Operator.LE, "1e3")) shouldBe "\u0001\u0007dist|1}-1.5|1{1000|\u0002stop"
+            mapped() shouldBe "\u0007dist|\u0002stop"
+            mapped(argument(0, Operator.EQ, "front"), argument(1, Operator.LT, "15")) shouldBe "\u0007dist|1=front|2<15|\u0002stop"
+            mapped(argument(0, Operator.GE, "-1.50"), argument(0, Operator.LE, "1e3")) shouldBe "\u0007dist|1}-1.5|1{1000|\u0002stop"
             mapped(argument(8, Operator.GT, "0.0001"), argument(1, Operator.NE, "'a b'")) shouldBe
-                "\u0001\u0007dist|9>0.0001|2!'a b'|\u0002stop"
-            mapped(predicate = "~open") shouldBe "\u0001\u0007~open|\u0002stop"
+                "\u0007dist|9>0.0001|2!'a b'|\u0002stop"
+            mapped(predicate = "~open") shouldBe "\u0007~open|\u0002stop"
         }
 
         test("NE alone is not, since a filter's is false without the argument") {
             mapped(argument(0, Operator.NE, "front")) shouldBe null
             mapped(argument(1, Operator.NE, "front"), argument(0, Operator.GT, "1")) shouldBe null
-            mapped(argument(0, Operator.NE, "front"), argument(1, Operator.GT, "1")) shouldBe "\u0001\u0007dist|1!front|2>1|\u0002stop"
+            mapped(argument(0, Operator.NE, "front"), argument(1, Operator.GT, "1")) shouldBe "\u0007dist|1!front|2>1|\u0002stop"
         }
 
         test("what a board cannot compare is not") {

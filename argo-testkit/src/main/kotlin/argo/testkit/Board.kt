@@ -20,6 +20,7 @@ import javino.sim.FakeBoard
 import javino.sim.MemoryLine
 import javino.sim.Recording
 import javino.sim.ReplayBoard
+import javino.wire.WireFrame
 import java.nio.file.Path
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.nanoseconds
@@ -123,6 +124,8 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /** It puts [bytes] on the line as they are, now: noise, half a message. A character is a byte. */
     fun disturbs(bytes: String): Board = apply { fake.noise(*bytesOf(bytes)) }
+
+    internal fun disturbs(frame: WireFrame): Board = apply { fake.noise(frame) }
 
     /**
      * From the next opening of its port on it sends what a board sent in [recording], at the times of the recording, and takes any command.

@@ -72,6 +72,8 @@ class ActingSpec : FunSpec({
             "argo.act(X)" to "wrong_arguments",
             "argo.act(speed(X))" to "wrong_arguments",
             "argo.act(\"say(fffe05front)\")" to "wrong_arguments",
+            "argo.act(\"\u0001\")" to "wrong_arguments",
+            "argo.act(\"say(1\\n)\")" to "wrong_arguments",
             "argo.act(getPercepts)" to "wrong_arguments",
             "argo.act(\"getPercepts(dist,light)\")" to "wrong_arguments",
             "argo.port(\"sim:nobody\")" to "no_such_port",

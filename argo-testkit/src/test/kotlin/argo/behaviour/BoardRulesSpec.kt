@@ -119,5 +119,4 @@ class BoardRulesSpec : FunSpec({
 private fun Diary.numberOf(text: String) = lines.first { it.startsWith("issued") && " $text " in it }.split(" ")[1]
 
 /** It puts [report] on the line, as if one of its rules had begun to be met. */
-private fun argo.testkit.Board.reports(report: CriticalReport) =
-    disturbs(String(WireFrame.of(FrameKind.CRITICAL, 0, report.payload()).toBytes(), Charsets.ISO_8859_1))
+private fun argo.testkit.Board.reports(report: CriticalReport) = disturbs(WireFrame.of(FrameKind.CRITICAL, 0, report.payload()))

@@ -6,6 +6,8 @@ public enum CommandOutcome {
     DONE,
     /** The board does not know it, or not with these arguments. */
     REFUSED,
+    /** The board has begun it, and has said later that it could not carry it out. */
+    FAILED,
     /** It may or may not have been carried out. */
     UNCONFIRMED,
     /** It is longer than the board takes, and was not sent. */

@@ -36,6 +36,8 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
+    /** Frames in a row whose numbers cannot be right, behind which the board cannot have the session that is at hand. */
+    private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
     private final int answerLimit;
@@ -61,6 +63,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private boolean hasRepeated;
     private long heardAt; // the last valid frame, or since when something is awaited
     private int silentRepetitions;
+    private int impossibleNumbers; // of frames in a row
     private FrameKind writing; // the frame that next() returned last
 
     /**
@@ -74,6 +77,11 @@ public final class ComputerSession<C extends SessionCommand> {
         this.listener = listener;
         nonces = new Nonces(random);
         requests = new Requests(byteNanos);
+    }
+
+    /** The session's nonce, with which its frames are checked; 0: there is none. */
+    public int nonce() {
+        return state == State.OPEN ? nonce : 0;
     }
 
     /** Whether the board has answered HELLO, and has not been found restarted since. */
@@ -145,39 +153,51 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.cancel();
     }
 
-    /** Takes a frame that has come. */
+    /** Takes a frame that has come; WELCOME or one of this session. */
     public void received(WireFrame frame, long now) {
         if (frame.kind() == FrameKind.WELCOME) {
             Welcome said = Welcome.read(frame.payload());
-            if (said == null) {
-                return;
-            }
-            if (state == State.OPEN && said.nonce() != nonce) {
+            if (said != null && state == State.OPEN) {
                 heard(now);
-                end(State.OPENING, now);
-                return;
+                if (said.nonce() != nonce) {
+                    end(State.OPENING, now);
+                }
+            } else if (said != null && nonce != 0) {
+                welcomed(said, frame, now);
             }
-            if (state != State.OPEN && nonce != 0) {
-                welcomed(said, now);
-            }
+            return;
         }
         if (state == State.OPEN) {
             heard(now);
             acknowledge(frame, now);
+        }
+        if (state == State.OPEN) {
             handle(frame, now);
         }
     }
 
-    /** Takes a WELCOME while there is no session: one that belongs to none of now shows at least that the board speaks version 2. */
-    private void welcomed(Welcome said, long now) {
-        if (said.nonce() == nonce && !isEnded) {
+    /**
+     * Takes a WELCOME while there is no session: one that belongs to none of now shows at least that the board speaks version 2. One whose
+     * commands have begun already is of a session that another computer has begun with the same nonce.
+     */
+    private void welcomed(Welcome said, WireFrame frame, long now) {
+        if (said.revision() != Welcome.REVISION) {
+            listener.otherRevision(said.revision());
+            return;
+        }
+        boolean isOwn = said.nonce() == nonce && !isEnded;
+        boolean isNew = frame.number() == 0 && !frame.isRefused() && !frame.isBusy();
+        if (isOwn && isNew) {
             welcome = said;
             state = State.OPEN;
+            impossibleNumbers = 0;
             heard(now);
             listener.began(said);
         } else if (state == State.CLOSED) {
             begin(State.OPENING, now);
             listener.found();
+        } else if (isOwn) {
+            begin(State.OPENING, now);
         }
     }
 
@@ -209,8 +229,12 @@ public final class ComputerSession<C extends SessionCommand> {
     private void acknowledge(WireFrame frame, long now) {
         int news = frame.number() - window.oldest() & 0xFF;
         if (news > window.size()) {
+            if (++impossibleNumbers == IMPOSSIBLE_NUMBERS) {
+                end(State.OPENING, now);
+            }
             return;
         }
+        impossibleNumbers = 0;
         boolean isNoMoreBusy = isBusy && !frame.isBusy();
         boolean wasBusy = isBusy;
         isBusy = frame.isBusy();
@@ -241,11 +265,9 @@ public final class ComputerSession<C extends SessionCommand> {
         for (int i = 0; i < news; i++) {
             boolean isRefused = i == news - 1 && frame.isRefused();
             Window.Entry<C> entry = handled.get(i);
-            listener.ended(
-                    entry.command,
-                    isRefused
-                            ? CommandOutcome.REFUSED
-                            : entry.isVoid() ? CommandOutcome.UNCONFIRMED : CommandOutcome.DONE);
+            CommandOutcome refusal = wasBusy && i == 0 ? CommandOutcome.FAILED : CommandOutcome.REFUSED;
+            CommandOutcome end = entry.isVoid() ? CommandOutcome.UNCONFIRMED : CommandOutcome.DONE;
+            listener.ended(entry.command, isRefused ? refusal : end);
         }
         if (window.size() == 0) {
             vocabulary.want(now);
@@ -328,7 +350,7 @@ public final class ComputerSession<C extends SessionCommand> {
         } else if (window.size() == 0) {
             heardAt = now; // nothing has been awaited
         }
-        return requests.next(welcome.longestPayload());
+        return requests.next(welcome.longestPayload(), nonce);
     }
 
     private void checkTimer(long now) {
@@ -375,7 +397,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private CommandItem repetitionOf(Window.Entry<C> entry) {
         boolean isVoid = entry.isVoid() || entry.command.isOver();
-        return isVoid ? new CommandItem.Nothing() : vocabulary.itemOf(entry.command.text());
+        return isVoid ? new CommandItem.Nothing() : vocabulary.itemOf(entry.command);
     }
 
     private WireFrame commands(long now, WaitingCommands<C> waiting) {
@@ -390,7 +412,7 @@ public final class ComputerSession<C extends SessionCommand> {
                 listener.ended(next, CommandOutcome.TOO_LONG);
                 continue;
             }
-            if (!row.add(vocabulary.itemOf(next.text()))) {
+            if (!row.add(vocabulary.itemOf(next))) {
                 break;
             }
             waiting.begin();
@@ -400,9 +422,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     private boolean isTooLong(C command) {
-        String text = command.text();
-        return text.length() > CommandItem.MAX_TEXT
-                || vocabulary.itemOf(text).payload().length() > welcome.longestPayload();
+        return command.text().length() > CommandItem.MAX_TEXT
+                || vocabulary.itemOf(command).payload().length() > welcome.longestPayload();
     }
 
     /** Commands of one frame. */
@@ -437,7 +458,7 @@ public final class ComputerSession<C extends SessionCommand> {
         WireFrame frame(int first, int end, boolean isRepeated, long now) {
             FrameKind kind = first == 0 && mustResume ? FrameKind.COMMANDS_WITH_RESUME : FrameKind.COMMANDS;
             WireFrame frame = WireFrame.of(kind, window.oldest() + first & 0xFF, payload);
-            window.sent(frame.toBytes().length, end, isRepeated, now);
+            window.sent(frame.toBytes(nonce).length, end, isRepeated, now);
             return frame;
         }
     }
@@ -492,6 +513,6 @@ public final class ComputerSession<C extends SessionCommand> {
             return new Row(window.bytes() == 0).add(repetitionOf(window.get(window.unsent())));
         }
         C next = window.isFull() ? null : waiting.head();
-        return next != null && (isTooLong(next) || new Row(isSettled()).add(vocabulary.itemOf(next.text())));
+        return next != null && (isTooLong(next) || new Row(isSettled()).add(vocabulary.itemOf(next)));
     }
 }

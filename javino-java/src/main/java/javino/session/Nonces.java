@@ -20,7 +20,7 @@ final class Nonces {
     private static List<Integer> usable() {
         List<Integer> usable = new ArrayList<>();
         for (int nonce = 1; nonce <= 0xFF; nonce++) {
-            byte[] bytes = hello(nonce).toBytes();
+            byte[] bytes = hello(nonce).toBytes(0);
             boolean hasF = false;
             for (byte octet : bytes) {
                 hasF |= octet == 'f';

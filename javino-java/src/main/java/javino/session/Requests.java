@@ -93,7 +93,7 @@ final class Requests {
     }
 
     /** The request that is due. */
-    WireFrame next(int longestPayload) {
+    WireFrame next(int longestPayload, int nonce) {
         int number = (int) (asked++ % NUMBERS) + 1;
         if (isOut) {
             repetitions++;
@@ -103,7 +103,7 @@ final class Requests {
         isDamaged = false;
         String functors = wanted.length() < longestPayload ? wanted : ""; // a board may send others, so it may send all
         WireFrame frame = WireFrame.of(FrameKind.ASK, number, (char) reader.known() + functors);
-        bytes = frame.toBytes().length;
+        bytes = frame.toBytes(nonce).length;
         return frame;
     }
 

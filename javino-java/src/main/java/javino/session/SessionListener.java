@@ -8,6 +8,9 @@ public interface SessionListener<C> {
     /** The board speaks version 2, and a session with it is being begun. */
     void found();
 
+    /** The board speaks another {@linkplain Welcome#REVISION revision} of version 2: no session begins. Called for each such answer. */
+    void otherRevision(int revision);
+
     /** A session has begun: the board knows no rules. */
     void began(Welcome welcome);
 

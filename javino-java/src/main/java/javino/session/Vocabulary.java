@@ -50,7 +50,11 @@ final class Vocabulary {
     }
 
     /** How a command goes out; an empty text is none. */
-    CommandItem itemOf(String text) {
+    CommandItem itemOf(SessionCommand command) {
+        if (command.rule() != null) {
+            return command.rule();
+        }
+        String text = command.text();
         if (text.isEmpty()) {
             return new CommandItem.Nothing();
         }

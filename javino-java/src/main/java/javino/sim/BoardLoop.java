@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
@@ -77,20 +78,20 @@ public final class BoardLoop {
                 reads,
                 FrameDecoder.interByteTimeoutNanos(line.line()),
                 capacity.longestPayload(),
-                this::hasSession,
+                this::nonce,
                 arrived::add);
     }
 
-    /** Whether the bytes that arrive now belong to a session, once the messages before them have been handled. */
-    private boolean hasSession() {
+    /** The nonce of the session to which the bytes that arrive now belong, once the messages before them have been handled; 0: none. */
+    private int nonce() {
         Iterator<BoardReceiver.Found> newestFirst = arrived.descendingIterator();
         while (newestFirst.hasNext()) {
-            Optional<Boolean> isInSession = newestFirst.next().isInSession();
-            if (isInSession.isPresent()) {
-                return isInSession.get();
+            OptionalInt nonce = newestFirst.next().nonceBehind();
+            if (nonce.isPresent()) {
+                return nonce.getAsInt();
             }
         }
-        return session.isOpen();
+        return session.nonce();
     }
 
     /**
@@ -160,7 +161,7 @@ public final class BoardLoop {
 
     private void handle(WireFrame frame) throws PortException, InterruptedException {
         version = 2;
-        requestBytes = frame.toBytes().length;
+        requestBytes = frame.toBytes(session.nonce()).length;
         answerBytes = 0;
         isAnswering = frame.kind() == FrameKind.ASK;
         isHandlingCommands = frame.kind() == FrameKind.COMMANDS || frame.kind() == FrameKind.COMMANDS_WITH_RESUME;
@@ -264,8 +265,8 @@ public final class BoardLoop {
     }
 
     /** The session's frames, on the thread that causes them. */
-    private void sendFrame(WireFrame frame) throws PortException, InterruptedException {
-        byte[] bytes = frame.toBytes();
+    private void sendFrame(WireFrame frame, int nonce) throws PortException, InterruptedException {
+        byte[] bytes = frame.toBytes(nonce);
         put(bytes);
         if (Thread.currentThread() != board) {
             return;

@@ -1,8 +1,8 @@
 package javino.sim;
 
-import java.util.Optional;
-import java.util.function.BooleanSupplier;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
+import java.util.function.IntSupplier;
 import javino.Frame;
 import javino.Protocol;
 import javino.wire.FrameKind;
@@ -16,18 +16,18 @@ import javino.wire.WireFrame;
 final class BoardReceiver {
     /** What was found: one of both. */
     record Found(Frame version1, WireFrame version2) {
-        /** Whether there is a session behind it; empty: it neither begins nor ends one. */
-        Optional<Boolean> isInSession() {
+        /** The nonce of the session behind it, 0: there is none; empty: it neither begins nor ends one. */
+        OptionalInt nonceBehind() {
             if (version2 == null) {
-                return Optional.of(false);
+                return OptionalInt.of(0);
             }
-            return version2.kind() == FrameKind.HELLO ? Optional.of(version2.number() != 0) : Optional.empty();
+            return version2.kind() == FrameKind.HELLO ? OptionalInt.of(version2.number()) : OptionalInt.empty();
         }
     }
 
     private final Protocol reads;
     private final long timeoutNanos;
-    private final BooleanSupplier hasSession;
+    private final IntSupplier nonce;
     private final WireDecoder version2;
     private final Version1Window version1;
     private long lastNanos;
@@ -36,14 +36,15 @@ final class BoardReceiver {
      * @param reads the version whose frames are found, or both
      * @param timeoutNanos silence that ends a frame
      * @param longestPayload bytes of payload of version 2
-     * @param hasSession whether there is a session of version 2 when a byte arrives: then a frame of version 1 counts behind a silence only
+     * @param nonce that of the session of version 2 when a byte arrives: then a frame of version 1 counts behind a silence only; 0: there
+     *     is none
      */
-    BoardReceiver(
-            Protocol reads, long timeoutNanos, int longestPayload, BooleanSupplier hasSession, Consumer<Found> found) {
+    BoardReceiver(Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
         this.reads = reads;
         this.timeoutNanos = timeoutNanos;
-        this.hasSession = hasSession;
-        version2 = new WireDecoder(false, timeoutNanos, longestPayload, frame -> found.accept(new Found(null, frame)));
+        this.nonce = nonce;
+        version2 = new WireDecoder(
+                false, timeoutNanos, longestPayload, nonce, frame -> found.accept(new Found(null, frame)));
         version1 = new Version1Window(reads == Protocol.V1 ? -1 : WireFrame.START, frame -> {
             found.accept(new Found(frame, null));
             setAnywhere();
@@ -51,7 +52,7 @@ final class BoardReceiver {
     }
 
     private void setAnywhere() {
-        version1.anywhere(!hasSession.getAsBoolean());
+        version1.anywhere(nonce.getAsInt() == 0);
     }
 
     /**
@@ -107,7 +108,7 @@ final class BoardReceiver {
 
     private void put2(byte octet) {
         version2.accept(octet, lastNanos);
-        boolean isAnywhere = !hasSession.getAsBoolean();
+        boolean isAnywhere = nonce.getAsInt() == 0;
         version1.anywhere(isAnywhere);
         version1.quiet(isAnywhere);
     }

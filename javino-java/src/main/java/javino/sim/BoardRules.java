@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import javino.wire.BoardRule;
+import javino.wire.CommandItem;
 import javino.wire.WireFrame;
 
 /** The critical rules that a board watches. One thread at a time. */
@@ -43,17 +44,16 @@ final class BoardRules {
         rules.clear();
     }
 
-    /** Sets a rule or removes some, as the text of a command says; false: it is malformed, or the board has no room for rules. */
-    boolean change(String command) {
+    /** Sets a rule or removes some, as a command says; false: it is malformed, or the board has no room for rules. */
+    boolean change(CommandItem.Rule command) {
         if (capacity == 0) {
             return false;
         }
-        if (command.length() == 1) {
-            rules.clear();
-            return true;
-        }
-        int number = command.charAt(1);
-        if (command.length() == 2 && number != 0) {
+        int number = command.text().charAt(0);
+        if (command.text().length() == 1) {
+            if (number == 0) {
+                rules.clear();
+            }
             rules.remove(number);
             return true;
         }

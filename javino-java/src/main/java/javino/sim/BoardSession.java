@@ -6,7 +6,6 @@ import javino.PortException;
 import javino.sim.BoardProgram.Outcome;
 import javino.wire.AnswerPart;
 import javino.wire.BoardAction;
-import javino.wire.BoardRule;
 import javino.wire.CommandItem;
 import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
@@ -27,8 +26,12 @@ public final class BoardSession {
     /** Where frames go. */
     @FunctionalInterface
     public interface Line {
-        /** Sends a frame; may be called on several threads at a time. */
-        void send(WireFrame frame) throws PortException, InterruptedException;
+        /**
+         * Sends a frame; may be called on several threads at a time.
+         *
+         * @param nonce of the session that the frame belongs to, 0: none
+         */
+        void send(WireFrame frame, int nonce) throws PortException, InterruptedException;
     }
 
     /**
@@ -76,6 +79,11 @@ public final class BoardSession {
         writer = new PerceptWriter(capacity.shapes());
     }
 
+    /** The session's nonce; 0: there is none. */
+    public synchronized int nonce() {
+        return nonce;
+    }
+
     /** Whether there is a session. */
     public synchronized boolean isOpen() {
         return nonce != 0;
@@ -83,7 +91,7 @@ public final class BoardSession {
 
     /** Handles a frame from the computer. */
     public void receive(WireFrame frame) throws PortException, InterruptedException {
-        if (frame.kind() == FrameKind.HELLO) {
+        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // else it has come twice
             begin(frame.number());
         }
         if (frame.kind() == FrameKind.HELLO || !isOpen()) {
@@ -114,21 +122,19 @@ public final class BoardSession {
     }
 
     private void sendWelcome() throws PortException, InterruptedException {
-        int current;
-        synchronized (this) {
-            current = nonce;
-        }
         send(
                 FrameKind.WELCOME,
-                new Welcome(current, capacity.credit(), capacity.longestPayload(), capacity.rules()).payload());
+                new Welcome(nonce(), capacity.credit(), capacity.longestPayload(), capacity.rules()).payload());
     }
 
     private void send(FrameKind kind, String payload) throws PortException, InterruptedException {
-        line.send(framed(kind, payload));
-    }
-
-    private synchronized WireFrame framed(FrameKind kind, String payload) {
-        return new WireFrame(kind, isRefused, isBusy, due, payload);
+        WireFrame frame;
+        int session;
+        synchronized (this) {
+            frame = new WireFrame(kind, isRefused, isBusy, due, payload);
+            session = nonce;
+        }
+        line.send(frame, session);
     }
 
     // ---- commands ----
@@ -163,19 +169,13 @@ public final class BoardSession {
                     : Outcome.REFUSED;
         }
         if (command instanceof CommandItem.Text text) {
-            return text.text().startsWith("" + BoardRule.MARK)
-                    ? changeRules(text.text())
-                    : program.carryOut(text.text());
+            return program.carryOut(text.text());
         }
-        return Outcome.DONE;
+        return command instanceof CommandItem.Rule rule && !rules.change(rule) ? Outcome.REFUSED : Outcome.DONE;
     }
 
     private static boolean takesNone(BoardAction action) {
         return action.arguments() == 0 || action.arguments() == BoardAction.ANY;
-    }
-
-    private Outcome changeRules(String command) {
-        return rules.change(command) ? Outcome.DONE : Outcome.REFUSED;
     }
 
     private synchronized void handled(Outcome outcome) {

@@ -11,6 +11,7 @@ import javino.PerceptsRequest;
 import javino.PortException;
 import javino.Protocol;
 import javino.wire.BoardAction;
+import javino.wire.WireFrame;
 
 /**
  * A board for tests. It is plugged in as {@code sim:name}, answers as it is told, and keeps what it received:
@@ -191,6 +192,15 @@ public final class FakeBoard implements AutoCloseable {
      */
     public void noise(byte... bytes) throws PortException {
         sketch.write(bytes);
+    }
+
+    /**
+     * Puts a frame of version 2 on the line that the board would not send now, in the session of now.
+     *
+     * @throws IllegalStateException if nobody has the port open
+     */
+    public void noise(WireFrame frame) throws PortException {
+        sketch.write(frame);
     }
 
     /** Pulls the plug: the port is gone for who has it open, and cannot be opened. */

@@ -10,6 +10,7 @@ import javino.PortInterruptedException;
 import javino.Protocol;
 import javino.Transport;
 import javino.wire.BoardAction;
+import javino.wire.WireFrame;
 
 /** The program that runs on a {@link FakeBoard}: reads a message, does what the script says, and begins again. */
 final class FakeBoardSketch implements SimulatedBoard {
@@ -178,6 +179,12 @@ final class FakeBoardSketch implements SimulatedBoard {
     /** Writes bytes to the port that is open. */
     void write(byte[] bytes) throws PortException {
         requireOpen().write(bytes);
+    }
+
+    /** Writes a frame of the session of now to the port that is open. */
+    void write(WireFrame frame) throws PortException {
+        BoardLoop loop = requireOpen();
+        loop.write(frame.toBytes(loop.session().nonce()));
     }
 
     private BoardLoop requireOpen() {

@@ -20,7 +20,20 @@ record PerceptTerm(String functor, List<String> arguments) {
             end++;
         }
         boolean hasArguments = end < text.length() && text.charAt(end) == '(';
-        return new PerceptTerm(text.substring(0, end).strip(), hasArguments ? arguments(text, end) : List.of());
+        return new PerceptTerm(withoutBlanks(text.substring(0, end)), hasArguments ? arguments(text, end) : List.of());
+    }
+
+    /** Without blanks around it; a control character is none. */
+    private static String withoutBlanks(String text) {
+        int from = 0;
+        int end = text.length();
+        while (from < end && text.charAt(from) == ' ') {
+            from++;
+        }
+        while (from < end && text.charAt(end - 1) == ' ') {
+            end--;
+        }
+        return text.substring(from, end);
     }
 
     /** The texts of an answer, each with its {@code ;}. What is behind the last one is a text too. */
@@ -49,7 +62,7 @@ record PerceptTerm(String functor, List<String> arguments) {
             nesting.pass(text.charAt(i));
             boolean ends = nesting.isAt(0);
             if (ends || nesting.isAt(1) && text.charAt(i) == ',') {
-                arguments.add(text.substring(from, i).strip());
+                arguments.add(withoutBlanks(text.substring(from, i)));
                 from = i + 1;
             }
             if (ends) {

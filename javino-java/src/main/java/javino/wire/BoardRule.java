@@ -12,9 +12,6 @@ import java.util.regex.Pattern;
  * @param reflex the text of the command that the board carries out when the rule begins to be met; null: none
  */
 public record BoardRule(String functor, List<Condition> conditions, String reflex) {
-    /** What the text of a command begins with that sets a rule. */
-    public static final char MARK = 1;
-
     private static final char END = 0;
     private static final char REFLEX = 2;
     private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9]+(\\.[0-9]+)?");
@@ -65,13 +62,20 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         }
     }
 
-    /** The text of the command that sets it as rule {@code number}, 1 to 255. */
-    public String text(int number) {
-        StringBuilder text = new StringBuilder()
-                .append(MARK)
-                .append((char) number)
-                .append(functor)
-                .append(END);
+    /** Whether there is a command that sets it: it is short enough, and each character is a byte. */
+    public boolean isSendable() {
+        String text = text(1);
+        return text.length() <= CommandItem.MAX_TEXT && text.chars().allMatch(c -> c <= 0xFF);
+    }
+
+    /** The command that sets it as rule {@code number}, 1 to 255. */
+    public CommandItem.Rule setting(int number) {
+        return new CommandItem.Rule(text(number));
+    }
+
+    private String text(int number) {
+        StringBuilder text =
+                new StringBuilder().append((char) number).append(functor).append(END);
         for (Condition condition : conditions) {
             text.append((char) ('0' + condition.place))
                     .append(condition.operator.sign)
@@ -84,23 +88,19 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         return text.toString();
     }
 
-    /** The text of the command that removes rule {@code number}; 0: all rules. */
-    public static String removal(int number) {
-        return number == 0 ? "" + MARK : "" + MARK + (char) number;
+    /** The command that removes rule {@code number}; 0: all rules. */
+    public static CommandItem.Rule removal(int number) {
+        return new CommandItem.Rule("" + (char) number);
     }
 
-    /** Whether a command's text sets or removes rules, well-formed or not. */
-    public static boolean isIn(String text) {
-        return !text.isEmpty() && text.charAt(0) == MARK;
-    }
-
-    /** The rule of a command's text; null: it sets none, or is malformed. */
-    public static BoardRule read(String text) {
-        int end = text.indexOf(END, 2);
-        if (end <= 2 || text.charAt(0) != MARK || text.charAt(1) == 0) {
+    /** The rule that a command sets; null: it sets none, or is malformed. */
+    public static BoardRule read(CommandItem.Rule command) {
+        String text = command.text();
+        int end = text.indexOf(END, 1);
+        if (end <= 1 || text.charAt(0) == 0) {
             return null;
         }
-        String functor = text.substring(2, end);
+        String functor = text.substring(1, end);
         List<Condition> conditions = new ArrayList<>();
         for (int at = end + 1; at < text.length(); ) {
             if (text.charAt(at) == REFLEX) {

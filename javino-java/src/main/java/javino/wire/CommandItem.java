@@ -23,15 +23,25 @@ public sealed interface CommandItem {
     /** A command by its text, of 1 to {@value CommandItem#MAX_TEXT} bytes. */
     record Text(String text) implements CommandItem {
         public Text {
-            if (text.isEmpty() || text.length() > MAX_TEXT) {
-                throw new IllegalArgumentException("a command has 1 to " + MAX_TEXT + " bytes, not " + text.length());
-            }
+            requireLength(text);
         }
 
         @Override
         public String payload() {
             String length = "" + (char) text.length();
             return (text.length() < BY_NUMBER ? length : LONG_TEXT + length) + text;
+        }
+    }
+
+    /** A command that sets or removes critical rules of the board, see {@link BoardRule}: 1 to {@value CommandItem#MAX_TEXT} bytes. */
+    record Rule(String text) implements CommandItem {
+        public Rule {
+            requireLength(text);
+        }
+
+        @Override
+        public String payload() {
+            return "" + RULE + (char) text.length() + text;
         }
     }
 
@@ -52,26 +62,30 @@ public sealed interface CommandItem {
     /** Its bytes. */
     String payload();
 
-    /** The commands of a payload. An item that is cut, empty or unknown ends them. */
+    private static void requireLength(String text) {
+        if (text.isEmpty() || text.length() > MAX_TEXT) {
+            throw new IllegalArgumentException("a command has 1 to " + MAX_TEXT + " bytes, not " + text.length());
+        }
+    }
+
+    /** The commands of a payload. An item that is cut or empty ends them. */
     static List<CommandItem> read(String payload) {
         List<CommandItem> items = new ArrayList<>();
         int at = 0;
         while (at < payload.length()) {
             char head = payload.charAt(at);
-            if (head >= BY_NUMBER) {
-                if (head == UNUSED) {
-                    return items;
-                }
+            if (head >= BY_NUMBER && head <= NOTHING) {
                 items.add(head == NOTHING ? new Nothing() : new Action(head - BY_NUMBER));
                 at++;
             } else {
-                int lengthAt = head == LONG_TEXT ? at + 1 : at;
+                int lengthAt = head == LONG_TEXT || head == RULE ? at + 1 : at;
                 int from = lengthAt + 1;
                 int to = lengthAt < payload.length() ? from + payload.charAt(lengthAt) : Integer.MAX_VALUE;
                 if (to > payload.length() || to == from) {
                     return items;
                 }
-                items.add(new Text(payload.substring(from, to)));
+                String text = payload.substring(from, to);
+                items.add(head == RULE ? new Rule(text) : new Text(text));
                 at = to;
             }
         }
@@ -82,8 +96,8 @@ public sealed interface CommandItem {
     char BY_NUMBER = 0x80;
     /** The byte of no command. */
     char NOTHING = 0xFE;
-    /** A byte that begins no item. */
-    char UNUSED = 0xFF;
-    /** The byte in front of any length, always of one of 80 and more. */
+    /** The byte in front of the length of a rule. */
+    char RULE = 0xFF;
+    /** The byte in front of any length of a text, always of one of 80 and more. */
     char LONG_TEXT = 0;
 }

@@ -1,6 +1,6 @@
 package javino.wire;
 
-/** CRC-16/CCITT-FALSE: polynomial 0x1021, initial value 0xFFFF. */
+/** CRC-16/CCITT-FALSE: polynomial 0x1021, initial value 0xFFFF; in a session the high byte of the latter is changed by its nonce. */
 final class Crc16 {
     private static final int START = 0xFFFF;
     private static final int POLYNOMIAL = 0x1021;
@@ -21,9 +21,9 @@ final class Crc16 {
         return table;
     }
 
-    /** Begins anew. */
-    void reset() {
-        value = START;
+    /** Begins anew, for a frame of the session with this nonce; 0: one that belongs to none. */
+    void reset(int nonce) {
+        value = START ^ nonce << 8;
     }
 
     /** Takes one more byte, of which the lower eight bits count. */

@@ -54,6 +54,11 @@ public enum FrameKind {
         return (code & FROM_BOARD) != 0;
     }
 
+    /** Whether a frame has the same checksum in all sessions, since it begins one or tells of none. */
+    boolean isOfNoSession() {
+        return this == HELLO || this == WELCOME;
+    }
+
     /** The kind of a control byte without flags; null: there is none. */
     static FrameKind of(int code) {
         return BY_CODE[code];

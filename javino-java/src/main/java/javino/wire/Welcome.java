@@ -7,23 +7,43 @@ package javino.wire;
  * @param credit bytes of frames that it can hold while its program is busy
  * @param longestPayload bytes of payload that it takes
  * @param rules how many critical rules it holds at most
+ * @param revision the revision of version 2 that it speaks; 0: one before {@link #REVISION}
+ * @param actionsLost how many actions of its program found no room
  */
-public record Welcome(int nonce, int credit, int longestPayload, int rules) {
-    /** Bytes of its payload. */
-    private static final int LENGTH = 4;
+public record Welcome(int nonce, int credit, int longestPayload, int rules, int revision, int actionsLost) {
+    /** The revision of version 2 that this library speaks. */
+    public static final int REVISION = 1;
 
     /** What a board without a session says. */
     public static final Welcome NO_SESSION = new Welcome(0, 0, 0, 0);
 
+    private static final int LEAST_LENGTH = 4;
+
+    /** That of a board of this revision that has room for all its actions. */
+    public Welcome(int nonce, int credit, int longestPayload, int rules) {
+        this(nonce, credit, longestPayload, rules, REVISION, 0);
+    }
+
     /** Its bytes. */
     public String payload() {
-        return "" + (char) nonce + (char) credit + (char) longestPayload + (char) rules;
+        return "" + (char) nonce + (char) credit + (char) longestPayload + (char) rules + (char) revision
+                + (char) actionsLost;
     }
 
     /** Reads a payload; null: it is cut. */
     public static Welcome read(String payload) {
-        return payload.length() < LENGTH
+        return payload.length() < LEAST_LENGTH
                 ? null
-                : new Welcome(payload.charAt(0), payload.charAt(1), payload.charAt(2), payload.charAt(3));
+                : new Welcome(
+                        payload.charAt(0),
+                        payload.charAt(1),
+                        payload.charAt(2),
+                        payload.charAt(3),
+                        octetAt(payload, LEAST_LENGTH),
+                        octetAt(payload, LEAST_LENGTH + 1));
+    }
+
+    private static int octetAt(String payload, int place) {
+        return place < payload.length() ? payload.charAt(place) : 0;
     }
 }

@@ -1,9 +1,11 @@
 package javino.wire;
 
 import java.util.function.Consumer;
+import java.util.function.IntSupplier;
 
 /**
- * Finds the frames of one direction in the bytes that arrive. Times are nanoseconds of any one clock. One thread at a time.
+ * Finds the frames of one direction, and of one session, in the bytes that arrive. Times are nanoseconds of any one clock. One thread at a
+ * time.
  */
 public final class WireDecoder {
     private static final int PAYLOAD_AT = 3; // behind length, kind and number
@@ -12,9 +14,9 @@ public final class WireDecoder {
     private final boolean fromBoard;
     private final long timeoutNanos;
     private final int longestPayload;
+    private final IntSupplier nonce;
     private final Consumer<WireFrame> found;
     private final StringBuilder content = new StringBuilder(); // without escapes: length, kind, number, payload
-    private final Crc16 crc = new Crc16();
     private boolean isInFrame;
     private boolean isEscaped;
     private int checksum; // as received so far
@@ -26,19 +28,23 @@ public final class WireDecoder {
     /**
      * @param fromBoard whether the frames are a board's, else a computer's
      * @param timeoutNanos silence within a frame that ends it
+     * @param nonce that of the session when a frame ends, 0: there is none. Then a board cannot check frames but HELLO, which are found
+     *     with any checksum, and a computer finds no frames but WELCOME
      * @param found is given each frame, on the thread that hands in its last byte
      */
-    public WireDecoder(boolean fromBoard, long timeoutNanos, Consumer<WireFrame> found) {
-        this(fromBoard, timeoutNanos, WireFrame.MAX_PAYLOAD, found);
+    public WireDecoder(boolean fromBoard, long timeoutNanos, IntSupplier nonce, Consumer<WireFrame> found) {
+        this(fromBoard, timeoutNanos, WireFrame.MAX_PAYLOAD, nonce, found);
     }
 
     /**
      * As the other; a frame whose payload is longer than {@code longestPayload} ends as damaged with its length.
      */
-    public WireDecoder(boolean fromBoard, long timeoutNanos, int longestPayload, Consumer<WireFrame> found) {
+    public WireDecoder(
+            boolean fromBoard, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<WireFrame> found) {
         this.fromBoard = fromBoard;
         this.timeoutNanos = timeoutNanos;
         this.longestPayload = longestPayload;
+        this.nonce = nonce;
         this.found = found;
     }
 
@@ -99,7 +105,7 @@ public final class WireDecoder {
         return damaged;
     }
 
-    /** Frames so far whose checksum was wrong. */
+    /** Frames so far whose checksum was wrong in their session. */
     public long corrupt() {
         return corrupt;
     }
@@ -111,7 +117,6 @@ public final class WireDecoder {
         isInFrame = true;
         isEscaped = false;
         content.setLength(0);
-        crc.reset();
         checksum = 0;
         checksumBytes = 0;
     }
@@ -140,7 +145,6 @@ public final class WireDecoder {
     private void take(int value) {
         if (content.length() < PAYLOAD_AT || content.length() < PAYLOAD_AT + content.charAt(0)) {
             content.append((char) value);
-            crc.add(value);
             if (content.charAt(0) > longestPayload || content.length() == 2 && kind() == null) {
                 drop();
             }
@@ -161,15 +165,28 @@ public final class WireDecoder {
     }
 
     private void end() {
-        if (checksum != crc.value()) {
+        FrameKind kind = kind();
+        int session = kind.isOfNoSession() ? 0 : nonce.getAsInt();
+        boolean isChecked = kind.isOfNoSession() || session != 0;
+        if (isChecked && checksum != crcOf(session)) {
             corrupt++;
             drop();
             return;
         }
         isInFrame = false;
+        if (!isChecked && fromBoard) {
+            return;
+        }
         int control = content.charAt(1);
         boolean isRefused = fromBoard && (control & WireFrame.REFUSED) != 0;
         boolean isBusy = fromBoard && (control & WireFrame.BUSY) != 0;
-        found.accept(new WireFrame(kind(), isRefused, isBusy, content.charAt(2), content.substring(PAYLOAD_AT)));
+        found.accept(new WireFrame(kind, isRefused, isBusy, content.charAt(2), content.substring(PAYLOAD_AT)));
+    }
+
+    private int crcOf(int session) {
+        Crc16 crc = new Crc16();
+        crc.reset(session);
+        content.chars().forEach(crc::add);
+        return crc.value();
     }
 }

@@ -49,10 +49,15 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
         return OVERHEAD + payload.length();
     }
 
-    /** The bytes for the line, in an array of the caller's own. */
-    public byte[] toBytes() {
+    /**
+     * The bytes for the line, in an array of the caller's own.
+     *
+     * @param nonce the session's, 0 to 255; those of HELLO and WELCOME are the same in all sessions
+     */
+    public byte[] toBytes(int nonce) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream(length() + 2);
         Crc16 crc = new Crc16();
+        crc.reset(kind.isOfNoSession() ? 0 : nonce);
         bytes.write(START);
         putChecked(bytes, crc, payload.length());
         putChecked(bytes, crc, kind.code() | (isRefused ? REFUSED : 0) | (isBusy ? BUSY : 0));

@@ -40,12 +40,16 @@ internal class BoardModel(
         isBusy = false
     }
 
+    private fun begin(session: Int) {
+        restart()
+        nonce = session
+        writer.forget()
+        known = 0
+    }
+
     fun received(frame: WireFrame): List<WireFrame> {
         if (frame.kind() == FrameKind.HELLO) {
-            restart()
-            nonce = frame.number()
-            writer.forget()
-            known = 0
+            if (frame.number() != nonce) begin(frame.number())
             return listOf(frame(FrameKind.WELCOME, Welcome(nonce, credit, 255, 4).payload()))
         }
         if (nonce == 0) return listOf(frame(FrameKind.WELCOME, Welcome.NO_SESSION.payload()))
@@ -94,6 +98,7 @@ internal class BoardModel(
             is CommandItem.Nothing -> true
             is CommandItem.Action -> act(actions[item.number()].name())
             is CommandItem.Text -> act(item.text())
+            is CommandItem.Rule -> true
         }
         isBusy = done == null
         if (done == null) return

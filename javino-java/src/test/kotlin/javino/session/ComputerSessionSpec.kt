@@ -19,6 +19,7 @@ private fun texts(frame: WireFrame?): List<String> = CommandItem.read(checkNotNu
         is CommandItem.Text -> it.text()
         is CommandItem.Action -> "#${it.number()}"
         is CommandItem.Nothing -> "-"
+        is CommandItem.Rule -> "rule"
     }
 }
 
@@ -37,8 +38,8 @@ class ComputerSessionSpec : FunSpec({
         probe.session.open(0)
         val hello = checkNotNull(probe.next())
         hello.kind() shouldBe FrameKind.HELLO
-        hello.toBytes().size shouldBe 6
-        hello.toBytes().none { it == 'f'.code.toByte() } shouldBe true
+        hello.toBytes(0).size shouldBe 6
+        hello.toBytes(0).none { it == 'f'.code.toByte() } shouldBe true
         probe.after(59).next().shouldBeNull()
         probe.after(1).next() shouldBe hello
         probe.after(249).next().shouldBeNull()
@@ -213,6 +214,73 @@ class ComputerSessionSpec : FunSpec({
         probe.offer("off")
         probe.exchangeWith(board)
         probe.outcomes.last().second shouldBe CommandOutcome.DONE
+    }
+
+    test("WELCOME that comes once more acknowledges nothing") {
+        val board = board()
+        val probe = opened(board)
+        probe.offer("a", "b")
+        val row = checkNotNull(probe.next())
+        val acknowledgement = board.received(row)
+        val hello = WireFrame.of(FrameKind.HELLO, board.nonce, "")
+        probe.receive(board.received(hello)) // with the number of the command behind these two
+        probe.outcomes.shouldBeEmpty()
+        probe.receive(acknowledgement)
+        probe.outcomes.map { it.second } shouldContainExactly listOf(CommandOutcome.DONE, CommandOutcome.DONE)
+        probe.session.isOpen shouldBe true
+    }
+
+    test("a session whose numbers cannot be right for 16 frames ends, and another begins") {
+        val probe = opened(board())
+        probe.offer("a")
+        probe.next()
+        val nonce = probe.session.nonce()
+        fun impossible(count: Int) = probe.receive(List(count) { WireFrame.of(FrameKind.ACK, 200, "") })
+        impossible(15)
+        probe.receive(listOf(WireFrame.of(FrameKind.ACK, 0, "")))
+        impossible(15)
+        probe.outcomes.shouldBeEmpty()
+        impossible(1)
+        probe.outcomes.map { it.second } shouldContainExactly listOf(CommandOutcome.UNCONFIRMED)
+        val hello = checkNotNull(probe.next())
+        hello.kind() shouldBe FrameKind.HELLO
+        hello.number() shouldNotBe nonce
+    }
+
+    test("a session that another computer has begun with the same nonce is not taken over") {
+        val probe = SessionProbe()
+        probe.session.open(0)
+        val hello = checkNotNull(probe.next())
+        val board = board()
+        board.received(hello)
+        board.received(WireFrame.of(FrameKind.COMMANDS, 0, CommandItem.Text("a").payload()))
+        probe.receive(board.received(hello))
+        probe.session.isOpen shouldBe false
+        val other = checkNotNull(probe.next())
+        other.number() shouldNotBe hello.number()
+        probe.receive(board.received(other))
+        probe.session.isOpen shouldBe true
+    }
+
+    test("with a board of another revision of version 2 there is no session") {
+        for ((welcome, revision) in listOf("\u0000\u003C\u00FF\u0004" to 0, "\u0000\u003C\u00FF\u0004\u0002\u0000" to 2)) {
+            val probe = SessionProbe()
+            probe.session.open(0)
+            val nonce = checkNotNull(probe.next()).number().toChar()
+            probe.receive(listOf(WireFrame.of(FrameKind.WELCOME, 0, nonce + welcome.drop(1))))
+            probe.session.isOpen shouldBe false
+            probe.otherRevisions shouldContainExactly listOf(revision)
+        }
+    }
+
+    test("a command that the board began, and that failed, is told from one that it refused") {
+        val board = board()
+        val probe = opened(board)
+        probe.offer("walk", "bad")
+        probe.receive(board.received(checkNotNull(probe.next())))
+        probe.receive(listOf(board.finish(false)))
+        probe.exchangeWith(board)
+        probe.outcomes.map { it.second } shouldContainExactly listOf(CommandOutcome.FAILED, CommandOutcome.REFUSED)
     }
 
     test("a board that is silent for four repetitions and two seconds may be another one") {

@@ -23,6 +23,7 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
     var boards = 0
     var sessions = 0
     var lapses = 0
+    val otherRevisions = mutableListOf<Int>()
     var dropped = 0
     val session = ComputerSession(BYTE_NANOS, answerLimit, SplittableRandom(seed), this)
 
@@ -53,6 +54,10 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
 
     override fun found() {
         boards++
+    }
+
+    override fun otherRevision(revision: Int) {
+        otherRevisions += revision
     }
 
     override fun began(welcome: Welcome) {

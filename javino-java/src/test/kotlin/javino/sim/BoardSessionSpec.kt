@@ -16,7 +16,7 @@ private class Bench(capacity: BoardSession.Capacity = BoardSession.Capacity.FULL
     val carried = mutableListOf<String>()
     val sent = mutableListOf<WireFrame>()
     var percepts: String? = ""
-    val session = BoardSession(this, capacity) { sent += it }
+    val session = BoardSession(this, capacity) { frame, _ -> sent += frame }
 
     override fun carryOut(command: String): Outcome {
         carried += command
@@ -27,8 +27,9 @@ private class Bench(capacity: BoardSession.Capacity = BoardSession.Capacity.FULL
 
     fun hello(nonce: Int = 7) = session.receive(WireFrame.of(FrameKind.HELLO, nonce, ""))
 
-    fun command(number: Int, text: String) =
-        session.receive(WireFrame.of(FrameKind.COMMANDS, number, CommandItem.Text(text).payload()))
+    fun command(number: Int, text: String) = command(number, CommandItem.Text(text))
+
+    fun command(number: Int, item: CommandItem) = session.receive(WireFrame.of(FrameKind.COMMANDS, number, item.payload()))
 
     fun ask(known: Int = 0) = session.receive(WireFrame.of(FrameKind.ASK, 1, "" + known.toChar()))
 }
@@ -77,7 +78,7 @@ class BoardSessionSpec : FunSpec({
     test("a percept of more than 253 bytes meets no rule") {
         fun percept(size: Int) = "say(\"" + "x".repeat(size - 8) + "\");"
         for (size in listOf(253, 254)) {
-            val bench = Bench().apply { hello(); command(0, BoardRule("say", listOf(), "stop").text(1)); sent.clear() }
+            val bench = Bench().apply { hello(); command(0, BoardRule("say", listOf(), "stop").setting(1)); sent.clear() }
             bench.session.look(percept(size))
             bench.carried shouldBe if (size == 253) listOf("stop") else emptyList()
             bench.sent.map { it.payload() } shouldBe if (size == 253) listOf("\u0001\u0001" + percept(size)) else emptyList()
@@ -85,7 +86,7 @@ class BoardSessionSpec : FunSpec({
     }
 
     test("with rules, an answer that would have too many parts has longer ones") {
-        val bench = Bench().apply { hello(); command(0, BoardRule("a", listOf(), null).text(1)) }
+        val bench = Bench().apply { hello(); command(0, BoardRule("a", listOf(), null).setting(1)) }
         for (length in listOf(12 * 255, 12 * 255 + 1, 20_000)) {
             bench.sent.clear()
             bench.percepts = "x".repeat(length)

@@ -12,11 +12,14 @@ import javino.wire.WireFrame
 /** A computer of version 2 that a test writes frame by frame, at the near end of a board's line. */
 internal class ComputerEnd(private val line: Transport) {
     private val arrived = ArrayDeque<WireFrame>()
-    private val decoder = WireDecoder(true, Long.MAX_VALUE / 2) { arrived += it }
+    private val decoder = WireDecoder(true, Long.MAX_VALUE / 2, { NONCE }) { arrived += it }
     private val reader = PerceptReader()
     private var number = 0
 
     fun write(bytes: ByteArray) = line.write(bytes, 0, bytes.size, LIMIT_MILLIS)
+
+    /** Sends a frame of the session that [hello] begins. */
+    fun write(kind: FrameKind, number: Int, payload: String) = write(WireFrame.of(kind, number, payload).toBytes(NONCE))
 
     /** The next frame from the board. */
     fun next(): WireFrame {
@@ -31,20 +34,22 @@ internal class ComputerEnd(private val line: Transport) {
 
     /** Sends a frame and returns the next one from the board. */
     fun exchange(kind: FrameKind, number: Int, payload: String): WireFrame {
-        write(WireFrame.of(kind, number, payload).toBytes())
+        write(kind, number, payload)
         return next()
     }
 
     fun hello(): ComputerEnd = apply {
         number = 0
-        check(exchange(FrameKind.HELLO, 7, "").kind() == FrameKind.WELCOME)
+        check(exchange(FrameKind.HELLO, NONCE, "").kind() == FrameKind.WELCOME)
     }
 
     /** Sends a command and returns the frame that acknowledges it. */
-    fun command(text: String) = exchange(FrameKind.COMMANDS_WITH_RESUME, number++, CommandItem.Text(text).payload())
+    fun command(text: String) = command(CommandItem.Text(text))
+
+    fun command(item: CommandItem) = exchange(FrameKind.COMMANDS_WITH_RESUME, number++, item.payload())
 
     fun ask(functors: String = "", known: Int = reader.known()): String {
-        write(WireFrame.of(FrameKind.ASK, 1, known.toChar() + functors).toBytes())
+        write(FrameKind.ASK, 1, known.toChar() + functors)
         return percepts()
     }
 
@@ -76,6 +81,7 @@ internal class ComputerEnd(private val line: Transport) {
     }
 
     private companion object {
+        const val NONCE = 7
         const val LIMIT_MILLIS = 20_000
         const val PAUSE_MILLIS = 100
     }

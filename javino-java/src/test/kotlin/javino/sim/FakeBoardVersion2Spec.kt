@@ -30,7 +30,7 @@ private suspend fun withBoard(prepare: FakeBoard.() -> Unit = {}, work: suspend 
     }
 }
 
-private fun near(reflex: String?) = BoardRule("dist", listOf(BoardRule.Condition(1, BoardRule.Operator.LESS, "40")), reflex).text(3)
+private fun near(reflex: String?) = BoardRule("dist", listOf(BoardRule.Condition(1, BoardRule.Operator.LESS, "40")), reflex).setting(3)
 
 class FakeBoardVersion2Spec : FunSpec({
     test("percepts are asked for and answered as text, at any length") {
@@ -75,7 +75,7 @@ class FakeBoardVersion2Spec : FunSpec({
             withBoard({ whenAsked("a").after(20) }) { _, computer ->
                 computer.hello()
                 val row = listOf("a", "b").joinToString("") { CommandItem.Text(it).payload() }
-                computer.write(WireFrame.of(FrameKind.COMMANDS, 0, row).toBytes())
+                computer.write(FrameKind.COMMANDS, 0, row)
             }
         }.message shouldContain "nobody expected: \"b\""
     }
@@ -110,7 +110,7 @@ class FakeBoardVersion2Spec : FunSpec({
             computer.hello()
             board.send("bump;")
             computer.percepts() shouldBe "bump;"
-            computer.write(WireFrame.of(FrameKind.COMMANDS, 0, CommandItem.Text("getLight").payload()).toBytes())
+            computer.write(FrameKind.COMMANDS, 0, CommandItem.Text("getLight").payload())
             computer.percepts() shouldBe "light(3);"
             computer.next() shouldBe WireFrame.of(FrameKind.ACK, 1, "")
         }

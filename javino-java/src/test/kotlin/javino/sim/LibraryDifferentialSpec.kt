@@ -9,7 +9,9 @@ import javino.PerceptsRequest
 import javino.Protocol
 import javino.sim.BoardProgram.Outcome
 import javino.wire.BoardAction
+import javino.wire.CommandItem
 import javino.wire.FrameKind
+import javino.wire.NONCE
 import javino.wire.PerceptReader
 import javino.wire.Welcome
 import javino.wire.WireDecoder
@@ -33,7 +35,7 @@ private class DriverProgram(private val carried: (String) -> Unit) : BoardProgra
         .map { (name, arguments) -> BoardAction(name, arguments) }
 
     override fun carryOut(command: String): Outcome {
-        if (command.startsWith("no") || command == "speed") return Outcome.REFUSED
+        if (command.startsWith("no") || command.startsWith("\u0001") || command == "speed") return Outcome.REFUSED
         carried(command)
         return if (command.startsWith("later")) Outcome.LATER else Outcome.DONE
     }
@@ -50,16 +52,23 @@ private class DriverProgram(private val carried: (String) -> Unit) : BoardProgra
 private class Observer {
     private val reader = PerceptReader()
     private var parts = ""
+    private var nonce = 0
 
     fun name(frame: WireFrame): String? {
         val head = "${frame.number()} ${if (frame.isRefused) "REFUSED" else ""} ${if (frame.isBusy) "BUSY" else ""}"
         return when (frame.kind()) {
-            FrameKind.WELCOME -> "WELCOME $head ${Welcome.read(frame.payload()).nonce()}".also { reader.forget() }
+            FrameKind.WELCOME -> "WELCOME $head ${began(Welcome.read(frame.payload()).nonce())}"
             FrameKind.PERCEPTS -> answer(head, frame.payload()[0], frame.payload().drop(1))
             FrameKind.PERCEPTS_PART -> null.also { parts += frame.payload().drop(2) }
             FrameKind.PERCEPTS_LAST -> answer(head, frame.payload()[0], parts + frame.payload().drop(2)).also { parts = "" }
             else -> vectorOf(frame)
         }
+    }
+
+    private fun began(session: Int): Int {
+        if (session != nonce) reader.forget()
+        nonce = session
+        return session
     }
 
     /** A part or a whole answer: where it is cut is the board's own matter. */
@@ -72,11 +81,11 @@ private class SessionBoard(rules: Int = 0) {
     private val named = mutableListOf<String>()
     private val observer = Observer()
     private val program = DriverProgram { named += "! $it" }
-    val session = BoardSession(program, BoardSession.Capacity(63, 255, rules, 64)) { frame ->
+    val session = BoardSession(program, BoardSession.Capacity(63, 255, rules, 64)) { frame, _ ->
         due = frame.number()
         observer.name(frame)?.let { named += it }
     }
-    private val receiver = BoardReceiver(Protocol.AUTO, 100 * MS, 255, session::isOpen, ::handle)
+    private val receiver = BoardReceiver(Protocol.AUTO, 100 * MS, 255, session::nonce, ::handle)
     private var now = 0L
     private var lastByte = 0L
     private var open = 0L
@@ -115,6 +124,7 @@ private class SessionBoard(rules: Int = 0) {
 /** What the library wrote for an operation, named as [SessionBoard.play] does. */
 private class LibraryOutput {
     private val observer = Observer()
+    private var nonce = 0 // of the session that the last WELCOME told of
 
     fun named(lines: List<String>): List<String> = lines.flatMap { line ->
         val bytes = HEX.parseHex(line.drop(2))
@@ -123,7 +133,10 @@ private class LibraryOutput {
 
     private fun frames(bytes: ByteArray): List<String> {
         val named = mutableListOf<String>()
-        val decoder = WireDecoder(true, 1) { frame -> observer.name(frame)?.let { named += it } }
+        val decoder = WireDecoder(true, 1, { nonce }) { frame ->
+            if (frame.kind() == FrameKind.WELCOME) nonce = Welcome.read(frame.payload()).nonce()
+            observer.name(frame)?.let { named += it }
+        }
         var at = 0
         while (at < bytes.size) {
             if (decoder.accept(bytes[at], 0)) {
@@ -140,13 +153,13 @@ private class LibraryOutput {
 }
 
 /** Operations of conversations with a board whose next number is [due], with damage. */
-private class Generator(private val random: Random, private val due: () -> Int, private val isOpen: () -> Boolean) {
+private class Generator(private val random: Random, private val due: () -> Int, private val nonce: () -> Int) {
     private fun <T> one(vararg choices: T): T = choices[random.nextInt(choices.size)]
 
     fun operations(): List<String> = when (random.nextInt(20)) {
         0 -> listOf("w " + one(10, 60, 150))
         1 -> listOf("p " + List(random.nextInt(8)) { HEX.formatHex(bytesOf(percept())) }.joinToString(" "))
-        2 -> if (isOpen()) listOf("u") else emptyList()
+        2 -> if (nonce() != 0) listOf("p " + HEX.formatHex(bytesOf(percept())), "u") else emptyList()
         3 -> listOf("r " + random.nextInt(2))
         4 -> listOf("b " + HEX.formatHex(noise()))
         5 -> listOf("w " + one(10, 60, 60, 60), "b " + HEX.formatHex(version1()))
@@ -157,7 +170,7 @@ private class Generator(private val random: Random, private val due: () -> Int, 
 
     private fun version2(): ByteArray {
         val frame = when (random.nextInt(12)) {
-            0 -> WireFrame.of(FrameKind.HELLO, 1 + random.nextInt(0xFF), one("", "", "x"))
+            0 -> WireFrame.of(FrameKind.HELLO, one(nonce(), 1 + random.nextInt(0xFF), 1 + random.nextInt(0xFF)), one("", "", "x"))
             1 -> WireFrame.of(FrameKind.ASK, random.nextInt(256), "")
             2, 3 -> WireFrame.of(FrameKind.ASK, random.nextInt(256), random.nextInt(9).toChar() + one("", "", "(dist,b\u00A5)"))
             4 -> WireFrame.of(FrameKind.DESCRIBE, random.nextInt(256), one("", "\u0000", "\u0003", "\u0009"))
@@ -167,14 +180,14 @@ private class Generator(private val random: Random, private val due: () -> Int, 
                 List(random.nextInt(6)) { item() }.joinToString("").take(255),
             )
         }
-        return frame.toBytes()
+        return frame.toBytes(if (random.nextInt(12) == 0) random.nextInt(256) else nonce())
     }
 
     private fun item(): String = when (random.nextInt(12)) {
         0 -> "\u00FE"
-        1 -> one("\u00FF", "\u0000\u0000", "\u0007x", "\u0000")
+        1 -> one("\u00FF", "\u00FF\u0000", "\u00FF\u0002\u0007", "\u0000\u0000", "\u0007x", "\u0000")
         2 -> "\u0000" + one("\u0002hi", "\u0082" + "x".repeat(0x82))
-        3 -> one("\u0003fly", "\u0002\u0001\u0007", "\u0004\u0001\u0007a\u0000")
+        3 -> one("\u0003fly", "\u0002\u0001\u0007", "\u00FF\u0001\u0007", "\u00FF\u0003\u0007a\u0000")
         4 -> one("later", "no(1)", "later(2)", "\u00A4\u00A5fffe02hi").let { "" + it.length.toChar() + it }
         else -> "" + (0x80 + random.nextInt(7)).toChar()
     }
@@ -219,7 +232,7 @@ private class RuleGenerator(private val random: Random) {
 
     fun operations(): List<String> {
         val percepts = List(random.nextInt(4)) { one("d", "~d", "e") + arguments() }
-        val set = WireFrame.of(FrameKind.COMMANDS_WITH_RESUME, number++ % 256, rule().let { "" + it.length.toChar() + it }).toBytes()
+        val set = WireFrame.of(FrameKind.COMMANDS_WITH_RESUME, number++ % 256, CommandItem.Rule(rule()).payload()).toBytes(NONCE)
         return listOf("b " + HEX.formatHex(set), "p " + percepts.joinToString(" ") { HEX.formatHex(bytesOf(it)) }, "l")
     }
 
@@ -229,11 +242,12 @@ private class RuleGenerator(private val random: Random) {
 
     private fun rule(): String {
         val conditions = List(random.nextInt(3)) { "${one(1, 1, 2, 3, 9, 0)}${one("<", ">", "{", "}", "=", "!", "?")}${value()}\u0000" }
-        val rule = "\u0001" + one('\u0001', '\u0002', '\u0003') + one("d", "d", "~d", "e") + '\u0000' + conditions.joinToString("") +
+        val number = one("\u0001", "\u0002", "\u0003", "\u0001", "\u0002", "\u0003", "\u0000")
+        val rule = number + one("d", "d", "~d", "e") + '\u0000' + conditions.joinToString("") +
             one("", "\u0002stop", "\u0002no", "\u0002")
         return when (random.nextInt(8)) {
             0 -> rule.take(1 + random.nextInt(rule.length))
-            1 -> rule.take(2)
+            1 -> rule.take(1)
             else -> rule
         }
     }
@@ -246,11 +260,12 @@ class LibraryDifferentialSpec : FunSpec({
             val played = mutableListOf<Pair<String, List<String>>>()
             repeat(CONVERSATIONS) { number ->
                 val board = SessionBoard()
-                val generator = Generator(Random(number.toLong()), { board.due }, { board.session.isOpen })
-                val hello = "b " + HEX.formatHex(WireFrame.of(FrameKind.HELLO, 7, "").toBytes())
+                val generator = Generator(Random(number.toLong()), { board.due }, { board.session.nonce() })
+                val hello = "b " + HEX.formatHex(WireFrame.of(FrameKind.HELLO, NONCE, "").toBytes(NONCE))
                 played += "n" to emptyList()
                 val beginning = if (number % 4 == 0) emptyList() else listOf(hello)
-                for (operation in beginning + List(40) { generator.operations() }.flatten()) played += operation to board.play(operation)
+                for (operation in beginning) played += operation to board.play(operation)
+                repeat(40) { for (operation in generator.operations()) played += operation to board.play(operation) }
             }
             var output = LibraryOutput()
             var since = 0
@@ -273,7 +288,7 @@ class LibraryDifferentialSpec : FunSpec({
         .config(enabledOrReasonIf = { LibraryBoards.available }, timeout = 10.minutes) {
             val board = SessionBoard(rules = 8)
             val generator = RuleGenerator(Random(5))
-            val operations = listOf("b " + HEX.formatHex(WireFrame.of(FrameKind.HELLO, 7, "").toBytes())) +
+            val operations = listOf("b " + HEX.formatHex(WireFrame.of(FrameKind.HELLO, NONCE, "").toBytes(NONCE))) +
                 List(10 * CONVERSATIONS) { generator.operations() }.flatten()
             val expected = operations.map { board.play(it).sorted() } // of rules that begin to be met at once any may come first
             val output = LibraryOutput()

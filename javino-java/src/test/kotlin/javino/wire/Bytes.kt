@@ -18,10 +18,13 @@ internal fun bytesOf(text: String): ByteArray = text.toByteArray(Charsets.ISO_88
 
 internal fun textOf(bytes: ByteArray): String = String(bytes, Charsets.ISO_8859_1)
 
+/** That of the session of frames where no other is given. */
+internal const val NONCE = 7
+
 /** A receiver of one direction with a time of its own, in milliseconds. */
-internal class Receiver(fromBoard: Boolean) {
+internal class Receiver(fromBoard: Boolean, nonce: Int = NONCE) {
     val frames = mutableListOf<WireFrame>()
-    val decoder = WireDecoder(fromBoard, TIMEOUT_NANOS, frames::add)
+    val decoder = WireDecoder(fromBoard, TIMEOUT_NANOS, { nonce }, frames::add)
     private var now = 0L
 
     fun receive(bytes: ByteArray, chunk: Int = maxOf(1, bytes.size)): Receiver {

@@ -53,8 +53,8 @@ class PayloadsPropertySpec : FunSpec({
         }
     }
 
-    test("the long form of a text is read for any length but 0, which ends a row as FF does") {
-        for (end in listOf("\u0000\u0000", "\u00FF")) {
+    test("the long form of a text is read for any length but 0, which ends a row as an empty rule does") {
+        for (end in listOf("\u0000\u0000", "\u00FF\u0000")) {
             CommandItem.read("\u0000\u0002hi\u0080$end\u0081") shouldContainExactly listOf(CommandItem.Text("hi"), CommandItem.Action(0))
         }
     }
@@ -64,6 +64,7 @@ class PayloadsPropertySpec : FunSpec({
             val welcome = Welcome(nonce, credit, longest, rules)
             Welcome.read(welcome.payload() + "later") shouldBe welcome
             for (cut in 0..3) Welcome.read(welcome.payload().take(cut)) shouldBe null
+            Welcome.read(welcome.payload().take(4)) shouldBe Welcome(nonce, credit, longest, rules, 0, 0)
         }
     }
 
@@ -92,29 +93,29 @@ class PayloadsPropertySpec : FunSpec({
 
     test("a rule comes back from its command, and one that is cut is another or none") {
         checkAll(1_000, rules, Arb.int(1..255)) { rule, number ->
-            val text = rule.text(number)
-            text[1].code shouldBe number
-            BoardRule.read(text) shouldBe rule
-            for (cut in text.indices) BoardRule.read(text.take(cut))?.let { it.functor() shouldBe rule.functor() }
+            val text = rule.setting(number).text()
+            text[0].code shouldBe number
+            BoardRule.read(CommandItem.Rule(text)) shouldBe rule
+            for (cut in 1 until text.length) BoardRule.read(CommandItem.Rule(text.take(cut)))?.let { it.functor() shouldBe rule.functor() }
         }
     }
 
     test("any bytes are a rule or none") {
-        checkAll(5_000, texts(0..40)) { BoardRule.read("\u0001\u0007$it") }
+        checkAll(5_000, texts(0..40)) { BoardRule.read(CommandItem.Rule("\u0007$it")) }
     }
 
     test("what removes rules sets none") {
-        BoardRule.removal(7) shouldBe "\u0001\u0007"
-        BoardRule.removal(0) shouldBe "\u0001"
-        listOf(BoardRule.removal(7), BoardRule.removal(0), "").map(BoardRule::read) shouldBe listOf(null, null, null)
+        BoardRule.removal(7) shouldBe CommandItem.Rule("\u0007")
+        BoardRule.removal(0) shouldBe CommandItem.Rule("\u0000")
+        listOf(BoardRule.removal(7), BoardRule.removal(0)).map(BoardRule::read) shouldBe listOf(null, null)
     }
 
     for ((what, text) in mapOf(
-        "of number 0" to "\u0001\u0000d\u0000", "without a functor" to "\u0001\u0007\u0000",
-        "without a value" to "\u0001\u0007d\u00001<\u0000",
-        "with an empty reflex" to "\u0001\u0007d\u0000\u0002", "that orders words" to "\u0001\u0007d\u00001<f\u0000",
-        "at place 0" to "\u0001\u0007d\u00000<40\u0000", "of an unknown operator" to "\u0001\u0007d\u00001?40\u0000",
+        "of number 0" to "\u0000d\u0000", "without a functor" to "\u0007\u0000",
+        "without a value" to "\u0007d\u00001<\u0000",
+        "with an empty reflex" to "\u0007d\u0000\u0002", "that orders words" to "\u0007d\u00001<f\u0000",
+        "at place 0" to "\u0007d\u00000<40\u0000", "of an unknown operator" to "\u0007d\u00001?40\u0000",
     )) {
-        test("there is no rule $what") { BoardRule.read(text) shouldBe null }
+        test("there is no rule $what") { BoardRule.read(CommandItem.Rule(text)) shouldBe null }
     }
 })

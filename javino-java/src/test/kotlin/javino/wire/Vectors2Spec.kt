@@ -3,6 +3,7 @@ package javino.wire
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
+import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
@@ -17,12 +18,12 @@ class Vectors2Spec : FunSpec({
     for ((name, case) in Vectors2.cases("frames")) test("frame: $name") {
         val octets = case["payloadHex"].text()
         val frame = frameOf(case["kind"].text() + "%02x".format(case["number"].number()) + octets)
-        textOf(frame.toBytes()) shouldBe case["frameHex"].octets()
-        Receiver(frame.kind().isFromBoard).receive(bytesOf(case["frameHex"].octets())).frames shouldBe listOf(frame)
+        textOf(frame.toBytes(case["nonce"].number())) shouldBe case["frameHex"].octets()
+        Receiver(frame.kind().isFromBoard, case["nonce"].number()).receive(bytesOf(case["frameHex"].octets())).frames shouldBe listOf(frame)
     }
 
     for ((name, case) in Vectors2.cases("receive")) test("receive: $name") {
-        val receiver = Receiver(case["direction"].text() == "from-board")
+        val receiver = Receiver(case["direction"].text() == "from-board", case["session"].number())
         for (chunk in case["chunks"].items().map { it.jsonObject }) {
             receiver.silence(chunk["gapMs"].number().toLong()).receive(bytesOf(chunk["hex"].octets()))
         }
@@ -32,6 +33,7 @@ class Vectors2Spec : FunSpec({
     for ((name, case) in Vectors2.cases("commands")) test("commands: $name") {
         val row = case["commands"].items().map {
             if (it.isNull()) CommandItem.Nothing()
+            else if (it is JsonObject) CommandItem.Rule(it["rule"].text())
             else if (it.jsonPrimitive.isString) CommandItem.Text(it.text())
             else CommandItem.Action(it.number())
         }

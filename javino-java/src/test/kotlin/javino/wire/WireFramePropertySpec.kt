@@ -25,7 +25,7 @@ private fun frames(fromBoard: Boolean, lengths: IntRange = 0..WireFrame.MAX_PAYL
     texts(lengths),
 ) { kind, isRefused, isBusy, number, payload -> WireFrame(kind, fromBoard && isRefused, fromBoard && isBusy, number, payload) }
 
-private fun bytesOf(frames: List<WireFrame>) = frames.fold(ByteArray(0)) { all, frame -> all + frame.toBytes() }
+private fun bytesOf(frames: List<WireFrame>) = frames.fold(ByteArray(0)) { all, frame -> all + frame.toBytes(NONCE) }
 
 @OptIn(ExperimentalKotest::class) // the seed: one damaged frame in 65,536 has a right checksum
 class WireFramePropertySpec : FunSpec({
@@ -40,7 +40,7 @@ class WireFramePropertySpec : FunSpec({
 
         test("a frame of $from holds no start but its own, and is as long as it says but for escapes") {
             checkAll(1_000, frames(fromBoard)) { frame ->
-                val bytes = frame.toBytes()
+                val bytes = frame.toBytes(NONCE)
                 bytes.count { it == START } shouldBe 1
                 bytes[0] shouldBe START
                 bytes.size - bytes.count { it == 0xA4.toByte() } shouldBe frame.length()
@@ -49,25 +49,25 @@ class WireFramePropertySpec : FunSpec({
 
         test("any noise in front of a frame of $from costs no frame") {
             checkAll(1_000, texts(0..60), frames(fromBoard)) { noise, frame ->
-                Receiver(fromBoard).receive(bytesOf(noise) + frame.toBytes()).frames.last() shouldBe frame
+                Receiver(fromBoard).receive(bytesOf(noise) + frame.toBytes(NONCE)).frames.last() shouldBe frame
             }
         }
 
         test("a frame of $from that is cut costs none of those behind it") {
             checkAll(300, frames(fromBoard, 0..20), frames(fromBoard)) { cut, next ->
-                for (length in 0 until cut.toBytes().size) {
-                    Receiver(fromBoard).receive(cut.toBytes().copyOf(length) + next.toBytes()).frames shouldBe listOf(next)
+                for (length in 0 until cut.toBytes(NONCE).size) {
+                    Receiver(fromBoard).receive(cut.toBytes(NONCE).copyOf(length) + next.toBytes(NONCE)).frames shouldBe listOf(next)
                 }
             }
         }
 
         test("a frame of $from with a changed bit gives no frame and costs none of those behind it") {
             checkAll(PropTestConfig(seed = 5, iterations = 100), frames(fromBoard, 0..12), frames(fromBoard)) { frame, next ->
-                val sound = frame.toBytes()
+                val sound = frame.toBytes(NONCE)
                 for (bit in 0 until 8 * sound.size) {
                     val damaged = sound.clone().also { it[bit / 8] = (it[bit / 8].toInt() xor (1 shl bit % 8)).toByte() }
                     withClue("$frame, bit $bit") {
-                        Receiver(fromBoard).receive(damaged).silence(101).receive(next.toBytes()).frames shouldBe listOf(next)
+                        Receiver(fromBoard).receive(damaged).silence(101).receive(next.toBytes(NONCE)).frames shouldBe listOf(next)
                     }
                 }
             }
@@ -79,7 +79,7 @@ class WireFramePropertySpec : FunSpec({
         var wrong = 0
         repeat(100_000) {
             val sent = WireFrame.of(FrameKind.COMMANDS, random.nextInt(256), "\u0008speed(" + random.nextInt(10) + ")")
-            val bytes = sent.toBytes()
+            val bytes = sent.toBytes(NONCE)
             repeat(1 + random.nextInt(6)) { bytes[random.nextInt(bytes.size)] = random.nextInt(256).toByte() }
             wrong += Receiver(false).receive(bytes).frames.count { it != sent }
         }
@@ -94,7 +94,7 @@ class WireFramePropertySpec : FunSpec({
 
     test("a silence ends a frame, a shorter one does not") {
         checkAll(100, frames(true, 0..20), Arb.int(1..1_000), Arb.element(100L, 101L)) { frame, at, millis ->
-            val bytes = frame.toBytes()
+            val bytes = frame.toBytes(NONCE)
             val cut = 1 + at % (bytes.size - 1)
             val receiver = Receiver(true).receive(bytes.copyOf(cut)).silence(millis).receive(bytes.copyOfRange(cut, bytes.size))
             receiver.frames shouldBe if (millis > 100) listOf() else listOf(frame)
@@ -104,10 +104,10 @@ class WireFramePropertySpec : FunSpec({
 
     test("a board ends a frame whose payload is longer than it takes, at once") {
         val received = mutableListOf<WireFrame>()
-        val decoder = WireDecoder(false, 100, 20, received::add)
+        val decoder = WireDecoder(false, 100, 20, { NONCE }, received::add)
         checkAll(200, frames(false, 0..40)) { frame ->
             received.clear()
-            frame.toBytes().forEachIndexed { i, octet ->
+            frame.toBytes(NONCE).forEachIndexed { i, octet ->
                 decoder.accept(octet, 0)
                 if (i >= 2 && frame.payload().length > 20) decoder.isInFrame shouldBe false
             }
@@ -116,8 +116,8 @@ class WireFramePropertySpec : FunSpec({
     }
 
     test("bytes outside of frames are left to version 1") {
-        val decoder = WireDecoder(false, 100) {}
-        val frame = WireFrame.of(FrameKind.HELLO, 7, "").toBytes()
+        val decoder = WireDecoder(false, 100, { NONCE }) {}
+        val frame = WireFrame.of(FrameKind.HELLO, 7, "").toBytes(NONCE)
         (byteArrayOf(1) + frame + byteArrayOf(2)).map { decoder.accept(it, 0) } shouldBe listOf(false) + frame.map { true } + false
     }
 

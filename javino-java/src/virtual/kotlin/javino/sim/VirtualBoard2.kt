@@ -52,10 +52,10 @@ internal class VirtualBoard2(
     private var finishAt = Double.POSITIVE_INFINITY
     private var session = newSession()
     private val receiver = BoardReceiver(
-        if (readsVersion1) Protocol.AUTO else Protocol.V2, TIMEOUT_NANOS, WireFrame.MAX_PAYLOAD, { session.isOpen }, ::found,
+        if (readsVersion1) Protocol.AUTO else Protocol.V2, TIMEOUT_NANOS, WireFrame.MAX_PAYLOAD, { session.nonce() }, ::found,
     )
 
-    private fun newSession() = BoardSession(Program(), CAPACITY) { frame -> posting(frame).forEach { post(it.toBytes()) } }
+    private fun newSession() = BoardSession(Program(), CAPACITY) { frame, nonce -> posting(frame).forEach { post(it.toBytes(nonce)) } }
 
     /** Forgets the session. */
     fun restart() {

@@ -46,7 +46,7 @@ internal class BoundsRun(private val course: Course, private val random: Random)
         settle(link.send("stop", URGENT)) // and the vocabulary, which is asked for then
         if (course.hasRules) {
             link.onBoardEvents(Reports())
-            settle(link.send(RULE.text(1), URGENT))
+            settle(link.sendRule(RULE.setting(1), URGENT))
         }
         rest()
     }

@@ -39,9 +39,9 @@ internal class LoopBoard(
     private val actions: List<BoardAction>,
 ) : EventBoard, BoardProgram {
     private val session = BoardSession(this, BoardSession.Capacity(CREDIT, WireFrame.MAX_PAYLOAD, RULES, SHAPES), ::send)
-    private val decoder = WireDecoder(false, TIMEOUT_NANOS) { arrived += it }
+    private val decoder = WireDecoder(false, TIMEOUT_NANOS, ::nonce) { arrived += it }
     private val arrived = ArrayDeque<WireFrame>()
-    private val parts = ArrayDeque<WireFrame>()
+    private val parts = ArrayDeque<ByteArray>()
     private val outgoing = ArrayDeque<Pair<Long, ByteArray>>()
     private val buffer = ByteArray(1024)
     private var now = 0L // the program's, ahead of the line's while it works
@@ -102,13 +102,16 @@ internal class LoopBoard(
         spent = 0
     }
 
-    private fun send(frame: WireFrame) {
+    /** That of the session to which bytes that arrive now belong, once the frames before them have been handled. */
+    private fun nonce() = arrived.lastOrNull { it.kind() == FrameKind.HELLO }?.number() ?: session.nonce()
+
+    private fun send(frame: WireFrame, nonce: Int) {
         val isPart = frame.kind() == FrameKind.PERCEPTS_PART || frame.kind() == FrameKind.PERCEPTS_LAST
-        if (isPart && session.hasRules()) parts += frame else post(frame)
+        val bytes = frame.toBytes(nonce)
+        if (isPart && session.hasRules()) parts += bytes else post(bytes)
     }
 
-    private fun post(frame: WireFrame) {
-        val bytes = frame.toBytes()
+    private fun post(bytes: ByteArray) {
         outgoing += now + spent to bytes
         lineFreeAt = maxOf(lineFreeAt, now + spent) + bytes.size * byteNanos
         spent = maxOf(spent, lineFreeAt - BUFFER * byteNanos - now)

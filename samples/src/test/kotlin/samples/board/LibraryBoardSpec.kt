@@ -62,14 +62,17 @@ private class FastBench(@Volatile var percepts: String, rules: Int = 0, actions:
 private fun version1(text: String) = Frame.of(text).toString()
 
 private fun version2(kind: FrameKind, number: Int, payload: String = "") =
-    String(WireFrame.of(kind, number, payload).toBytes(), Charsets.ISO_8859_1)
+    String(WireFrame.of(kind, number, payload).toBytes(NONCE), Charsets.ISO_8859_1)
 
-private val hello = version2(FrameKind.HELLO, 7)
+private const val NONCE = 7
+private val hello = version2(FrameKind.HELLO, NONCE)
 private val welcome = version2(FrameKind.WELCOME, 0, Welcome(7, 255, 255, 0).payload())
 
 private fun ask(functors: String = "") = version2(FrameKind.ASK, 1, "\u0000$functors")
 
-private fun command(number: Int, text: String) = version2(FrameKind.COMMANDS, number, CommandItem.Text(text).payload())
+private fun command(number: Int, text: String) = command(number, CommandItem.Text(text))
+
+private fun command(number: Int, item: CommandItem) = version2(FrameKind.COMMANDS, number, item.payload())
 
 /** The answer to the request number 1 that nothing is known for. */
 private fun answer(vararg percepts: String): String = AnswerPart.split(1, PerceptWriter(126).items(percepts.toList(), 0))
@@ -125,7 +128,7 @@ class LibraryBoardSpec : FunSpec({
         FastBench("dist(f,81);", rules = 1).use { bench ->
             val expected = version2(FrameKind.WELCOME, 0, Welcome(7, 255, 255, 1).payload()) + version2(FrameKind.ACK, 1)
             val atMost80 = BoardRule.Condition(2, BoardRule.Operator.AT_MOST, "80")
-            val rule = BoardRule("dist", listOf(atMost80), "stop").text(1)
+            val rule = BoardRule("dist", listOf(atMost80), "stop").setting(1)
             bench.answer(expected, hello, command(0, rule)) shouldBe expected
             bench.percepts = "dist(f,80);"
             val report = version2(FrameKind.CRITICAL, 1, CriticalReport(1, ReflexOutcome.CARRIED_OUT, "dist(f,80);").payload())
@@ -136,8 +139,8 @@ class LibraryBoardSpec : FunSpec({
 
     test("without room for rules it refuses them") {
         FastBench("dist(f,81);").use { bench ->
-            val expected = welcome + String(WireFrame(FrameKind.ACK, true, false, 1, "").toBytes(), Charsets.ISO_8859_1)
-            bench.answer(expected, hello, command(0, BoardRule("dist", listOf(), "stop").text(1))) shouldBe expected
+            val expected = welcome + String(WireFrame(FrameKind.ACK, true, false, 1, "").toBytes(NONCE), Charsets.ISO_8859_1)
+            bench.answer(expected, hello, command(0, BoardRule("dist", listOf(), "stop").setting(1))) shouldBe expected
         }
     }
 

@@ -79,6 +79,14 @@ class BoardCommandSpec : FunSpec({
         }
     }
 
+    test("a sketch that names the library's header in lower case is told how it is written").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
+        val wrong = folder.resolve("lower.ino").apply { writeText("#include <javino.h>\nvoid setup() {}\nvoid loop() {}\n") }
+        Console("bash", "../argo", "board", "$wrong").use { board ->
+            board.await("the header of the library is <Javino.h>")
+            board.status() shouldBe 1
+        }
+    }
+
     test("a sketch for another board is told what the simulated one has").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
         Console("bash", "../argo", "board", "../javino-arduino/examples/ServoArm").use { board ->
             board.await("Servo.h")

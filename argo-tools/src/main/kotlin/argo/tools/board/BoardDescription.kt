@@ -15,11 +15,13 @@ import java.util.concurrent.TimeUnit
  *
  * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not say
  * @property percepts what it has answered to one request
+ * @property lost how many actions of its sketch found no room in its memory
  * @property rules how many critical rules it holds; null: it is of version 1
  */
 internal class BoardDescription(
     private val protocol: Protocol,
     private val actions: List<String>?,
+    private val lost: Int,
     private val percepts: List<String>,
     private val rules: Int?,
 ) {
@@ -31,15 +33,20 @@ internal class BoardDescription(
             actions == null -> "unknown; the board did not describe them in time"
             actions.isEmpty() -> "unknown; its sketch has no table of actions"
             else -> actions.joinToString()
-        },
+        } + if (lost == 0) "" else "; $lost more found no room in its memory and are refused, see \"javino.act.full()\" and JavinoSized",
         "percepts: " + percepts.joinToString("; ").ifEmpty { "none now" },
         "critical rules: " +
             if (rules == null || rules == 0) "none on the board; the computer watches them" else "up to $rules on the board",
     ).map(::printable)
 
     /** The members of its JSON object. */
-    fun members(): Map<String, Any?> =
-        mapOf("board" to "a Javino board of ${versionSpoken(protocol)}", "actions" to actions, "percepts" to percepts, "rules" to rules)
+    fun members(): Map<String, Any?> = mapOf(
+        "board" to "a Javino board of ${versionSpoken(protocol)}",
+        "actions" to actions,
+        "actionsLost" to lost,
+        "percepts" to percepts,
+        "rules" to rules,
+    )
 
     companion object {
         private const val ANSWER_MS = 1_000
@@ -55,7 +62,7 @@ internal class BoardDescription(
             val end = System.nanoTime() + VOCABULARY_NANOS
             while (isDescribing && link.vocabulary().isEmpty && System.nanoTime() - end < 0) link.watch(SLICE_MS)
             val actions = link.vocabulary().orElse(null)?.map(::written)
-            return BoardDescription(link.protocol(), actions, perceptsOf(answer), welcome.rules.takeIf { isDescribing })
+            return BoardDescription(link.protocol(), actions, link.actionsLost(), perceptsOf(answer), welcome.rules.takeIf { isDescribing })
         }
 
         private fun written(action: BoardAction) = action.name + when (action.arguments) {

@@ -16,6 +16,7 @@ import io.kotest.matchers.string.shouldNotContain
 import javino.LineSettings
 import javino.Link
 import javino.LinkSettings
+import javino.Protocol
 import javino.Transports
 import javino.sim.FakeBoard
 import javino.sim.PseudoTerminals
@@ -236,6 +237,12 @@ class BoardCommandsSpec : FunSpec({
         val missing = argo("ports", "sim:tools-missing", "--describe")
         missing.status shouldBe 1
         missing.out shouldContain "sim:tools-missing: there is no simulated board"
+    }
+
+    test("a board's description says how many actions of its sketch found no room") {
+        fun actions(lost: Int) = BoardDescription(Protocol.V2, listOf("ledOn", "speed/1"), lost, emptyList(), 0).lines()[1]
+        actions(0) shouldBe "actions: ledOn, speed/1"
+        actions(51) shouldContain "ledOn, speed/1; 51 more found no room in its memory and are refused"
     }
 
     test("ports tells who holds a port, and does not probe it").config(enabledOrReasonIf = pairs) {

@@ -1,0 +1,21 @@
+/** @file Rates of serial lines, and what becomes of a byte between two ends that run at different ones. */
+#ifndef RATE_H
+#define RATE_H
+
+#include <stdint.h>
+
+/** The rate of a terminal, in baud; 0: no program has set one since rate_forget. */
+unsigned rate_of(int terminal);
+
+/** Has a terminal say that no program has set its rate. */
+void rate_forget(int terminal);
+
+/**
+ * What a receiver makes of a byte: itself, if the rates differ by at most 3 %; else the bits that it samples.
+ *
+ * @param sent      the sender's rate, in baud; 0: that of the receiver
+ * @param received  the receiver's; 0: that of the sender
+ */
+uint8_t rate_sampled(uint8_t byte, unsigned sent, unsigned received);
+
+#endif
