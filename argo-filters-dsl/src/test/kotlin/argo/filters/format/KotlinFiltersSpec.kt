@@ -10,8 +10,8 @@ import argo.filters.Rule
 import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.filters.filters
-import io.kotest.assertions.withClue
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder

@@ -14,10 +14,6 @@ import argo.tools.replay.AgentReplayOptions
 import argo.tools.replay.AgentWhatIf
 import argo.tools.replay.hasJason
 import argo.tools.replay.runWithJason
-import java.nio.file.Files
-import java.nio.file.Path
-import java.time.Duration
-import java.util.concurrent.TimeUnit
 import javino.LineSettings
 import javino.PortException
 import javino.PortInterruptedException
@@ -26,10 +22,14 @@ import javino.serial.SerialPorts
 import javino.sim.PseudoTerminals
 import javino.sim.Recording
 import javino.sim.ReplayBoard
-import kotlin.io.path.extension
 import picocli.CommandLine.ArgGroup
 import picocli.CommandLine.Command
 import picocli.CommandLine.Parameters
+import java.nio.file.Files
+import java.nio.file.Path
+import java.time.Duration
+import java.util.concurrent.TimeUnit
+import kotlin.io.path.extension
 
 /** `replay`: serves a recording of a board as a board, and runs the agents of a recording of agents again. */
 @Command(
