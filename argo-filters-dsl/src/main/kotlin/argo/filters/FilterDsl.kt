@@ -57,7 +57,7 @@ sealed class RuleList(private val mode: Mode) {
      */
     fun include(other: PerceptionFilter) {
         require(other.mode == mode) {
-            "filter ${other.name} cannot be included: one of the two drops what its rules meet, and the other keeps it"
+            "filter ${other.name} cannot be included: one of the two drops the percepts that match its rules, and the other keeps them"
         }
         rules += other.rules
         critical += other.critical

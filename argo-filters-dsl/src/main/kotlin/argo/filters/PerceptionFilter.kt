@@ -52,7 +52,7 @@ class PerceptionFilter(
     override fun toString(): String {
         val verb = if (mode == Mode.DROP) "drops" else "keeps only"
         val what = if (rules.isEmpty()) "nothing" else rules.joinToString("; ")
-        val lane = if (critical.isEmpty()) "" else critical.joinToString("; ", ", takes for critical ")
+        val lane = if (critical.isEmpty()) "" else critical.joinToString("; ", ", treats as critical ")
         return "filter $name $verb $what$lane" + if (onSwitch == OnSwitch.FREEZE) ", and freezes what it hides" else ""
     }
 }

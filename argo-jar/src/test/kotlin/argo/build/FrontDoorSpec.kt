@@ -138,7 +138,8 @@ class FrontDoorSpec : FunSpec({
     }
 
     test("an agent that is not there is refused before anything is built") {
-        bash("../argo", "explore", "no-such.asl", "--minutes", "1") shouldBe (1 to "./argo: there is no file no-such.asl\n")
+        bash("../argo", "explore", "no-such.asl", "--time", "1") shouldBe
+            (1 to "./argo: there is no file no-such.asl, nor is it in src/agt, src/main/asl or src/test/resources\n")
     }
 })
 

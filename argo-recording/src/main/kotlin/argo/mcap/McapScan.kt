@@ -44,7 +44,7 @@ internal class McapContents {
 }
 
 /** What is wrong with [path], a file without any byte. */
-internal fun emptyFile(path: Path) = "$path is empty: what was to be recorded into it ended, or the disk was full, before"
+internal fun emptyFile(path: Path) = "$path is empty: the recording ended, or the disk was full, before anything was written"
 
 /** Looks through a file from its beginning, as far as its records are whole. */
 internal class McapScan(private val input: McapInput) {

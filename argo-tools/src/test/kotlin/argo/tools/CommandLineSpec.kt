@@ -58,6 +58,10 @@ class CommandLineSpec : FunSpec({
             "request sim:x" to "Missing required parameter: 'MESSAGE'",
             "send sim:x a b" to "'b' is one argument too many",
             "send sim:x getPercepts" to "getPercepts is the request for percepts and no command: \"request sim:x getPercepts\" sends it",
+            "ports sim:x" to "sim:x is no serial port, and nothing is known of it before it is opened",
+            "request ros://robot:9090 getPercepts" to "ros://robot:9090 is for agents",
+            "monitor ros://robot:9090 --raw" to "ros://robot:9090 is for agents",
+            "filter explain f.json ;" to "there is no percept in ';'",
             "filter check" to "Missing required parameter: 'FILE'",
             "filter convert f.xml --to yaml" to "--to is xml, json, kotlin, not yaml",
             "filter convert f.xml" to "Missing required option: '--to=FORM'",
@@ -141,6 +145,8 @@ class CommandLineSpec : FunSpec({
         convert("$folder/f.xml").status shouldBe 0
         argo("monitor", "sim:not-asked-for", "--record", "$folder/none/f.rec") shouldBe Output(1, "", "there is no folder $folder/none\n")
         argo("filter", "explain", "$folder.xml", "d").status shouldBe 1
+        val damaged = folder.resolve("drive.mcap").apply { writeText("no MCAP") }
+        argo("replay", "$damaged") shouldBe Output(1, "", "$damaged is no recording of agents: it does not begin as an MCAP file\n")
         argo("replay", "$folder") shouldBe Output(1, "", "$folder is a folder, no file\n")
     }
 

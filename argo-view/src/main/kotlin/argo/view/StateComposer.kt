@@ -1,5 +1,7 @@
 package argo.view
 
+import argo.filters.PerceptionFilter
+import argo.filters.matching.warnings
 import argo.observing.EndedReflex
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
@@ -30,6 +32,8 @@ internal class StateComposer(
     @Volatile
     var picture: () -> Picture? = { null }
 
+    private var shownFilter: Pair<PerceptionFilter, FilterState>? = null
+
     /** Whether something has happened since the last [state]; the project's picture may change at any time. */
     fun hasNews(): Boolean = record.version != shownVersion || record.mind.newest !== shownMind || currentPicture() != shownPicture ||
         agent.criticalRules() != shownRules || tabs() != shownTabs
@@ -40,6 +44,15 @@ internal class StateComposer(
     private fun takeIn(messages: Collection<PerceivedMessage>, ports: List<ObservedPort>) {
         val isAlone = ports.count { it.isPerceived } < 2
         messages.forEach { rows.add(it, isAlone) }
+    }
+
+    /** The filter in words, with its parts that have no effect; they are looked for once. */
+    private fun filterState(filter: PerceptionFilter): FilterState {
+        if (shownFilter?.first !== filter) {
+            val words = (listOf("$filter") + filter.warnings()).joinToString(". Warning: ")
+            shownFilter = filter to FilterState(filter.name, shown(words))
+        }
+        return checkNotNull(shownFilter).second
     }
 
     /** All there is to show now; [isLast] when the agent has ended. Courses are shown once a second, and if [isFull]. */
@@ -62,7 +75,7 @@ internal class StateComposer(
             perceiving = agent.isPerceiving,
             waitingToStart = recorded.counts.cycles == 0L,
             ended = isLast,
-            filter = recorded.filter?.let { FilterState(it.name, shown("$it")) },
+            filter = recorded.filter?.let(::filterState),
             critical = shownRules.take(MAX_RULES).map { criticalState(it, recorded.reflexes[it.rule], now) },
             ports = ports.map { portState(it, recorded.ports[it.name], now) },
             sensors = sensors(ports, recorded.lastPerception, now),

@@ -243,7 +243,7 @@ function showBeliefs(shown) {
 function commandRow() {
   const made = row();
   const why = element('a', 'why');
-  why.title = 'Shows what this command came of, if the agent is recorded';
+  why.title = 'Shows the causes of this command, if the agent is recorded';
   text(why, 'why');
   made.append(why);
   return made;

@@ -41,6 +41,7 @@ class ViewSpec : FunSpec({
             ViewedMas().use { mas ->
                 mas.file("front.xml", FRONT)
                 mas.file("filters/wrong.xml", "<PerceptionFilter><filter/></PerceptionFilter>")
+                mas.file("filters/doubled.json", """{"rules": [{"predicate": "dist"}, {"predicate": "dist"}]}""")
                 mas.agent("bob", program)
                 test(mas, board, mas.viewOf("bob"))
             }
@@ -120,6 +121,9 @@ class ViewSpec : FunSpec({
         watched { mas, _, address ->
             Watcher(address).use { watcher ->
                 watcher.await { it.filter?.name == "front" }
+                address.post("filter", """{"name":"doubled"}""").statusCode() shouldBe 200
+                val warning = ". Warning: rule 2 (dist) has no effect: rule 1 (dist) matches the same percepts"
+                watcher.await { it.filter?.words.orEmpty().endsWith(warning) }
                 address.post("filter", """{"name":null}""").statusCode() shouldBe 200
                 watcher.await { it.filter == null && it.sensors.percepts.all { p -> p.fate == "kept" } && it.sensors.percepts.size == 3 }
                 eventually({ mas.beliefs("bob") }) { "dist(b,90)" in mas.beliefs("bob") }

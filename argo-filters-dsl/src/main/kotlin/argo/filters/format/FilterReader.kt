@@ -73,7 +73,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
 
     private fun predicate(member: Member?, what: String): Predicate? {
         val text = text(member) ?: return null
-        val expectation = if (text.isBlank()) "the $what is empty" else "as the $what, the functor alone is expected"
+        val expectation = if (text.isBlank()) "the $what is empty" else "as the $what, only the functor is expected"
         return member?.let { problems.reporting(it.value.position, expectation) { Predicate.of(text) } }
     }
 

@@ -124,7 +124,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
     /** The children of [element] that are [known]; others are reported. */
     private fun children(element: XmlElement, vararg known: String): List<XmlElement> {
         val (expected, unknown) = element.children.partition { it.name in known }
-        val elements = words(known.map { "<$it>" }.toTypedArray(), "text alone")
+        val elements = words(known.map { "<$it>" }.toTypedArray(), "only text")
         unknown.forEach { report(it.position, "the element <${it.name}> in <${element.name}>; expected $elements") }
         return expected
     }
@@ -132,7 +132,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
     private fun words(known: Array<out String>, none: String) = if (known.isEmpty()) none else known.joinToString(" or ")
 
     private fun noText(element: XmlElement) = element.texts.filter { it.text.isNotBlank() }.forEach {
-        report(it.position, "the text '${it.text.trim()}' in <${element.name}>; expected elements alone")
+        report(it.position, "the text '${it.text.trim()}' in <${element.name}>; expected only elements")
     }
 
     private fun report(at: Position, message: String) = problems.report(at, message)

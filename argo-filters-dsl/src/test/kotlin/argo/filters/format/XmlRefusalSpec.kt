@@ -27,7 +27,7 @@ class XmlRefusalSpec : FreeSpec({
             Refusal("<filter>¦<predicate/></filter>", "the predicate is empty"),
             Refusal("<filter>¦<predicate> \n </predicate></filter>", "the predicate is empty"),
             Refusal("<filter><predicate>¦Dist</predicate></filter>", "'Dist' is no functor"),
-            Refusal("<filter><predicate> ¦dist(X)</predicate></filter>", "the functor alone is expected"),
+            Refusal("<filter><predicate> ¦dist(X)</predicate></filter>", "only the functor is expected"),
             Refusal("<filter><predicate>¦not</predicate></filter>", "'not' is no functor"),
             Refusal("<filter><predicate>¦~~a</predicate></filter>", "'~a' is no functor"),
             inRule("\n¦<predicate>e</predicate>", "a second predicate in one rule"),

@@ -126,7 +126,7 @@ class CriticalRuleSpec : FreeSpec({
 
     "filters and explanations tell of it" {
         val filter = PerceptionFilter("f", listOf(Rule("dist")), critical = listOf(CriticalRule(Rule("bump")), stop))
-        "$filter" shouldBe "filter f drops dist, takes for critical bump; dist where argument 1 is less than 15, with the reflex stop"
+        "$filter" shouldBe "filter f drops dist, treats as critical bump; dist where argument 1 is less than 15, with the reflex stop"
         filter.matcher().explain("dist(f,14)").toString() shouldBe
             "dist(f,14) is kept by filter f: it matches critical rule 2: dist where argument 1 is less than 15, with the reflex stop"
         filter.matcher().explain("dist(f,15)").outcome shouldBe Explanation.Outcome.DROPPED

@@ -43,14 +43,20 @@ class LineOptions {
     private var boot = 0
 
     /** Opens the bare line at [port], after a check of all options. */
-    fun openRaw(port: String): Transport = Transports.open(port, settings().line())
+    fun openRaw(port: String): Transport = Transports.open(inJavino(port), settings().line())
 
     /**
      * Opens [port], after a check of all options.
      *
      * @throws javino.PortException if it cannot be opened
      */
-    fun open(port: String): Link = Link.open(port, settings(), spec.qualifiedName())
+    fun open(port: String): Link = Link.open(inJavino(port), settings(), spec.qualifiedName())
+
+    /** [port], unless agents reach it by another protocol than that of these tools. */
+    private fun inJavino(port: String): String {
+        if (port.startsWith("ros:")) spec.refuse("$port is for agents, argo.port(\"$port\"); this command speaks Javino and no ROS")
+        return port
+    }
 
     private fun settings(): LinkSettings {
         spec.requireWithin("--timeout", timeoutMs, 1..MAX_MS)

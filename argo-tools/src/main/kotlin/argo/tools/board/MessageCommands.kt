@@ -59,7 +59,8 @@ internal class RequestCommand : MessageCommand() {
 )
 internal class SendCommand : MessageCommand() {
     override fun check() {
-        if (PerceptsRequest.isIn(message)) misuse("$message is the request for percepts and no command: \"request $port $message\" sends it")
+        if (!PerceptsRequest.isIn(message)) return
+        misuse("$message is the request for percepts and no command: \"request $port $message\" sends it")
     }
 
     override fun exchange(link: Link) {

@@ -43,6 +43,9 @@ internal class PortsCommand : DataCommand() {
 
     override fun call(): Int {
         baud?.let { spec.requireWithin("--baud", it, LineOptions.BAUDS) }
+        names.find { ':' in it && !probe && !describe }?.let {
+            misuse("$it is no serial port, and nothing is known of it before it is opened; \"ports --probe $it\" does that")
+        }
         val (missing, ports) = ports().partition { !probe && !describe && isMissing(it.path()) }
         missing.forEach { err.println(paint.bad("there is no port ${printable(it.name())}; there are: ${present()}")) }
         val rows = ports.map { Row(it, SerialPorts.holders(it.name())) }
@@ -57,9 +60,9 @@ internal class PortsCommand : DataCommand() {
 
     private fun present() = SerialPorts.list().joinToString { it.name() }.ifEmpty { "none" }
 
-    /** Whether the system has no such device; what else a port may be, `sim:robot` or `tcp://robot:4000`, is known when it is opened. */
+    /** Whether the system has no such device. */
     private fun isMissing(path: String) =
-        ':' !in path && SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none { File(it).exists() }
+        SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none { File(it).exists() }
 
     private fun ports(): List<SerialPortInfo> {
         val present = SerialPorts.list()

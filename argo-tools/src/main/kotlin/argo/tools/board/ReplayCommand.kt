@@ -29,6 +29,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.TimeUnit
+import kotlin.io.path.extension
 
 /** `replay`: serves a recording of a board as a board, and runs the agents of a recording of agents again. */
 @Command(
@@ -93,6 +94,7 @@ internal class ReplayCommand : ToolCommand() {
     }
 
     private fun serveBoard(): Int {
+        if (file.extension == "mcap") throw ToolException("$file is no recording of agents: it does not begin as an MCAP file")
         board.link?.let(::requireNew)
         val recording = Recording.read(file)
         val replayed = board(recording)

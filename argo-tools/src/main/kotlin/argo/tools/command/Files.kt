@@ -51,7 +51,7 @@ private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().paren
 internal fun requireFile(file: Path) {
     if (!Files.exists(file)) throw ToolException("there is no file $file")
     if (Files.isDirectory(file)) throw ToolException("$file is a folder, no file")
-    if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy into one what it is to give")
+    if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy its content into one")
 }
 
 /** The files below [folder] with one of these [extensions], sorted; without hidden files and outputs of builds. */

@@ -16,7 +16,7 @@ import picocli.CommandLine.Option
     name = "doctor",
     description = [
         "Checks this machine for everything that a board needs, and reports remedies. Opens no port, unless --probe is given.",
-        "Exit status 1 if there is a problem; warnings alone leave it 0.",
+        "Exit status 1 if there is a problem; warnings leave it 0.",
     ],
 )
 internal class DoctorCommand(

@@ -61,7 +61,7 @@ internal class ExploreCommand : ToolCommand() {
     @Option(names = ["--without"], paramLabel = "RULE", description = ["leaves out a rule, as neverOscillates"])
     private var left: List<String> = emptyList()
 
-    @Option(names = ["--faults"], paramLabel = "FAULT,…", description = ["plays these faults alone, as cables,noise; '' for none"])
+    @Option(names = ["--faults"], paramLabel = "FAULT,…", description = ["plays only these faults, as cables,noise; '' for none"])
     private var faults: String? = null
 
     @Option(names = ["--seed"], paramLabel = "N", description = ["the first seed (0)"])

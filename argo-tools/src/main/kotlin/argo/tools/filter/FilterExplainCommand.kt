@@ -29,8 +29,9 @@ internal class FilterExplainCommand : DataCommand() {
     private lateinit var messages: List<String>
 
     override fun call(): Int {
-        val matcher = filterIn(file).matcher()
-        val explanations = messages.flatMap(::perceptsOf).map(matcher::explain)
+        val percepts = messages.flatMap(::perceptsOf)
+        if (percepts.isEmpty()) misuse("there is no percept in ${messages.joinToString { "'$it'" }}; expected one such as \"dist(f,30)\"")
+        val explanations = percepts.map(filterIn(file).matcher()::explain)
         if (json) out.println(jsonArrayOf(explanations.map(::json))) else explanations.forEach { out.println(painted(it)) }
         return ExitStatus.DONE
     }

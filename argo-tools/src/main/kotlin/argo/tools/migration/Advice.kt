@@ -8,7 +8,14 @@ package argo.tools.migration
  * @property must whether the program behaves differently until this is changed
  * @property what the difference
  */
-internal data class Advice(val file: String, val line: Int, val must: Boolean, val what: String, val remedy: String, val column: Int? = null) {
+internal data class Advice(
+    val file: String,
+    val line: Int,
+    val must: Boolean,
+    val what: String,
+    val remedy: String,
+    val column: Int? = null,
+) {
     /** `file:line`, with the column if it is known. */
     val place: String get() = "$file:$line" + column?.let { ":$it" }.orEmpty()
 }

@@ -34,7 +34,8 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         calls.forEach { call -> ArgoActions.actionIn(call.name)?.let { action(it, call) } }
         severalPorts()
         calls.filter { it.name == "port" && it.arguments.size == 2 }.forEach(::portBelief)
-        calls.filter { it.name == "port" && it.arguments.size == 2 }.forEach { advices.options(it.arguments[1], KnownOption.OF_PORT, "a port") }
+        calls.filter { it.name == "port" && it.arguments.size == 2 }
+            .forEach { advices.options(it.arguments[1], KnownOption.OF_PORT, "a port") }
         calls.filter { it.name == "source" }.forEach(::source)
         calls.filter { it.name == "error" }.forEach(::error)
         return advices.all
@@ -64,7 +65,8 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         if (!ArgoActions.exists(call.name)) {
             advices.change(
                 call.line, "there is no internal action ${call.name}: Jason would take it for an action of the environment",
-                meant(action, ArgoActions.NAMES).replace("probably ", "probably argo.") + "the actions are ${ArgoActions.NAMES.joinToString { "argo.$it" }}",
+                meant(action, ArgoActions.NAMES).replace("probably ", "probably argo.") +
+                    "the actions are ${ArgoActions.NAMES.joinToString { "argo.$it" }}",
             )
             return
         }
@@ -192,7 +194,8 @@ internal class AgentCheck(private val file: Path, private val text: String) {
     private fun error(call: Call) {
         val written = call.arguments.singleOrNull()?.singleOrNull()?.takeIf { it.kind == Token.Kind.WORD && !it.isVariable }?.text ?: return
         val meant = closest(written, ArgoActions.ERRORS).takeIf { written !in ArgoActions.ERRORS } ?: return
-        advices.note(call.line, "no action of ARGO fails with error($written)", "probably error($meant); no change is needed if .fail makes it")
+        val remedy = "probably error($meant); no change is needed if .fail makes it"
+        advices.note(call.line, "no action of ARGO fails with error($written)", remedy)
     }
 
     private fun arity(call: Call, expected: String) =

@@ -15,7 +15,7 @@ import java.nio.file.Path
     name = "check-agent",
     description = [
         "Reports what behaves differently when a program for another ARGO version runs on this one, with file, line and remedy.",
-        "Exit status 1 if something must change; notes alone leave it 0.",
+        "Exit status 1 if something must change; notes leave it 0.",
     ],
 )
 internal class CheckAgentCommand : DataCommand() {

@@ -13,7 +13,7 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
         private const val MAX_MS = 600_000
 
         private fun whole(range: IntRange) =
-            KnownOption("a whole number from ${range.first} to ${range.last}") { written -> written.toIntOrNull()?.let { it in range } == true }
+            KnownOption("a whole number from ${range.first} to ${range.last}") { it.toIntOrNull()?.let(range::contains) == true }
 
         private fun oneOf(vararg words: String) = KnownOption(words.joinToString(" or "), words::contains)
 
@@ -55,7 +55,10 @@ private fun Advices.option(name: Token, value: List<Token>, known: KnownOption?,
     val written = value.joinToString("") { it.text }
     val single = value.singleOrNull()
     when {
-        known == null -> change(name.line, "${name.text} is no option of $owner", meant(name.text, names) + "there are ${names.joinToString()}")
+        known == null -> {
+            val remedy = meant(name.text, names) + "there are ${names.joinToString()}"
+            change(name.line, "${name.text} is no option of $owner", remedy)
+        }
         known.expected == null ->
             if (value.isNotEmpty()) change(name.line, "${name.text} of $owner has no value, and here it is $written", "write ${name.text}")
         value.isEmpty() -> change(name.line, "${name.text} of $owner needs a value", "it is ${known.expected}")

@@ -33,7 +33,7 @@ internal class RecordingCommand : DataCommand() {
     @Option(names = ["--messages"], description = ["prints the messages in their order, with their seconds since the first one"])
     private var wantsMessages = false
 
-    @Option(names = ["--topic"], paramLabel = "TOPIC", description = ["messages of this topic alone; may be given several times"])
+    @Option(names = ["--topic"], paramLabel = "TOPIC", description = ["only messages of this topic; may be given several times"])
     private var topics: Set<String>? = null
 
     @Option(names = ["--from"], paramLabel = "S", description = ["messages from this second on"])

@@ -58,7 +58,7 @@ internal fun missingJason(
         "--class-path '${listOf("jason/*", folder).joinToString(File.pathSeparator)}'" + if (there.isEmpty()) " of $build" else ""
     }
     val absent = classPath.split(File.pathSeparator).filterNot { it.isEmpty() || File(it.removeSuffix("*")).exists() }
-    val found = if (absent.isEmpty()) "" else "; what it names now is not there: ${absent.joinToString()}"
+    val found = if (absent.isEmpty()) "" else "; these parts of it do not exist: ${absent.joinToString()}"
     return "$work runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as $examples$found"
 }
 

@@ -38,7 +38,7 @@ internal class WhyCommand : DataCommand() {
     @Option(names = ["--not"], description = ["tells why the command was not sent up to that second, or at all"])
     private var isNot = false
 
-    @Option(names = ["--had"], paramLabel = "PERCEPT", description = ["what it would have sent, had it perceived this; may be repeated"])
+    @Option(names = ["--had"], paramLabel = "PERCEPT", description = ["shows what it would have sent with this percept; may be repeated"])
     private var had: List<String> = emptyList()
 
     @Option(names = ["--of"], paramLabel = "AGENT", description = ["asks about this agent; needed if there are several and --not is given"])

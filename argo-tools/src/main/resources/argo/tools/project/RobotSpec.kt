@@ -18,7 +18,7 @@ class RobotSpec : FunSpec({
         }
     }
 
-    test("what is beside it does not reach its beliefs") {
+    test("things beside it do not reach its beliefs") {
         agent("robot.asl").use { robot ->
             robot.perceives("dist(front,90)", "dist(left,20)").shouldBelieve("dist(front,90)").shouldNotBelieve("dist(left,_)")
         }

@@ -148,7 +148,7 @@ class BoardCommandsSpec : FunSpec({
 
     test("ports says whether a board answers only when it is asked to") {
         board { it.version2().whenAsked("getPercepts").answer("a;") }.with { port ->
-            argo("ports", port).out shouldNotContain "Javino"
+            argo("ports", port).err shouldContain "$port is no serial port, and nothing is known of it before it is opened"
             argo("ports", port, "--probe").out shouldContain "a Javino board of version 2"
         }
         board { it.whenAsked("getPercepts").answer("a;") }.with { port ->

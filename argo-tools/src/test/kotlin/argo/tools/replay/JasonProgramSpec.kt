@@ -23,6 +23,6 @@ class JasonProgramSpec : FunSpec({
 
     test("names what of the class path is not there") {
         val absent = listOf("$project", "$project/jason/*", "$project/no.jar")
-        missing(absent.joinToString(File.pathSeparator)) shouldEndWith "; what it names now is not there: $project/jason/*, $project/no.jar"
+        missing(absent.joinToString(File.pathSeparator)) shouldEndWith "; these parts of it do not exist: $project/jason/*, $project/no.jar"
     }
 })

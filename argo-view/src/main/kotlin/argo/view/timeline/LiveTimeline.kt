@@ -51,7 +51,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
     }
 
     private fun unreadable(trouble: Exception) =
-        HttpResponse.message(500, "what is recorded of agent $agent cannot be read: ${trouble.message ?: trouble}")
+        HttpResponse.message(500, "the recording of agent $agent cannot be read: ${trouble.message ?: trouble}")
 
     private companion object {
         /** Longer is for the recording itself: it would take the robot's computer time and memory. */

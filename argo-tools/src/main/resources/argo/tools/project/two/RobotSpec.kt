@@ -27,7 +27,7 @@ class RobotSpec : FunSpec({
         }
     }
 
-    test("what is beside it does not reach its beliefs") {
+    test("things beside it do not reach its beliefs") {
         agent("robot.asl").use { robot ->
             robot.eyes().shows("dist(front,90)", "dist(left,20)")
             robot.shouldBelieve("eyes::dist(front,90)").shouldNotBelieve("eyes::dist(left,_)")
