@@ -43,8 +43,8 @@ private class NotedWrites(private val line: Transport) : Transport by line {
 
 /** A far end that answers as a board until it is [deaf]; from then on it reads nothing, and says all the time what boards say unasked. */
 private class DeafBoard(private val end: Transport, protocol: Protocol) : AutoCloseable {
-    private val session = BoardSession(program, BoardSession.Capacity.FULL) { say(it.toBytes()) }
-    private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, session::receive)
+    private val session = BoardSession(program, BoardSession.Capacity.FULL) { frame, nonce -> say(frame.toBytes(nonce)) }
+    private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, session::nonce, session::receive)
     private val percepts = Frame.of("dist(front,1);").toBytes()
 
     @Volatile

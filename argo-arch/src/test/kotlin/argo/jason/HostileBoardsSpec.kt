@@ -49,19 +49,19 @@ private class BombingBoard : SimulatedBoard, BoardProgram {
     override fun percepts(request: String) = "p;"
 
     override fun run(line: Transport) {
-        val session = BoardSession(this, BoardSession.Capacity.FULL) { frame ->
-            if (frame.kind() == FrameKind.PERCEPTS) bomb(line, frame) else line.say(frame)
+        val session = BoardSession(this, BoardSession.Capacity.FULL) { frame, nonce ->
+            if (frame.kind() == FrameKind.PERCEPTS) bomb(line, frame, nonce) else line.say(frame, nonce)
         }
-        val decoder = WireDecoder(false, Long.MAX_VALUE / 2, session::receive)
+        val decoder = WireDecoder(false, Long.MAX_VALUE / 2, session::nonce, session::receive)
         val buffer = ByteArray(256)
         while (true) decoder.accept(buffer, 0, line.read(buffer, 0, buffer.size, 1000), System.nanoTime())
     }
 
-    private fun bomb(line: Transport, answer: WireFrame) =
+    private fun bomb(line: Transport, answer: WireFrame, nonce: Int) =
         AnswerPart.split(answer.payload()[0].code, BOMBS[answers++ % 2])
-            .forEach { line.say(WireFrame.of(it.kind(), answer.number(), it.payload())) }
+            .forEach { line.say(WireFrame.of(it.kind(), answer.number(), it.payload()), nonce) }
 
-    private fun Transport.say(frame: WireFrame) = frame.toBytes().let { write(it, 0, it.size, 60_000) }
+    private fun Transport.say(frame: WireFrame, nonce: Int) = frame.toBytes(nonce).let { write(it, 0, it.size, 60_000) }
 }
 
 /** A line that throws [fault] once, where it is [reading] or where it writes. */
