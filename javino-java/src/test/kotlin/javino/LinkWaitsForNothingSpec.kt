@@ -13,6 +13,7 @@ import javino.sim.BoardSession
 import javino.sim.MemoryLine
 import javino.tcp.Loopback
 import javino.wire.WireDecoder
+import java.lang.management.ManagementFactory
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
@@ -96,11 +97,15 @@ class LinkWaitsForNothingSpec : FunSpec({
                             thread(isDaemon = true) { runCatching { link.writeCommandsUntilClosed() } }
                             thread(isDaemon = true) { runCatching { while (true) runCatching { link.request("getPercepts", 50) } } }
                             var longest = 0L
+                            var longestAtWork = 0L
+                            val cpu = ManagementFactory.getThreadMXBean()
                             val sender = async {
                                 val sent = List(COMMANDS) {
                                     val start = System.nanoTime()
+                                    val workedBefore = cpu.currentThreadCpuTime
                                     val outcome = link.send(COMMAND, SendOptions(false, LIMIT_MS))
                                     longest = maxOf(longest, System.nanoTime() - start)
+                                    longestAtWork = maxOf(longestAtWork, cpu.currentThreadCpuTime - workedBefore)
                                     outcome
                                 }
                                 Thread.currentThread() to sent
@@ -113,7 +118,7 @@ class LinkWaitsForNothingSpec : FunSpec({
                             trouble.map { (it as ExecutionException).cause }
                                 .filterNot { it is CommandWithdrawnException || it is ActionUnconfirmedException }.shouldBeEmpty()
                             println("measured: $name, $protocol: ${computer.bytes[thread] ?: 0} bytes written by who sends, " +
-                                "longest of $COMMANDS calls ${longest / 1000} µs")
+                                "longest of $COMMANDS calls ${longest / 1000} µs, of processor time ${longestAtWork / 1000} µs")
                         }
                         board.close()
                     }
