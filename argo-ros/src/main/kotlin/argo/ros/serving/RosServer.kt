@@ -28,7 +28,6 @@ import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.ThreadLocalRandom
 import java.util.concurrent.TimeUnit
-import java.util.concurrent.atomic.AtomicBoolean
 import java.util.logging.Level
 import java.util.logging.Logger
 
@@ -42,7 +41,6 @@ import java.util.logging.Logger
 internal class RosServer(private val access: Access, private val graph: Graph, private val tell: (String) -> Unit) : AutoCloseable {
     private val started = CompletableFuture<Unit>()
     private val rosApi = RosApiServices(graph, System::currentTimeMillis)
-    private val isFullTold = AtomicBoolean() // since a client was let in
     private val channels = ConcurrentHashMap.newKeySet<LimitedChannel>()
     private val timer = ScheduledThreadPoolExecutor(1) { Thread(it, "argo-ros-timer").apply { isDaemon = true } }
         .apply { removeOnCancelPolicy = true }
@@ -222,12 +220,11 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
         init {
             if (channels.size >= MAX_CONNECTIONS) refuse()
             channels += this
-            isFullTold.set(false)
         }
 
         private fun refuse(): Nothing {
             val reason = "there are $MAX_CONNECTIONS connections already"
-            if (!isFullTold.getAndSet(true)) log("the client at ${channel.remoteAddress} is refused: $reason")
+            log("full", "the client at ${channel.remoteAddress} is refused: $reason")
             channel.write(ByteBuffer.wrap(FULL.toByteArray()))
             throw IOException(reason)
         }
