@@ -2,19 +2,17 @@
 
 package planted
 
+import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSemantics.DefaultArithFunction
 import jason.asSemantics.DefaultInternalAction
-import jason.asSemantics.Event
-import jason.asSemantics.Intention
-import jason.asSemantics.Option
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
-import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.DefaultBeliefBase
-import java.util.Queue
+import java.io.ByteArrayOutputStream
+import java.io.ObjectOutputStream
 import java.util.UUID
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
@@ -48,7 +46,7 @@ class counted : SourceOfChance({ AtomicLong().also { count -> thread { count.set
 
 /** Counts its calls in the whole program. */
 class calls : SourceOfChance(CALLS::incrementAndGet) {
-    private companion object {
+    companion object {
         val CALLS = AtomicLong()
     }
 }
@@ -101,49 +99,37 @@ class drift : DefaultArithFunction() {
     override fun evaluate(ts: TransitionSystem?, args: Array<Term>) = System.nanoTime().toDouble()
 }
 
-/** An agent that works on its intentions in an order that depends on how many agents there were before it. */
-class Moody : Agent() {
-    private val isLastFirst = BORN.getAndIncrement() % 2 == 0L
+/** An agent of a project. */
+class Moody : Agent()
 
-    override fun selectIntention(intentions: Queue<Intention>): Intention? =
-        (if (isLastFirst) intentions.lastOrNull() else intentions.firstOrNull())?.also(intentions::remove)
+/** A belief base of a project. */
+class Shuffled : DefaultBeliefBase()
 
-    private companion object {
-        val BORN = AtomicLong()
+/** A class that nobody is to make. */
+class Bomb : java.io.Serializable {
+    init {
+        explosions++
+    }
+
+    private fun readObject(stream: java.io.ObjectInputStream) {
+        stream.defaultReadObject()
+        explosions++
+    }
+
+    companion object {
+        var explosions = 0
     }
 }
 
-/** An agent that takes the newest event first, if there was an odd number of such agents before it. */
-class Fickle : Agent() {
-    private val isLastFirst = BORN.getAndIncrement() % 2 == 0L
-
-    override fun selectEvent(events: Queue<Event>): Event? =
-        (if (isLastFirst) events.lastOrNull() else events.firstOrNull())?.also(events::remove)
-
-    private companion object {
-        val BORN = AtomicLong()
-    }
-}
-
-/** An agent that takes the last plan that fits, if there was an odd number of such agents before it. */
-class Choosy : Agent() {
-    private val isLastFirst = BORN.getAndIncrement() % 2 == 0L
-
-    override fun selectOption(options: List<Option>): Option? = if (isLastFirst) options.lastOrNull() else options.firstOrNull()
-
-    private companion object {
-        val BORN = AtomicLong()
-    }
-}
-
-/** Beliefs in an order that depends on how many such belief bases there were before. */
-class Shuffled : DefaultBeliefBase() {
-    private val isBackward = BORN.getAndIncrement() % 2 == 0L
-
-    override fun getCandidateBeliefs(literal: Literal, un: Unifier?): Iterator<Literal>? =
-        super.getCandidateBeliefs(literal, un)?.asSequence()?.toList()?.let { if (isBackward) it.reversed() else it }?.iterator()
-
-    private companion object {
-        val BORN = AtomicLong()
+/** Writes the agent's plans and what it is to do, as a project that keeps its agents does. */
+class writes : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        val bytes = ByteArrayOutputStream()
+        ObjectOutputStream(bytes).use { stream ->
+            stream.writeObject(ArrayList(Plans.of(ts.ag).all))
+            stream.writeObject(TransitionSystem::class.java.getDeclaredField("taskForBeginOfCycle").apply { isAccessible = true }.get(ts))
+        }
+        val classes = bytes.toByteArray().decodeToString()
+        return un.unifies(args[0], ASSyntax.createString(if ("argo.recording" in classes) "the recorder, too" else "written"))
     }
 }

@@ -48,6 +48,8 @@ data class Input(
     val calls: List<Call> = emptyList(),
     @Holds("the filters that it changed to")
     val filters: List<FilterChange> = emptyList(),
+    @Holds("whether a thread had changed how many beliefs there are since its last cycle")
+    val isChangedOutside: Boolean = false,
 )
 
 /** How a list of percepts differs from the one before: the first [keep] and the last [keepLast] stay, [now] stands between them. */

@@ -23,6 +23,7 @@ private fun PerceptChange.lean(snapshots: List<PerceivedSnapshot>): PerceptChang
 private fun PerceptChange.whole(snapshots: List<PerceivedSnapshot>): PerceptChange {
     if (take == 0) return this
     val texts = snapshots.texts()
+    require(take <= texts.size + others.size) { "a cycle refers to $take percepts of ${texts.size}" }
     return PerceptChange(keep, List(take) { others[it] ?: texts[skip + it] }, keepLast)
 }
 

@@ -8,8 +8,14 @@ const val FORMAT = "1"
 /** The name of the metadata of the agent called [name]. */
 internal fun agentMetadata(name: String) = "agent/$name"
 
+/** The name of the metadata of the file that is the one with this [number] among those that [agent] has included. */
+internal fun includeMetadata(agent: String, number: Int) = "include/$agent/$number"
+
 /** The name of the attachment with the filter [filter] of [agent]. */
 internal fun filterName(agent: String, filter: String) = "filter/$agent/$filter.xml"
+
+/** Whether the attachment called [name] is a file of a program. */
+internal fun isProgram(name: String) = name.startsWith("program/")
 
 /** The name of the attachment with the file [file] of the program of [agent]. */
 internal fun programName(agent: String, file: Path) = "program/$agent/${file.joinToString("/")}"

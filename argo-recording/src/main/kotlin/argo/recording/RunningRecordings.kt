@@ -8,6 +8,9 @@ interface RunningRecording {
     /** The name of the agent. */
     val agent: String
 
+    /** Why it has ended before its agent, a sentence for a person; null: it has not. */
+    val trouble: String?
+
     /**
      * Calls [use] with a file that holds what has been recorded so far. The file grows meanwhile, or is deleted afterwards. Waits for the
      * disk, so the agent's thread is not to call it.

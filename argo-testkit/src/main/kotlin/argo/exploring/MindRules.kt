@@ -4,7 +4,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * When the run ends, no intention has waited at one step for longer than [longest].
+ * When the run ends, no intention has waited at one step for longer than [longest] for what need not come. A wait for a time that the step
+ * names, as `.wait(9000)`, has an end.
  *
  * @param except goals that may, since they wait for something that need not come: `patrol` stands for `patrol(3)` too
  */

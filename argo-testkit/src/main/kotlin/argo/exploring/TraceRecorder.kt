@@ -11,6 +11,7 @@ import argo.testkit.TestMas
 import jason.architecture.AgArch
 import jason.asSemantics.Circumstance
 import jason.asSemantics.Intention
+import jason.asSyntax.InternalActionLiteral
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.nanoseconds
 
@@ -84,10 +85,23 @@ internal class TraceRecorder(private val mas: TestMas) {
 
     private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()
 
-    /** The intentions that wait for something, each with what it does; the same key means the same step. */
+    /** The intentions that wait for something that need not come, each with what it does; the same key means the same step. */
     private fun waitingIn(c: Circumstance): List<Pair<String, String>> =
-        (c.pendingIntentions.values + c.pendingActions.values.mapNotNull { it.intention }).distinctBy { it.id }.filterNot { it.isFinished }
+        (c.pendingIntentions.values + c.pendingActions.values.mapNotNull { it.intention }).distinctBy { it.id }
+            .filterNot { it.isFinished || endsByItself(it) }
             .map { "${it.id} ${it.size()} ${stepOf(it)}" to "${it.last().trigger.literal.copy().apply { clearAnnots() }} at ${stepOf(it)}" }
+
+    /** Whether it waits for a time that its step names, as `.wait(9000)` and `.send(bob, askOne, price(P), A, 9000)` do. */
+    private fun endsByItself(intention: Intention): Boolean {
+        val means = intention.peek()
+        val step = means.currentStep?.bodyTerm as? InternalActionLiteral ?: return false
+        val limits = when (step.functor) {
+            ".wait" -> step.terms.take(2)
+            ".send" -> step.terms.drop(SEND_LIMIT)
+            else -> emptyList()
+        }
+        return limits.any { it.capply(means.unif).isNumeric }
+    }
 
     private fun stepOf(intention: Intention): String = intention.peek().currentStep?.toString().orEmpty()
 
@@ -123,6 +137,9 @@ internal class TraceRecorder(private val mas: TestMas) {
 
         /** What follows the goal in them. */
         const val SOURCE = "["
+
+        /** The place of the time limit among the arguments of `.send`, from 0. */
+        const val SEND_LIMIT = 4
         const val LONGEST_TEXT = 200
     }
 }

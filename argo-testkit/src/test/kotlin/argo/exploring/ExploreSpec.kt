@@ -2,6 +2,7 @@ package argo.exploring
 
 import argo.testkit.agentOf
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.assertions.withClue
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -69,6 +70,18 @@ class ExploreSpec : FunSpec({
         found.breach.how shouldContain "stop of agent failed with"
         found.events.size shouldBeLessThan 4
         shouldKeepRules(stopping(isMended = true), *found.events.toTypedArray()) { describe() }
+    }
+
+    test("a wait for a time that its step names is none for ever, and one for what need not come is") {
+        fun outcome(wait: String) = outcomeOf(program("$quiet !begin. +!begin <- Ms = 9000; !wait(Ms). +!wait(Ms) <- $wait; !wait(Ms).")) {
+            board("ttyACM0") { sensor("dist(front,%d)", 5..200) }
+            rules(neverWaitsForever())
+            runs = 3
+        }
+        for (wait in listOf(".wait(Ms)", ".wait({+never}, 9000)", ".send(nobody, askOne, price, _, Ms)")) {
+            withClue(wait) { outcome(wait).shouldBeInstanceOf<NothingFound>() }
+        }
+        outcome(".wait({+never})").shouldBeInstanceOf<Found>().breach.how shouldContain "begin at .wait({ +never })"
     }
 
     test("an agent that keeps the rules passes, and what was played is said") {

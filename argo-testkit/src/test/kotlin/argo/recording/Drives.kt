@@ -32,9 +32,9 @@ internal fun recorded(program: String, setUp: AgentSetUp.() -> Unit = {}, drive:
 /** What came of a replay: how many cycles were run, how many were recorded, and what differs. */
 internal class Outcome(val cycles: Long, val recorded: Int, val differences: List<Difference>)
 
-/** Replays the recording [file] as a whole. */
-internal fun replayOf(file: Path): Outcome = Recording(file).use { recording ->
-    Replay(recording).use { replay ->
+/** Replays the recording [file] as a whole; [isChecking] carries the actions of these tests out again. */
+internal fun replayOf(file: Path, isChecking: Boolean = false): Outcome = Recording(file).use { recording ->
+    Replay(recording, isChecking).use { replay ->
         replay.run()
         Outcome(replay.cyclesRun, recording.agents.keys.sumOf { recording.cycles(it).count() }, replay.differences)
     }

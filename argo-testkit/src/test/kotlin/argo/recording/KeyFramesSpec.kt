@@ -167,7 +167,7 @@ class KeyFramesSpec : FunSpec({
             """.trimIndent(),
         )
         SeededDrives("$folder/talk.mas2j", listOf("left", "right")) { board("sim:none") { sensor("idle(%d)", 0..1) } }.record(1, file)
-        val ring = ringOf(file, Duration.ofSeconds(4))
+        val ring = ringOf(file, Duration.ofSeconds(6)) // a key frame comes every five
         Recording(ring).use { recording ->
             val starts = recording.agents.keys.associateWith { recording.start(it).shouldNotBeNull() }
             starts.keys shouldBe setOf("left", "right")

@@ -158,4 +158,22 @@ class ReplaySpec : FunSpec({
             },
         )
     }
+
+    test("a plan that is added as it runs, and calls the project's actions and chance, the recorded results of which are used") {
+        val file = recorded(
+            "!start. +!start <- .add_plan({ +!x <- planted.calls(X); .random(R); .print(X, R) }); .wait(20); !x.",
+        ) { after(300.milliseconds) }
+        val before = planted.calls.CALLS.get()
+        shouldReplay(file)
+        planted.calls.CALLS.get() shouldBe before
+        Recording(file).use { it.cycles("agent").flatMap { cycle -> cycle.input.calls }.map { call -> call.name }.toList() } shouldBe
+            listOf("planted.calls", ".random")
+    }
+
+    test("an agent that writes its plans and beliefs, as Java does, writes them as without a recording") {
+        val file = recorded("!start. +!start <- .random(X); planted.writes(B); .print(B). +!y <- Y = planted.drift; .random(Y).") {
+            after(300.milliseconds)
+        }
+        Recording(file).use { it.cycles("agent").flatMap { cycle -> cycle.course.printed }.toList() } shouldBe listOf("written")
+    }
 })

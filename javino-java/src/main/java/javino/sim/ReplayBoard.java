@@ -57,7 +57,10 @@ public final class ReplayBoard implements SimulatedBoard {
         return new ReplayBoard(said, recording.isOfRequests(), false, false, command -> {}, clock);
     }
 
-    /** This board answering the first request with the first thing that was said, the second with the second, whatever the time. */
+    /**
+     * This board answering the first request with the first thing that was said, the second with the second, whatever the time. A request
+     * that the computer repeats, as it does in version 2 if an answer is late, is another one.
+     */
     public ReplayBoard inTurn() {
         return new ReplayBoard(said, true, true, repeated, commands, clock);
     }

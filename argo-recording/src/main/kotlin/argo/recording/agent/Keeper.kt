@@ -42,6 +42,9 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
         return true
     }
 
+    /** A program may write its agent: without the recorder. */
+    private fun writeReplace(): Any = ConcurrentLinkedQueue(this)
+
     companion object {
         /** Puts it in the place of the queue of [ts]; what waits there stays. */
         fun insertInto(ts: TransitionSystem, keeper: Keeper) {

@@ -20,11 +20,11 @@ import java.lang.reflect.Method
 /** In the place of a part of the program. */
 private class PartReference(val number: Int) : Serializable
 
-/** In the place of an internal action; [isWatched]: [name] is that of the program, otherwise its class. */
-private class ActionReference(val name: String, val isWatched: Boolean) : Serializable
+/** In the place of an internal action of the class [type]. */
+private class ActionReference(val type: String) : Serializable
 
-/** In the place of a function; likewise. */
-private class FunctionReference(val name: String, val isWatched: Boolean) : Serializable
+/** In the place of the function [name]. */
+private class FunctionReference(val name: String) : Serializable
 
 /** In the place of the agent. */
 private class AgentReference : Serializable
@@ -42,6 +42,8 @@ internal fun bytesOf(mind: Mind, program: ProgramParts): ByteArray =
  */
 internal fun mindOf(bytes: ByteArray, program: ProgramParts, code: WatchedCode): Mind = try {
     MindInput(bytes, program, code).use { it.readObject() as Mind }
+} catch (refused: InvalidClassException) {
+    throw refused.cause?.let { InvalidClassException("${it.message}") } ?: refused // as the filter gives its reason
 } catch (missing: ClassNotFoundException) {
     throw InvalidClassException("class ${missing.message} is missing")
 } catch (other: RuntimeException) { // what stands there does not fit together
@@ -55,8 +57,8 @@ private class MindOutput(bytes: OutputStream, private val program: ProgramParts)
 
     override fun replaceObject(one: Any): Any? = when {
         one === program.agent -> AgentReference()
-        one is InternalAction -> WatchedCode.nameOf(one)?.let { ActionReference(it, true) } ?: ActionReference(one.javaClass.name, false)
-        one is ArithFunction -> WatchedCode.nameOf(one)?.let { FunctionReference(it, true) } ?: FunctionReference(one.name, false)
+        one is InternalAction -> ActionReference(one.javaClass.name)
+        one is ArithFunction -> FunctionReference(one.name)
         one is Throwable -> null // Java writes why it cannot write
         one is Method -> null // what an object term remembers of its object
         ProgramParts.mayBePart(one) -> program.numberOf(one)?.let(::PartReference) ?: allowed(one)
@@ -74,35 +76,63 @@ private class MindOutput(bytes: OutputStream, private val program: ProgramParts)
 
 private class MindInput(bytes: ByteArray, private val program: ProgramParts, private val code: WatchedCode) :
     ObjectInputStream(ByteArrayInputStream(bytes)) {
+    private val size = bytes.size.toLong()
+    private var elements = 0L // of all arrays
+    private var replacement: Class<*>? = null // of what has just been put in the place of a reference: Java asks the filter about it, too
+
     init {
         enableResolveObject(true)
         objectInputFilter = ObjectInputFilter { info ->
-            val type = info.serialClass()
-            if (type == null || isAllowed(type) || CODE.any { it.isAssignableFrom(type) }) ObjectInputFilter.Status.UNDECIDED
-            else ObjectInputFilter.Status.REJECTED
+            if (info.arrayLength() > 0) elements += info.arrayLength()
+            if (info.serialClass() != null && info.serialClass() === replacement) {
+                replacement = null
+                return@ObjectInputFilter ObjectInputFilter.Status.UNDECIDED
+            }
+            val refusal = refusal(info)
+            if (refusal != null) throw IllegalArgumentException(refusal)
+            ObjectInputFilter.Status.UNDECIDED
         }
+    }
+
+    /** Whoever has made the recording: only terms and intentions are made, and no more than its bytes can describe. */
+    private fun refusal(info: ObjectInputFilter.FilterInfo): String? = when {
+        info.serialClass()?.let(::isAllowed) == false -> "it has an object of the class ${info.serialClass().name}"
+        info.depth() > MAX_DEPTH -> "its objects are nested more than $MAX_DEPTH deep"
+        info.references() > size || elements > size * MAX_ELEMENTS_OF_BYTE -> "it claims more objects than its $size bytes can hold"
+        else -> null
     }
 
     override fun resolveClass(description: ObjectStreamClass): Class<*> =
         Class.forName(description.name, false, MindInput::class.java.classLoader)
 
-    override fun resolveObject(one: Any): Any = when (one) {
+    override fun resolveObject(one: Any): Any = resolved(one).also { if (it !== one) replacement = it.javaClass }
+
+    private fun resolved(one: Any): Any = when (one) {
         is AgentReference -> code.agent
         is PartReference -> program.part(one.number)
-        is ActionReference -> if (one.isWatched) code.watchedAction(one.name) else code.agent.getIA(one.name)
-        is FunctionReference -> if (one.isWatched) code.watchedFunction(one.name) else code.function(one.name)
+        is ActionReference -> code.action(one.type)
+        is FunctionReference -> code.function(one.name)
         is ObjectTermImpl -> ObjectTermImpl(one.`object`)
         is DefaultTerm -> one.apply { resetHashCodeCache() } // hashes of constants differ from program to program
         else -> one
     }
 }
 
-/** What references become. */
-private val CODE = listOf(InternalAction::class.java, ArithFunction::class.java, Agent::class.java)
+/** The bytes at most of what an agent has in mind. */
+internal const val MAX_MIND_BYTES = 16 * 1024 * 1024
 
-private val OWN = Mind::class.java.packageName + "."
+/** An element of a list stands within the one before. */
+private const val MAX_DEPTH = 10_000L
 
-private val ALLOWED = listOf("jason.asSyntax.", "jason.asSemantics.", "jason.stdlib.fork$", OWN)
+/** A hash table has up to eight places for each entry. */
+private const val MAX_ELEMENTS_OF_BYTE = 16
+
+private val OWN = setOf(
+    Mind::class.java, Wait::class.java, PartReference::class.java, ActionReference::class.java, FunctionReference::class.java,
+    AgentReference::class.java,
+)
+
+private val PACKAGES = setOf("jason.asSyntax", "jason.asSemantics")
 
 private val ALLOWED_OF_JAVA = setOf(
     "java.util.ArrayList", "java.util.LinkedList", "java.util.ArrayDeque", "java.util.HashMap", "java.util.LinkedHashMap",
@@ -114,8 +144,13 @@ private val ALLOWED_OF_JAVA = setOf(
 private fun isAllowed(type: Class<*>): Boolean = when {
     type.isPrimitive -> true
     type.isArray -> isAllowed(type.componentType)
-    else -> type.name in ALLOWED_OF_JAVA || ALLOWED.any(type.name::startsWith) && type.name !in REFUSED
+    type in OWN || type.name in ALLOWED_OF_JAVA -> true
+    type.name.startsWith("jason.stdlib.fork$") -> true
+    CODE.any { it.isAssignableFrom(type) } -> false // in their place are references
+    else -> type.packageName in PACKAGES && type.name !in REFUSED
 }
+
+private val CODE = listOf(InternalAction::class.java, ArithFunction::class.java, Agent::class.java)
 
 /** What belongs to one run of an agent. */
 private val REFUSED = setOf("jason.asSemantics.TransitionSystem", "jason.asSemantics.Circumstance", "jason.asSemantics.Agent")

@@ -17,6 +17,8 @@ import jason.asSyntax.Rule
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
+import jason.stdlib.random
+import java.io.Serializable
 import java.util.Collections
 import java.util.IdentityHashMap
 
@@ -39,21 +41,33 @@ internal interface CallWatch {
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 }
 
-/** Keeps what the agent of [ts] begins outside of its thread, and is asked about its calls, from now on. Returns its code. */
+/** The program of an agent has an action or function of Jason's that is not in the table [JasonCode]; the message names it. */
+internal class UnknownCodeException(name: String) :
+    Exception(
+        "the program uses $name, of which this version of ARGO does not know whether it reads or changes what is outside of the agent",
+    )
+
+/**
+ * Keeps what the agent of [ts] begins outside of its thread, and is asked about its calls, from now on. Returns its code.
+ * @throws UnknownCodeException if its program has code that cannot be watched; the agent is as it was then
+ */
 internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T : CallWatch {
+    val code = WatchedCode(ts, this).apply { begin() }
     KeptTimers.install()
+    KeptInclude.install()
     KeptTasks.insertInto(ts, this)
-    return WatchedCode(ts, this).apply { begin() }
+    return code
 }
 
 /**
- * Has [watch] asked about the internal actions and functions of an agent that give what is not in its program: those of the project, and
- * those of Jason that read a clock, draw a number or ask the infrastructure. Jason looks an action up when it reads a program, so the
- * program's own terms are changed.
+ * Has [watch] asked about the internal actions and functions of an agent that give what is not in its program, or change what is outside of
+ * it: those of the project, and those of Jason that [JasonCode] calls inputs and effects. Jason looks an action up when it reads a program,
+ * so the program's own terms are changed.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
     private val seen: MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
     private val actions = HashMap<String, InternalAction>()
+    private var plans: List<Plan> = emptyList() // those that have been visited
     private val functionOf = ArithFunctionTerm::class.java.getDeclaredField("function").apply { isAccessible = true }
 
     /** The agent whose code it is. */
@@ -61,26 +75,41 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
     /** Watches all plans and rules that the agent has now, and actions that it looks up later. */
     fun begin() {
-        Plans.of(ts.ag).all.forEach(::visit)
+        watchAdded()
         ts.ag.bb.filterIsInstance<Rule>().forEach { visit(it.body) }
-        INPUTS.filter { it != RANDOM }.forEach { name -> ts.ag.setIA("jason.stdlib$name", watched(name, ts.ag.getIA(name))) }
+        (JasonCode.recordedActions - RANDOM).forEach { type -> ts.ag.setIA(type, watched(type, ts.ag.getIA(type))) }
     }
 
-    /** The action [name] of the program, watched. */
-    fun watchedAction(name: String): InternalAction = actions.getOrPut(name) {
-        val action = ts.ag.getIA(name)
-        action as? WatchedAction ?: WatchedAction(name, action, isOfProject(action), watch)
+    /** Watches the plans that the agent has got since it was called last. */
+    fun watchAdded() {
+        val now = Plans.of(ts.ag).all
+        if (now.size == plans.size && now.lastOrNull() === plans.lastOrNull() && now.firstOrNull() === plans.firstOrNull()) return
+        plans = now.toList()
+        plans.forEach(::visit)
     }
 
-    /** The function [name] of the program, watched. */
-    fun watchedFunction(name: String): ArithFunction =
-        function(name).let { it as? WatchedFunction ?: WatchedFunction(it, isOfProject(it), watch) }
+    /** [action], which the program calls [name], watched if it is to be. */
+    fun watched(name: String, action: InternalAction): InternalAction {
+        if (action is WatchedAction || !isWatched(action)) return action
+        val called = if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
+        return actions.getOrPut(called) { WatchedAction(called, action, watch) }
+    }
+
+    /** [function], watched if it is to be. */
+    fun watched(function: ArithFunction): ArithFunction =
+        if (function is WatchedFunction || !isWatched(function)) function else WatchedFunction(function, watch)
 
     /**
-     * The function [name] of the program.
+     * The action of the program whose class is called [type], as [watched] has it.
+     * @throws ReflectiveOperationException if there is none
+     */
+    fun action(type: String): InternalAction = watched(type, ts.ag.getIA(type))
+
+    /**
+     * The function [name] of the program, as [watched] has it.
      * @throws IllegalArgumentException if it has none
      */
-    fun function(name: String): ArithFunction = (0..MAX_ARITY).firstNotNullOfOrNull { ts.ag.getFunction(name, it) }
+    fun function(name: String): ArithFunction = (0..MAX_ARITY).firstNotNullOfOrNull { ts.ag.getFunction(name, it) }?.let(::watched)
         ?: throw IllegalArgumentException("there is no function $name")
 
     private fun visit(plan: Plan) {
@@ -98,31 +127,31 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
                 visit(term.bodyTerm as Any?)
                 visit(term.bodyNext as Any?)
             }
-            is InternalActionLiteral -> term.getIA(ts.ag).let { action -> watchedOrNull(term.functor, action)?.let(term::setIA) }
-            is ArithFunctionTerm -> (functionOf.get(term) as? ArithFunction)?.let { watchedOrNull(it) }?.let { functionOf.set(term, it) }
+            is InternalActionLiteral -> term.setIA(watched(term.functor, term.getIA(ts.ag).also(::requireKnown)))
+            is ArithFunctionTerm -> (functionOf.get(term) as? ArithFunction)?.let { functionOf.set(term, watched(it.also(::requireKnown))) }
         }
         if (term is ListTerm) term.asList.forEach { visit(it as Any?) }
         else if (term is Structure) term.terms?.forEach { visit(it as Any?) }
         if (term is Literal && term.hasAnnot()) term.annots.forEach { visit(it as Any?) }
     }
 
-    private fun watchedOrNull(name: String, action: InternalAction): InternalAction? =
-        if (action is WatchedAction || name !in INPUTS && !isOfProject(action)) null else watched(name, action)
+    private fun requireKnown(code: Any) {
+        if (JasonCode.isUnknown(code)) throw UnknownCodeException(JasonCode.nameOf(code))
+    }
 
-    private fun watched(name: String, action: InternalAction) =
-        actions.getOrPut(name) { WatchedAction(name, action, isOfProject(action), watch) }
+    /** What is not known is, too, so that no replay carries it out. */
+    private fun isWatched(code: Any) = when {
+        !JasonCode.isOwn(code.javaClass) -> true
+        else -> JasonCode.natureOf(code.javaClass.name)?.let(JasonCode::isRecorded) ?: JasonCode.isUnknown(code)
+    }
 
-    private fun watchedOrNull(of: ArithFunction): ArithFunction? =
-        if (of is WatchedFunction || of.name !in FUNCTIONS && !isOfProject(of)) null else WatchedFunction(of, isOfProject(of), watch)
+    /** Written as the action that it watches: a program may write its plans. */
+    private class WatchedAction(val name: String, private val action: InternalAction, private val watch: CallWatch) :
+        InternalAction by action, Serializable {
+        private val isOfProject = !JasonCode.isOwn(action.javaClass)
 
-    private fun isOfProject(code: Any) = code.javaClass.packageName.let { it != "argo" && !it.startsWith("jason.") }
+        private fun writeReplace(): Any = action
 
-    private class WatchedAction(
-        val name: String,
-        private val action: InternalAction,
-        private val isOfProject: Boolean,
-        private val watch: CallWatch,
-    ) : InternalAction by action {
         override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
             watch.call(InternalCall(name, args, un), kind()) { action.execute(ts, it, args) }
 
@@ -133,24 +162,20 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         }
     }
 
-    private class WatchedFunction(private val function: ArithFunction, private val isOfProject: Boolean, private val watch: CallWatch) :
-        ArithFunction by function {
+    private class WatchedFunction(private val function: ArithFunction, private val watch: CallWatch) :
+        ArithFunction by function, Serializable {
+        private val isOfProject = !JasonCode.isOwn(function.javaClass)
+
+        private fun writeReplace(): Any = function
+
         override fun evaluate(ts: TransitionSystem?, args: Array<Term>): Double =
             watch.evaluate(function.name, args, isOfProject) { function.evaluate(ts, args) }
     }
 
-    companion object {
-        /** The name that the program has for [code], an action or a function that is watched; null: it is not. */
-        fun nameOf(code: Any): String? = (code as? WatchedAction)?.name ?: (code as? WatchedFunction)?.name
+    private companion object {
+        const val MAX_ARITY = 9
 
-        private const val MAX_ARITY = 9
-        private const val RANDOM = ".random"
-
-        /** Jason's actions whose results come from chance, a clock, the infrastructure or the disk. */
-        private val INPUTS = setOf(
-            RANDOM, ".shuffle", ".time", ".date", ".nano_time", ".all_names", ".create_agent", ".kill_agent", ".stopMAS",
-            ".df_search", ".df_register", ".df_deregister", ".df_subscribe", ".list_files",
-        )
-        private val FUNCTIONS = setOf("math.random", "system.time")
+        /** `.set_random_seed` wants Jason's own object; that of the program's terms is watched. */
+        val RANDOM = random::class.java.name
     }
 }

@@ -23,6 +23,7 @@ internal class CycleNotes(val ns: Long) {
     val sleep = StringBuilder()
     val calls = ArrayList<CallNote>()
     val filters = ArrayList<FilterChange>()
+    var isChangedOutside = false
 
     /** The call that is being carried out; null: none is. */
     var underWay: CallNote? = null
@@ -38,12 +39,12 @@ internal class CycleNotes(val ns: Long) {
 
     /** Whether nothing has entered the agent. */
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
-        filters.isEmpty()
+        filters.isEmpty() && !isChangedOutside
 
     /** What has entered it, once the cycle is over. */
     fun input() = Input(
         events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
-        mail, ends, "$sleep", calls.map(CallNote::call), filters,
+        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside,
     )
 }
 

@@ -5,18 +5,17 @@ import argo.recording.FilterChange
 import argo.recording.KeyFrame
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Insides
+import argo.recording.agent.MAX_MIND_BYTES
 import argo.recording.agent.Mind
 import argo.recording.agent.ProgramParts
 import argo.recording.agent.Waits
 import argo.recording.agent.bytesOf
 import argo.recording.agent.textOf
-import jason.asSemantics.Agent
 import jason.asSemantics.CircumstanceListener
 import jason.asSemantics.Intention
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
 import jason.asSyntax.Rule
-import jason.bb.DefaultBeliefBase
 import jason.stdlib.suspend
 import java.io.ByteArrayOutputStream
 import java.io.NotSerializableException
@@ -99,8 +98,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
     private fun obstacle(open: Set<Int>): String? {
         val c = ts.c
         return when {
-            ts.ag.javaClass != Agent::class.java -> "its class ${ts.ag.javaClass.name} is not Jason's, and may hold anything"
-            ts.ag.bb.javaClass != DefaultBeliefBase::class.java -> "its belief base ${ts.ag.bb.javaClass.name} is not Jason's"
             c.hasMsg() -> "messages waited in its mailbox"
             c.hasPendingAction() || c.feedbackActions.isNotEmpty() -> "an action of the environment was under way"
             c.action != null -> "an action of the environment had begun"
@@ -146,6 +143,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         }
         val percepts = ts.ag.bb.percepts.asSequence().mapNotNull(places::get).toList()
         val mind = bytesOf(mind(), program)
+        if (mind.size > MAX_MIND_BYTES) throw NotSerializableException("its events and intentions took more than $MAX_MIND_BYTES bytes")
         val frame = KeyFrame(
             cycle.index, cycle.number, cycle.ns, null, emptyList(), rules, percepts, maxOf(mostPercepts, percepts.size), emptyList(),
             filters.values.toList(), begun, timers.mapValues { it.value.dueNs }, course.intentions,

@@ -1,36 +1,30 @@
 package argo.recording.recorder
 
 import argo.Arch
-import argo.platform.Plans
 import argo.recording.FORMAT
 import argo.recording.agentMetadata
-import argo.recording.programName
 import argo.recording.storage.RecordSink
 import jason.asSemantics.TransitionSystem
-import jason.asSyntax.Rule
 import jason.infra.local.BaseLocalMAS
 import jason.infra.local.LocalAgArch
 import jason.util.Config
 import java.io.IOException
-import java.net.URI
-import java.net.URISyntaxException
-import java.nio.file.Files
-import java.nio.file.Path
 
-/** Stores the program of the agent of [ts], its options and all versions. */
-internal fun storeProgram(ts: TransitionSystem, sink: RecordSink) {
+/**
+ * Stores the program of the agent of [ts] with all files that it includes, its options and all versions.
+ * @throws IOException if the program cannot be read, or only by code of the project
+ */
+internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram {
     val name = ts.agArch.agName
-    val files = sources(ts)
-    val root = commonDirectory(files)
-    files.forEach { sink.attach(programName(name, root.relativize(it)), it) }
+    val main = ProgramSource.at(ts.ag.aslSrc?.takeIf { it.isNotEmpty() } ?: throw IOException("it has no file with a program"))
+    val program = StoredProgram(name, main, sink)
     BaseLocalMAS.getRunner()?.project?.takeIf { it.agents.isNotEmpty() }?.let { project ->
         sink.attach("program/${project.socName}.mas2j", "text/plain", "$project".encodeToByteArray()) // Jason does not keep the file's name
     }
-    val main = fileOf(ts.ag.aslSrc)
     sink.metadata(
         agentMetadata(name),
         mapOf(
-            "source" to main?.let { programName(name, root.relativize(it)) }.orEmpty(),
+            "source" to program.main,
             "agentClass" to ts.ag.javaClass.name,
             "archClass" to generateSequence(ts.agArch) { it.nextAgArch }.first { it is Arch }.javaClass.name,
             "beliefBase" to ts.ag.bb.javaClass.name,
@@ -46,33 +40,5 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink) {
             "java" to System.getProperty("java.version"),
         ),
     )
+    return program
 }
-
-/** Stores the text of [file], if it has not gone since Jason read it. */
-private fun RecordSink.attach(name: String, file: Path) {
-    val text = try {
-        Files.readAllBytes(file)
-    } catch (_: IOException) {
-        return
-    }
-    attach(name, "text/plain", text)
-}
-
-/** The files that the agent's program has been read from. */
-private fun sources(ts: TransitionSystem): List<Path> {
-    val names = Plans.of(ts.ag).all.map { it.sourceFile } + ts.ag.bb.filterIsInstance<Rule>().map { it.srcInfo?.srcFile } + ts.ag.aslSrc
-    return names.mapNotNull(::fileOf).distinct().filter(Files::isRegularFile)
-}
-
-private fun fileOf(source: String?): Path? = try {
-    if (source == null || source.startsWith("jar:")) null
-    else (if (source.startsWith("file:/")) Path.of(URI(source)) else Path.of(source.removePrefix("file:"))).toAbsolutePath().normalize()
-} catch (_: URISyntaxException) {
-    null
-} catch (_: IllegalArgumentException) {
-    null // an .asl from a jar or the class path
-}
-
-private fun commonDirectory(files: List<Path>): Path =
-    files.map { it.parent }.reduceOrNull { one, other -> generateSequence(one) { it.parent }.first(other::startsWith) }
-        ?: Path.of("").toAbsolutePath()

@@ -22,8 +22,12 @@ import argo.recording.agent.Begun
 import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
+import argo.recording.agent.Includes
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
+import argo.recording.agent.KeptInclude
+import argo.recording.agent.UnknownCodeException
+import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
@@ -34,10 +38,12 @@ import argo.recording.agent.textOf
 import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
+import jason.asSemantics.Agent
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
+import jason.asSyntax.Pred
 import jason.asSyntax.Term
 import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
@@ -51,9 +57,10 @@ import java.util.logging.Logger
  */
 internal class Recorder(
     private val agent: ObservedAgent,
+    private val program: StoredProgram,
     private val track: Track,
     private val log: Logger,
-) : AgentObserver, Boundary, Keeper, CallWatch {
+) : AgentObserver, Boundary, Keeper, CallWatch, Includes {
     /** What has ended, and the work that another thread has left with it. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
@@ -68,12 +75,13 @@ internal class Recorder(
     private var inCycle: Thread? = null
 
     /** What belongs to an agent that runs. */
-    private inner class Running(val ts: TransitionSystem) {
+    private inner class Running(val ts: TransitionSystem, val code: WatchedCode) {
         val course = CourseWatch(ts)
         val keyFrames = KeyFrames(ts, course)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
         var events = -1
+        var beliefs = -1
         var cycles = 0L
         lateinit var now: CycleNotes // of the cycle that runs
     }
@@ -82,9 +90,12 @@ internal class Recorder(
         if (isRefused) return
         val agent = running ?: begin(ts) ?: return
         inCycle = Thread.currentThread()
+        KeptInclude.current = this
+        agent.code.watchAdded()
         agent.now = CycleNotes(this.agent.nanos())
         agent.now.counters = if (Counters.isAt(agent.counters)) null else Counters.read()
         if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { "${it.trigger}" }
+        agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent()
         agent.course.begin()
         carryOutEnds(agent)
@@ -103,14 +114,24 @@ internal class Recorder(
     }
 
     private fun begin(ts: TransitionSystem): Running? {
-        refusal(ts)?.let {
-            log.severe("argo_record: $it; the agent runs without a recording")
-            isRefused = true
-            return null
+        refusal(ts)?.let { return refused(it) }
+        val code = try {
+            watch(ts)
+        } catch (unknown: UnknownCodeException) {
+            return refused("${unknown.message}")
         }
-        val agent = Running(ts)
-        watch(ts)
-        return agent.also { running = it }
+        return Running(ts, code).also { running = it }
+    }
+
+    private fun refused(why: String): Running? {
+        log.severe("argo_record: $why; the agent runs without a recording")
+        isRefused = true
+        return null
+    }
+
+    override fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent? {
+        current()?.let { program.include(KeptInclude.fileOf(directive), outer.aslSrc, KeptInclude.placeOf(outer, it.ts.ag)) }
+        return live()
     }
 
     override fun perceive(live: () -> Perception): Perception = live().also { perception ->
@@ -224,9 +245,11 @@ internal class Recorder(
         val agent = current() ?: return
         inCycle = null
         Keeper.current = null
+        KeptInclude.current = null
         val course = agent.course.end()
         val now = agent.now
         agent.events = agent.ts.c.events.size
+        agent.beliefs = agent.ts.ag.bb.size()
         if (now.isNothing() && !now.isAtWork && !course.hasHappened) return
         now.end()
         val arch = agent.ts.agArch

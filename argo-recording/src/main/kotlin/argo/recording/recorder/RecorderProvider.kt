@@ -16,14 +16,20 @@ class RecorderProvider : AgentObserverProvider {
         val wanted = value.trim().removeSurrounding("\"").filterNot(Char::isWhitespace)
         fun refuse(reason: String) = null.also { log.severe("$option=$value: $reason; the agent runs without a recording") }
         if (!wanted.endsWith(".mcap") && !SharedRecording.LAST.matches(wanted)) return refuse("it takes $usage")
-        return try {
-            val recording = SharedRecording.join(wanted, log)
-            storeProgram(agent.reasoning, recording.sink)
-            Recorder(agent, Track(agent.name, recording, agent::nanos), log)
+        refusalOfClasses(agent.reasoning)?.let { return refuse(it) }
+        val recording = try {
+            SharedRecording.join(wanted, log)
         } catch (trouble: IOException) {
-            refuse("the file cannot be made ($trouble)")
+            return refuse("the file cannot be made ($trouble)")
         } catch (trouble: InvalidPathException) {
-            refuse("that is no name of a file (${trouble.message})")
+            return refuse("that is no name of a file (${trouble.message})")
         }
+        val program = try {
+            storeProgram(agent.reasoning, recording.sink)
+        } catch (trouble: IOException) {
+            recording.leave()
+            return refuse("the agent's program cannot be recorded: ${trouble.message}")
+        }
+        return Recorder(agent, program, Track(agent.name, recording, agent::nanos), log)
     }
 }

@@ -3,9 +3,34 @@ package argo.recording.recorder
 import argo.Arch
 import argo.boundary.Transparent
 import jason.architecture.AgArch
+import jason.asSemantics.Agent
+import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
+import jason.bb.DefaultBeliefBase
 import jason.infra.local.LocalAgArch
 import jason.infra.local.LocalAgArchAsynchronous
+import jason.util.Config
+
+/** Why what the agent of [ts] consists of cannot be recorded, for a person; null: it can. */
+internal fun refusalOfClasses(ts: TransitionSystem): String? {
+    val (agent, beliefs) = ts.ag.javaClass to ts.ag.bb.javaClass
+    val kqml = Config.get().kqmlPlansFile
+    return when {
+        agent != Agent::class.java -> "the agent's class ${agent.name} is not Jason's, and what it chooses and believes by is not recorded"
+        beliefs != DefaultBeliefBase::class.java ->
+            "the belief base ${beliefs.name} is not Jason's own, and what it reads or keeps elsewhere is not recorded"
+        isCloned() -> "it was made by .clone, so what it believes and intends is not that of its program"
+        kqml != Message.kqmlDefaultPlans -> "the plans for messages in $kqml, which Jason's configuration names, are not recorded"
+        else -> null
+    }
+}
+
+/** Whether an agent is being made as another's clone by the calling thread; nothing in the clone tells of it. */
+private fun isCloned() = StackWalker.getInstance().walk { frames ->
+    frames.anyMatch { it.className == LocalAgArch::class.java.name && it.descriptor == OF_CLONES && it.methodName == "createArchs" }
+}
+
+private const val OF_CLONES = "(Ljava/util/List;Ljason/asSemantics/Agent;)V"
 
 /** Why the agent of [ts] cannot be recorded, for a person; null: it can. */
 internal fun refusal(ts: TransitionSystem): String? {

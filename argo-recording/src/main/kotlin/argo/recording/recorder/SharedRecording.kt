@@ -27,7 +27,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
             try {
                 ring.save(file)
                 log.info("the last minutes are recorded in $file")
-            } catch (trouble: IOException) {
+            } catch (trouble: Exception) { // whatever it is, the thread does not end in silence
                 log.warning("the last minutes cannot be written to $file: $trouble")
             }
         }, "argo-save-recording").apply { isDaemon = true }.start()
@@ -75,7 +75,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
 
         private fun open(value: String, log: Logger): RecordSink {
             val minutes = LAST.matchEntire(value)?.groupValues?.get(1)?.toInt()
-            if (minutes != null) return RecordingRing(Duration.ofMinutes(minutes.toLong()))
+            if (minutes != null) return RecordingRing(Duration.ofMinutes(minutes.toLong()), warn = log::warning)
             return RecordingFile.create(Path.of(value), log::warning).also { log.info("recording to ${it.path}") }
         }
     }

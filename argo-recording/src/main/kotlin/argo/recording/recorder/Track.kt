@@ -36,6 +36,8 @@ internal class Track(
         RunningRecordings.add(this)
     }
 
+    override val trouble: String? get() = sink.trouble
+
     override fun <T> read(use: (Path) -> T): T = recording.read(use)
 
     private fun channel(name: String, schema: String, serializer: KSerializer<*>) =

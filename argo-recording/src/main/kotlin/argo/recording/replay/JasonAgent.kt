@@ -4,17 +4,16 @@ import argo.Arch
 import argo.boundary.Boundary
 import argo.platform.Platform
 import argo.recording.RecordedAgent
+import argo.recording.agent.KeptInclude
 import jason.architecture.AgArch
 import jason.asSemantics.Agent
+import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
-import jason.asSyntax.directives.DirectiveProcessor
-import jason.asSyntax.directives.Include
 import jason.asSyntax.parser.ParseException
-import jason.mas2j.ClassParameters
+import jason.bb.DefaultBeliefBase
 import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
-import jason.runtime.SourcePath
 import jason.util.Config
 import java.nio.file.Path
 
@@ -22,21 +21,25 @@ import java.nio.file.Path
  * An agent as [recorded] was, made by Jason: no ports, no threads, no time of its own. All that enters it comes from [boundary].
  *
  * @param source its program
- * @param directory where included files are looked for, besides beside the program
- * @throws RecordingException if a class of it is missing, or Jason cannot read it
+ * @param includes what it includes
+ * @throws RecordingException if a class of it is missing, or is none that a replay makes, or Jason cannot read it
  */
-internal fun jasonAgent(recorded: RecordedAgent, source: Path, directory: Path, boundary: Boundary): TransitionSystem {
-    listOf(recorded.agentClass, recorded.archClass, recorded.beliefBase).forEach { requireClass(recorded, it) }
-    val paths = SourcePath().apply { listOfNotNull(source.parent, directory).forEach { addPath("$it") } }
-    (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)
-    val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options - RECORD)) }
-    val beliefBase = recorded.beliefBase.takeIf { it != DEFAULT_BELIEFS }?.let { ClassParameters(it) }
+internal fun jasonAgent(recorded: RecordedAgent, source: Path, includes: RecordedIncludes, boundary: Boundary): TransitionSystem {
+    requireJasons(recorded, recorded.agentClass, Agent::class.java.name)
+    requireJasons(recorded, recorded.beliefBase, DefaultBeliefBase::class.java.name)
+    val archType = archType(recorded)
+    val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options.filterKeys(::isOfAgent))) }
     val infra = Infra(recorded)
-    load(recorded) { unshown { Agent.create(infra, recorded.agentClass, beliefBase, "$source", settings) } }
+    KeptInclude.install()
+    load(recorded) {
+        ofJasonsConfiguration {
+            KeptInclude.within(includes) { Agent.create(infra, GuardedAgent::class.java.name, null, "$source", settings) }
+        }
+    }
     val ts = infra.ts
+    includes.running = ts.ag
     infra.insertAgArch(infra)
-    val arch = Class.forName(recorded.archClass).asSubclass(Arch::class.java).getConstructor(Platform::class.java)
-        .newInstance(ReplayPlatform(boundary))
+    val arch = archType.getConstructor(Platform::class.java).newInstance(ReplayPlatform(boundary))
     arch.ts = ts
     infra.insertAgArch(arch)
     arch.init()
@@ -44,8 +47,11 @@ internal fun jasonAgent(recorded: RecordedAgent, source: Path, directory: Path, 
     return ts
 }
 
-/** Carries out a reasoning cycle with this [number], of an agent that [isConditional] as [RecordedAgent.isConditional] has it. */
-internal fun TransitionSystem.cycle(number: Int, isConditional: Boolean) {
+/**
+ * Carries out a reasoning cycle with this [number], of an agent that [isConditional] as [RecordedAgent.isConditional] has it, and takes what
+ * it includes from [includes].
+ */
+internal fun TransitionSystem.cycle(number: Int, isConditional: Boolean, includes: RecordedIncludes) = KeptInclude.within(includes) {
     val first = agArch
     first.cycleNumber = number
     first.reasoningCycleStarting()
@@ -67,36 +73,49 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
 } catch (missing: LinkageError) {
     throw RecordingException("the program of agent ${recorded.name} cannot be loaded, since a class is missing or another: $missing")
 } catch (refused: Exception) { // Jason declares no other
+    generateSequence<Throwable>(refused) { it.cause }.firstNotNullOfOrNull { it as? RecordingException }?.let { throw it }
     val unreadable = generateSequence<Throwable>(refused) { it.cause }.firstNotNullOfOrNull { it as? ParseException }
     val why = unreadable?.let(::unreadableAt) ?: refused.message
     throw RecordingException("Jason cannot read the program of agent ${recorded.name}: $why")
 }
 
-/** Without Jason's server that shows agents, which [create] would start. */
-private fun unshown(create: () -> Unit) {
+/** Without Jason's server that shows agents, which [create] would start, and with its own plans for messages. */
+private fun ofJasonsConfiguration(create: () -> Unit) {
     val config = Config.get()
-    val before: Any? = config.setProperty(Config.START_WEB_MI, "false")
+    val wanted = mapOf(Config.START_WEB_MI to "false", Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans)
+    val before: Map<String, Any?> = wanted.mapValues { (name, value) -> config.setProperty(name, value) }
     try {
         create()
     } finally {
-        if (before == null) config.remove(Config.START_WEB_MI) else config[Config.START_WEB_MI] = before
+        before.forEach { (name, value) -> if (value == null) config.remove(name) else config[name] = value }
     }
 }
 
-private fun requireClass(recorded: RecordedAgent, name: String) {
-    if (isThere(name)) return
-    throw RecordingException(
-        "agent ${recorded.name} needs the class $name, which is not on the class path; add the classes and jars of its project to it",
-    )
+/** Refuses the class [name] of an agent unless it is [jasons]: another one may do anything as it is made. */
+private fun requireJasons(recorded: RecordedAgent, name: String, jasons: String) {
+    if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes $jasons only")
 }
 
-/** Whether the class [type] is on the class path. */
-internal fun isThere(type: String) = try {
-    Class.forName(type, false, ReplayPlatform::class.java.classLoader)
-    true
-} catch (_: ClassNotFoundException) {
-    false
+private fun archType(recorded: RecordedAgent): Class<out Arch> {
+    val type = classOrNull(recorded.archClass) ?: throw RecordingException(
+        "agent ${recorded.name} needs the class ${recorded.archClass}, which is not on the class path; " +
+            "add the classes and jars of its project to it",
+    )
+    if (Arch::class.java.isAssignableFrom(type)) return type.asSubclass(Arch::class.java)
+    throw RecordingException("agent ${recorded.name} had the architecture ${recorded.archClass}, which is not argo.Arch")
 }
+
+/** The class [type], which is not initialized here; null: it is not on the class path. */
+internal fun classOrNull(type: String): Class<*>? = try {
+    Class.forName(type, false, ReplayPlatform::class.java.classLoader)
+} catch (_: ClassNotFoundException) {
+    null
+} catch (_: LinkageError) { // as of a name that differs by case from a class, on some disks
+    null
+}
+
+/** Whether an option of the recorded agent is for the agent: those of observers, such as a live view, would begin something. */
+private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {
     override fun getAgName() = recorded.name
@@ -104,8 +123,3 @@ private class Infra(private val recorded: RecordedAgent) : AgArch() {
     @Suppress("OVERRIDE_DEPRECATION") // where Jason 3.3 asks for some services
     override fun getRuntimeServices(): RuntimeServices? = RuntimeServicesFactory.get()
 }
-
-private const val RECORD = "argo_record"
-
-/** Jason's own belief base. */
-internal const val DEFAULT_BELIEFS = "jason.bb.DefaultBeliefBase"

@@ -1,17 +1,20 @@
 package argo.recording.replay
 
+import argo.recording.agent.ProgramNames
+import argo.recording.isProgram
 import java.nio.file.Files
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
 /**
  * The programs in [recording] as files, in a [directory] that [close] removes.
  *
- * @throws RecordingException if one of them would stand elsewhere
+ * @throws RecordingException if one of them would stand elsewhere, or names a class that is no code of an agent
  */
 internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
     /** Where the programs stand. */
-    val directory: Path = createTempDirectory("argo-replay")
+    private val directory: Path = createTempDirectory("argo-replay")
 
     init {
         runCatching { extract(directory) }.onFailure { close() }.getOrThrow()
@@ -20,13 +23,22 @@ internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
     /** The program of [agent]. Throws [RecordingException] if the recording does not hold it. */
     fun of(agent: String): Path {
         val source = recording.agents.getValue(agent).source
-        if (source !in recording.program) throw RecordingException("the recording does not hold the program of agent $agent")
+        if (source !in recording.program || !isProgram(source)) {
+            throw RecordingException("the recording does not hold the program of agent $agent")
+        }
         return directory.resolve(source)
     }
 
-    private fun extract(directory: Path) = recording.program.forEach { (name, text) ->
-        val file = directory.resolve(name).normalize()
-        if (!file.startsWith(directory)) throw RecordingException("the recording has a file outside of its programs: $name")
+    private fun extract(directory: Path) = recording.program.filterKeys(::isProgram).forEach { (name, text) ->
+        val file = try {
+            directory.resolve(name).normalize()
+        } catch (_: InvalidPathException) {
+            null
+        }
+        if (file == null || !file.startsWith(directory)) {
+            throw RecordingException("the recording has a file outside of its programs: $name")
+        }
+        ProgramNames(text.decodeToString()).classes.forEach(GuardedAgent::requireCode)
         Files.createDirectories(file.parent)
         Files.write(file, text)
     }

@@ -8,6 +8,8 @@ import argo.recording.KeyFrame
 import argo.recording.RecordedAgent
 import argo.recording.ReflexEnd
 import argo.recording.agentMetadata
+import argo.recording.includeMetadata
+import argo.recording.isProgram
 import argo.recording.whole
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.json.Json
@@ -43,6 +45,28 @@ class Recording(private val file: Path) : AutoCloseable {
     /** The files of the agents' programs, by the names of the attachments. */
     val program: Map<String, ByteArray> = reader.attachments.associate { it.name to it.data }
 
+    /**
+     * A file that an agent has included.
+     *
+     * @property within which file of the program did so
+     * @property name as that file calls it
+     * @property address where Jason has found it
+     * @property text what it held; null: there was none
+     */
+    internal class Include(val within: String, val name: String, val address: String, val text: ByteArray?)
+
+    /**
+     * The files that [agent] has included, in their order.
+     * @throws RecordingException if one of them is missing
+     */
+    internal fun includes(agent: String): List<Include> = generateSequence(1) { it + 1 }
+        .map { metadata[includeMetadata(agent, it)] }.takeWhile { it != null }.filterNotNull().map { values ->
+            val text = values["file"]?.let { name ->
+                program[name]?.takeIf { isProgram(name) } ?: throw RecordingException("$file does not hold the file $name of agent $agent")
+            }
+            Include(values["within"].orEmpty(), values["name"].orEmpty(), values["address"].orEmpty(), text)
+        }.toList()
+
     /** What of the file cannot be read, for a person: one sentence for each place, of many the first. The rest can be replayed. */
     val problems: List<String> get() = reader.problems
 
@@ -60,7 +84,7 @@ class Recording(private val file: Path) : AutoCloseable {
 
     /** The cycles of [agent], in their order; only those of the [last] time of the recording if that is given. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
-        messages("/$agent/cycle", Cycle.serializer(), last).map(Cycle::whole)
+        messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
     /** The places at which a replay of [agent] may begin, and those at which none could be made, in their order. */
     fun keyFrames(agent: String): Sequence<KeyFrame> = messages("/$agent/keyframe", KeyFrame.serializer(), last = null)
@@ -112,8 +136,18 @@ class Recording(private val file: Path) : AutoCloseable {
 
     private fun <T> messages(topic: String, serializer: KSerializer<T>, last: Duration?): Sequence<T> {
         val from = last?.let { (reader.times?.last ?: 0) - it.toNanos() } ?: 0
-        return reader.messages(from, topics = setOf(topic)).map { JSON.decodeFromString(serializer, it.data.decodeToString()) }
+        return reader.messages(from, topics = setOf(topic)).map { readable(topic) { JSON.decodeFromString(serializer, it.text) } }
     }
+
+    private fun <T> readable(topic: String, read: () -> T): T = try {
+        read()
+    } catch (broken: IllegalArgumentException) {
+        throw unreadable(topic, broken)
+    } catch (broken: IndexOutOfBoundsException) {
+        throw unreadable(topic, broken)
+    }
+
+    private fun unreadable(topic: String, why: Exception) = RecordingException("$file: a message of $topic cannot be read: ${why.message}")
 
     private fun agentOf(name: String, values: Map<String, String>): RecordedAgent {
         fun value(key: String) = values[key] ?: throw RecordingException("$file does not hold the $key of agent $name")

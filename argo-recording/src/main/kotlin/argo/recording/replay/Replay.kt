@@ -6,17 +6,20 @@ import argo.recording.agent.shownBeliefs
 /**
  * Runs the agents of [recording] again, by Jason itself, on what was recorded: cycle by cycle, in the order of their times, without boards,
  * threads and clocks. After each cycle it compares what came of it. An agent that does something else than it did is not run on, since what
- * was recorded after that is no answer to what it does now; results of the project's own internal actions may differ, and what was recorded
- * of them is used.
+ * was recorded after that is no answer to what it does now.
+ *
+ * A replay changes nothing outside of it: of the project's own internal actions and functions what was recorded is used, and they are not
+ * carried out, unless [isChecking]: then each is, and where it gives another result that is a difference too, and the recorded one is used.
  *
  * An agent whose beginning is missing begins at its first key frame, see [Recording.start]: each for itself, since the messages that came
  * to it afterwards are recorded with it, whenever they were sent.
  *
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  *
+ * @param isChecking whether the project's own internal actions and functions are carried out again
  * @throws RecordingException if the recording cannot be replayed
  */
-class Replay(private val recording: Recording) : AutoCloseable {
+class Replay(private val recording: Recording, private val isChecking: Boolean = false) : AutoCloseable {
     private val programs = ProgramFiles(recording)
     private val agents = create()
     private val cycles = agents.keys.associateWith { recording.replayable(it).iterator() }
@@ -53,7 +56,8 @@ class Replay(private val recording: Recording) : AutoCloseable {
     }
 
     private fun create() = try {
-        recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found) }
+        val inputsOf = { found: DifferenceSink -> ReplayedInputs(found, isChecking) }
+        recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found, inputsOf) }
     } catch (refused: RecordingException) {
         programs.close()
         throw refused
@@ -61,7 +65,11 @@ class Replay(private val recording: Recording) : AutoCloseable {
 
     private fun runCycle(agent: String, cycle: Cycle) {
         underWay = agent
-        agents.getValue(agent).run(cycle)
+        try {
+            agents.getValue(agent).run(cycle)
+        } catch (_: StackOverflowError) {
+            throw RecordingException("a term or a rule is nested too deeply in cycle ${cycle.number} of agent $agent")
+        }
         cyclesRun++
         lastNs = cycle.ns
         if (agent in stopped) next -= agent else read(agent)

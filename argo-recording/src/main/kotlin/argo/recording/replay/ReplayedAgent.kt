@@ -3,7 +3,6 @@ package argo.recording.replay
 import argo.boundary.Boundary
 import argo.recording.Cycle
 import argo.recording.RecordedAgent
-import jason.asSemantics.Agent
 import jason.asSemantics.TransitionSystem
 
 /**
@@ -11,7 +10,7 @@ import jason.asSemantics.TransitionSystem
  *
  * It begins as its program has it, or at the key frame that is the [Recording.start] of [recording].
  *
- * @param programs where its program stands
+ * @param programs where its program stands, whose code has been checked
  * @param found takes what differs from the recording
  * @param inputsOf makes what gives it the recorded inputs
  * @param boundaryOf what stands around these inputs: themselves, or who watches
@@ -25,8 +24,10 @@ internal class ReplayedAgent(
     boundaryOf: (ReplayedInputs) -> Boundary = { it },
 ) : AutoCloseable {
     private val inputs: ReplayedInputs = inputsOf { what, before, now, cause -> report(what, before, now, cause) }
-    val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), programs.directory, boundaryOf(inputs))
+    private val includes = RecordedIncludes(recording, recorded.name)
+    val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs))
     private val start = recording.start(recorded.name)
+    private val seen = LinkedHashSet<String>() // threads of the project, so far
     private var lastIndex = start?.index ?: 0L
 
     init {
@@ -49,26 +50,30 @@ internal class ReplayedAgent(
     }
 
     private fun reason(cycle: Cycle) {
+        seen += threadsIn(cycle)
         inputs.next(cycle)
-        ts.cycle(cycle.number, recorded.isConditional)
+        ts.cycle(cycle.number, recorded.isConditional, includes)
     }
 
     private fun report(what: String, before: String?, now: String?, cause: String?): Unit =
         found(inputs.cycle, what, before, now, cause ?: likelyCause())
 
     private fun likelyCause(): String = missingAction()?.let { "the project's class $it is not on the class path; add it" } ?: when {
-        inputs.cycle.input.events.isNotEmpty() || inputs.cycle.input.ends.any { it.thread != null } ->
-            "another thread of the project works on the agent, and what it does within a cycle is not recorded"
-        recorded.agentClass != Agent::class.java.name ->
-            "the agent's class ${recorded.agentClass} chooses or believes by what is not recorded"
-        recorded.beliefBase != DEFAULT_BELIEFS -> "the belief base ${recorded.beliefBase} depends on what is not recorded"
+        seen.isNotEmpty() -> "${seen.joinToString()} works on the agent, and what it does within a cycle is not recorded"
         inputs.projectCalls.isNotEmpty() ->
-            "what the project's own ${inputs.projectCalls.joinToString()} does besides its result is not recorded; " +
-                "neither is what other threads of the project do"
-        else -> "a thread of the project has changed what the agent believes or intends, or its program is another"
+            "what the project's own ${inputs.projectCalls.joinToString()} does besides its result is not recorded, and is carried out by " +
+                "--check only"
+        else -> "not known; it is the first difference of this agent"
     }
 
-    private fun missingAction(): String? = inputs.cycle.input.calls.filter { it.isOfProject }.map { it.name }.find { !isThere(it) }
+    /** The threads of the project that were seen to work on the agent in the recorded [cycle]. */
+    private fun threadsIn(cycle: Cycle): List<String> = buildList {
+        cycle.input.ends.mapNotNull { it.thread }.forEach { add("the project's thread $it") }
+        if (cycle.input.events.isNotEmpty() || cycle.input.isChangedOutside) add("a thread of the project")
+    }
+
+    private fun missingAction(): String? =
+        inputs.cycle.input.calls.filter { it.isOfProject }.map { it.name }.find { classOrNull(it) == null }
 
     override fun close() {
         inputs.course.close()

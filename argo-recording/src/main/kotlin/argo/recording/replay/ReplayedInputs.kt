@@ -16,6 +16,8 @@ import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
 import argo.recording.agent.ProgramParts
+import argo.recording.agent.UnknownCodeException
+import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
@@ -49,8 +51,12 @@ internal typealias DifferenceSink = (what: String, recorded: String?, now: Strin
  * Gives an agent what was recorded, cycle by cycle, and notes where it does something else than it did.
  *
  * @param found takes what differs
+ * @param isChecking whether the project's own actions and functions are carried out again, to compare what they give
  */
-internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary, Keeper, CallWatch {
+internal open class ReplayedInputs(
+    private val found: DifferenceSink,
+    private val isChecking: Boolean = false,
+) : Boundary, Keeper, CallWatch {
     private val begun = Begun()
     private val left = LinkedBlockingQueue<Runnable>()
     private val ids = HashMap<String, String>() // of messages: as recorded, and now
@@ -86,7 +92,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts(ts.ag)
-        val code = watch(ts)
+        val code = guarded(ts) { watch(ts) }
         if (start == null) return
         val timers = Restoration(start, ts, program, code, course).restore()
         percepts = start.perceived.map(::perceptOf)
@@ -180,14 +186,22 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         if (recorded == null) {
             if (isAsking) return false
             foundCall(normal("$call"))
-            return if (code == WatchedKind.OUTSIDE) unrecorded(call) else live(call.un)
+            return if (code == WatchedKind.OUTSIDE || !isChecking) unrecorded(call) else live(call.un)
         }
         if (isAsking) return if (recorded.failure != null || call.suspend != null) false else answer(recorded, call)
         if (code != WatchedKind.OUTSIDE) projectCalls += call.name
-        if (code == WatchedKind.SUSPENDING) return live(call.un)
-        if (code == WatchedKind.PROJECT) compare(recorded, call, live)
+        if (code == WatchedKind.SUSPENDING) return if (isChecking) live(call.un) else unresumed(call)
+        if (code == WatchedKind.PROJECT && isChecking) compare(recorded, call, live)
         recorded.failure?.let { throw JasonException(it.message, if (it.error.isEmpty()) null else termOf(it.error)) }
         return answer(recorded, call)
+    }
+
+    private fun unresumed(call: InternalCall): Any {
+        found(
+            "call", null, normal("$call"),
+            "the project's action ${call.name} has a thread resume its intention, and only --check carries it out again",
+        )
+        return false
     }
 
     private fun answer(recorded: Call, call: InternalCall): Any {
@@ -228,10 +242,10 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         val recorded = take(name, args.map(::textOf))?.value
         if (recorded == null) {
             if (!isAsking) foundCall("$name(${args.joinToString(",")})")
-            return live()
+            return if (isOfProject && !isChecking) Double.NaN else live()
         }
-        if (isOfProject && !isAsking) {
-            projectCalls += name
+        if (isOfProject && !isAsking) projectCalls += name
+        if (isOfProject && !isAsking && isChecking) {
             val now = "${live()}"
             if (now != recorded) found("${Difference.RESULT}$name", recorded, now, notRecorded(name, "function"))
         }
@@ -324,4 +338,11 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
 /** Binds the variables in the arguments of [call] to what was recorded as its [answer]. */
 internal fun bind(call: InternalCall, un: Unifier, answer: Map<Int, String>) = answer.forEach { (place, text) ->
     call.args.getOrNull(place)?.let { un.unifies(it, termOf(text)) }
+}
+
+/** Watches the code of the agent of [ts], which [watch] does, also what it looks up later. */
+internal fun guarded(ts: TransitionSystem, watch: () -> WatchedCode): WatchedCode = try {
+    watch().also { (ts.ag as GuardedAgent).code = it }
+} catch (unknown: UnknownCodeException) {
+    throw RecordingException("the recording of agent ${ts.agArch.agName} cannot be replayed: ${unknown.message}")
 }

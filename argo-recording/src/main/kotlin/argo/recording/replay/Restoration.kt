@@ -6,6 +6,7 @@ import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Insides
 import argo.recording.agent.Keeper
+import argo.recording.agent.MAX_MIND_BYTES
 import argo.recording.agent.Mind
 import argo.recording.agent.ProgramParts
 import argo.recording.agent.Waits
@@ -55,7 +56,9 @@ internal class Restoration(
         val counters = Counters.read()
         try {
             believe()
-            val mind = InflaterInputStream(ByteArrayInputStream(Base64.getDecoder().decode(frame.mind))).use { it.readBytes() }
+            val packed = ByteArrayInputStream(Base64.getDecoder().decode(frame.mind))
+            val mind = InflaterInputStream(packed).use { it.readNBytes(MAX_MIND_BYTES + 1) }
+            if (mind.size > MAX_MIND_BYTES) refuse("it holds more than $MAX_MIND_BYTES bytes")
             return intend(mindOf(mind, program, code))
         } catch (refused: RecordingException) {
             throw refused
@@ -63,6 +66,8 @@ internal class Restoration(
             refuse(unreadable(broken) ?: throw broken)
         } catch (other: LinkageError) {
             refuse("$other")
+        } catch (_: StackOverflowError) {
+            refuse("what it holds is nested too deeply")
         } finally {
             Counters.write(counters)
         }

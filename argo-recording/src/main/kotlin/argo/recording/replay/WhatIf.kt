@@ -17,7 +17,7 @@ import java.time.Duration
  *   same question nearest in time, within a second; otherwise they are false;
  * - chance and clocks give what they gave, in the order of asking, and beyond that something else;
  * - a timer ends when a recorded one ended at about its time, else at its time;
- * - the project's own internal actions are carried out.
+ * - the project's own internal actions are carried out if [program] is given; otherwise they give what they gave.
  *
  * As long as the agent does what was recorded, step by step, all of it is exactly as recorded. It has cycles of its own where the recorded
  * one slept.
@@ -40,8 +40,11 @@ class WhatIf(
 ) : AutoCloseable {
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-    private val inputs = WhatIfInputs(RecordedCalls(recording.replayable(agent)), filter?.let(::FilteredSenses) ?: RecordedSenses())
+    private val inputs = WhatIfInputs(
+        RecordedCalls(recording.replayable(agent)), filter?.let(::FilteredSenses) ?: RecordedSenses(), isCarryingOut = program != null,
+    )
     private val files = ProgramFiles(recording)
+    private val includes = RecordedIncludes(recording, agent, program?.toAbsolutePath())
     private val ts: TransitionSystem = create(program)
     private val before = ArrayList<SentCommand>()
     private var number = 0
@@ -63,7 +66,7 @@ class WhatIf(
     private fun create(program: Path?) = try {
         val start = recording.start(recorded.name)
         val source = program?.toAbsolutePath() ?: files.of(recorded.name)
-        jasonAgent(recorded, source, files.directory, inputs).also { ts ->
+        jasonAgent(recorded, source, includes, inputs).also { ts ->
             if (start == null || program == null) inputs.begin(ts, start) else beginChanged(ts, start)
         }
     } catch (refused: RecordingException) {
@@ -73,7 +76,7 @@ class WhatIf(
 
     /** With the beliefs that were recorded, and what was under way, of the plans of then. */
     private fun beginChanged(ts: TransitionSystem, start: KeyFrame) {
-        val before = jasonAgent(recorded, files.of(recorded.name), files.directory, inputs)
+        val before = jasonAgent(recorded, files.of(recorded.name), RecordedIncludes(recording, recorded.name), inputs)
         inputs.begin(ts, start, before)
         before.ag.stopAg()
     }
@@ -110,7 +113,7 @@ class WhatIf(
     private fun run(cycle: Cycle?, ns: Long) {
         inputs.next(cycle, ns)
         number = maxOf(number + 1, cycle?.number ?: 0)
-        ts.cycle(number, recorded.isConditional)
+        ts.cycle(number, recorded.isConditional, includes)
         inputs.end()
     }
 

@@ -47,8 +47,14 @@ import kotlin.random.Random
 /**
  * Gives an agent that may be another than the recorded one what was recorded, at the recorded times, and notes the commands that it sends.
  * What it asks for is answered as the recording answered the same near that time: see [WhatIf].
+ *
+ * @param isCarryingOut whether the project's own actions and functions are carried out; otherwise they give what they gave
  */
-internal class WhatIfInputs(private val recorded: RecordedCalls, private val senses: Senses) : Boundary, Keeper, CallWatch {
+internal class WhatIfInputs(
+    private val recorded: RecordedCalls,
+    private val senses: Senses,
+    private val isCarryingOut: Boolean,
+) : Boundary, Keeper, CallWatch {
     private class Due(val ns: Long, val index: Long?, val order: Int, val carryOut: () -> Unit)
 
     private val due = PriorityQueue(compareBy<Due>({ it.ns }, { it.index ?: 0 }, { it.order }))
@@ -88,8 +94,8 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts((recorded ?: ts).ag)
-        val code = watch(ts)
-        if (recorded != null) watch(recorded) // the intentions that are under way are of its plans
+        val code = guarded(ts) { watch(ts) }
+        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions that are under way are of its plans
         if (start != null) beginAt(start, Restoration(start, ts, program, code, course, isProgram = recorded == null).restore())
     }
 
@@ -161,7 +167,7 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
     override fun call(call: InternalCall, live: () -> Any): Any = call(call, WatchedKind.OUTSIDE) { live() }
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
-        if (code != WatchedKind.OUTSIDE) return live(call.un)
+        if (code != WatchedKind.OUTSIDE && isCarryingOut) return live(call.un)
         val args = call.args.map(::textOf)
         return when (call.name) {
             ACT -> act(call, recorded.near(ACT, args, cycle?.index, ns))
@@ -219,9 +225,9 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
     }
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
-        if (isOfProject) return live()
+        if (isOfProject && isCarryingOut) return live()
         return recorded.nextOf(name, args.map(::textOf))?.call?.value?.toDouble()
-            ?: if (name == "math.random" && args.isEmpty()) random.nextDouble() else live()
+            ?: if (name == "math.random" && args.isEmpty()) random.nextDouble() else if (isOfProject) Double.NaN else live()
     }
 
     override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {

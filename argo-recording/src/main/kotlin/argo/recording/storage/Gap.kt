@@ -10,6 +10,8 @@ package argo.recording.storage
 internal data class Gap(val messages: Long, val fromNs: Long, val untilNs: Long) {
     fun and(timeNs: Long) = Gap(messages + 1, minOf(fromNs, timeNs), maxOf(untilNs, timeNs))
 
+    fun encoded() = Encoded(CHANNEL, untilNs, json())
+
     fun json(): ByteArray = """{"messages":$messages,"fromNs":$fromNs,"untilNs":$untilNs}""".encodeToByteArray()
 
     companion object {

@@ -37,6 +37,9 @@ interface RecordSink : AutoCloseable {
     /** Leaves names and values to be stored under [name], such as versions. They are never dropped. */
     fun metadata(name: String, values: Map<String, String>)
 
+    /** Why storing has ended before [close], a sentence for a person; null: it has not. */
+    val trouble: String?
+
     /** Waits until all that was offered before is stored, or storing has ended. */
     fun flush()
 

@@ -33,6 +33,11 @@ class RecordingFile internal constructor(
     private val flushNs: Long = FLUSH_NS,
 ) : RecordSink {
     private val channels = ConcurrentHashMap<String, RecordChannel>()
+
+    @Volatile
+    override var trouble: String? = null
+        private set
+
     private val waiting = WaitingRecords(maxWaitingBytes)
     private val writing = thread(name = "argo-recording-${path.fileName}", isDaemon = true, block = ::write)
 
@@ -65,7 +70,7 @@ class RecordingFile internal constructor(
             writer = McapWriter(channel)
             writeAll(writer)
             writer.close()
-        } catch (failure: IOException) {
+        } catch (failure: Throwable) { // whatever it is, the thread does not end in silence
             endWith(failure, writer?.wholeBytes ?: 0)
         }
     }
@@ -73,13 +78,7 @@ class RecordingFile internal constructor(
     private fun writeAll(writer: McapWriter) {
         val messages = ChannelWriter(writer)
         var flushAt = System.nanoTime() + flushNs
-        while (true) {
-            val batch = waiting.take(flushAt - System.nanoTime()) ?: return
-            try {
-                batch.forEach { write(it, writer, messages) }
-            } finally {
-                release(batch) // also those behind what could not be written
-            }
+        while (waiting.take(flushAt - System.nanoTime()) { batch -> batch.forEach { write(it, writer, messages) } }) {
             if (System.nanoTime() - flushAt < 0) continue
             store(writer)
             flushAt = System.nanoTime() + flushNs
@@ -95,22 +94,21 @@ class RecordingFile internal constructor(
         }
     }
 
-    private fun release(batch: List<Waiting>) = batch.forEach { if (it is Waiting.Flush) it.done.countDown() }
-
     private fun store(writer: McapWriter) {
         if (writer.pendingBytes == 0) return
         writer.flush()
         (channel as? FileChannel)?.force(false)
     }
 
-    private fun endWith(failure: IOException, wholeBytes: Long) {
-        waiting.close()
+    private fun endWith(failure: Throwable, wholeBytes: Long) {
         runCatching { channel.use { it.truncate(wholeBytes) } } // what cannot be cut off is skipped by readers
-        warn(
-            "the recording $path ends here, since it cannot be written: ${failure.message ?: failure}. The agent runs on without, and " +
-                "the file can be read up to here. Is the disk full? Free some space, or record to another disk",
-        )
-        while (true) release(waiting.take(0) ?: return)
+        val why = if (failure is IOException) failure.message ?: "$failure" else "$failure"
+        val remedy = if (failure is IOException) ". Is the disk full? Free some space, or record to another disk" else ""
+        val sentence = "the recording $path ends here, since it cannot be written: $why. The agent runs on without, and the file can be " +
+            "read up to here$remedy"
+        trouble = sentence
+        warn(sentence)
+        waiting.giveUp()
     }
 
     companion object {

@@ -15,11 +15,19 @@ import kotlin.concurrent.withLock
 
 /**
  * The last part of a recording, in memory, until [save] writes it to a file. Attachments and metadata are kept from the beginning on.
+ * A message of more than [maxBytes] is not kept: in its place is a message of the topic [GAP_TOPIC].
+ *
+ * If nothing more can be kept, as without memory, [warn] is called once, and everything that is offered afterwards is refused.
  *
  * @param last how long messages are kept, by their times
  * @param maxBytes the bytes of messages that are kept at most; then the oldest give way before their time
+ * @param warn takes one sentence for a person; called by the thread that keeps
  */
-class RecordingRing(private val last: Duration, private val maxBytes: Long = MAX_BYTES) : RecordSink {
+class RecordingRing(
+    private val last: Duration,
+    private val maxBytes: Long = MAX_BYTES,
+    private val warn: (String) -> Unit = {},
+) : RecordSink {
     private val channels = ConcurrentHashMap<String, RecordChannel>()
     private val waiting = WaitingRecords(RecordingFile.MAX_WAITING_BYTES)
     private val lock = ReentrantLock()
@@ -27,6 +35,11 @@ class RecordingRing(private val last: Duration, private val maxBytes: Long = MAX
     private val others = ArrayList<Waiting>()
     private var bytes = 0L
     private var newestNs = 0L
+
+    @Volatile
+    override var trouble: String? = null
+        private set
+
     private val keeping = thread(name = "argo-recording-ring", isDaemon = true, block = ::keepAll)
 
     override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
@@ -38,20 +51,30 @@ class RecordingRing(private val last: Duration, private val maxBytes: Long = MAX
     }
 
     private fun keepAll() {
-        while (true) waiting.take(PATIENCE_NS)?.forEach(::keep) ?: return
+        try {
+            while (waiting.take(PATIENCE_NS) { it.forEach(::keep) }) continue
+        } catch (failure: Throwable) { // whatever it is, the thread does not end in silence
+            val sentence = "the last minutes are no longer recorded, since they cannot be kept: $failure. The agent runs on without"
+            trouble = sentence
+            warn(sentence)
+            waiting.giveUp()
+        }
     }
 
     private fun keep(next: Waiting) = when (next) {
         is Waiting.Message -> keep(next.encoded())
-        is Waiting.Flush -> next.done.countDown()
+        is Waiting.Flush -> Unit
         else -> lock.withLock { others += next }
     }
 
-    private fun keep(message: Encoded) = lock.withLock {
+    private fun keep(offered: Encoded) = lock.withLock {
+        val message = if (offered.data.size > maxBytes) Gap.of(offered.timeNs).encoded() else offered
         messages += message
         bytes += message.data.size
         newestNs = maxOf(newestNs, message.timeNs)
-        while (bytes > maxBytes || newestNs - messages.first().timeNs > last.toNanos()) bytes -= messages.removeFirst().data.size
+        while (messages.isNotEmpty() && (bytes > maxBytes || newestNs - messages.first().timeNs > last.toNanos())) {
+            bytes -= messages.removeFirst().data.size
+        }
     }
 
     override fun attach(name: String, mediaType: String, data: ByteArray) {

@@ -14,7 +14,7 @@ internal sealed interface Waiting {
         fun encoded(): Encoded = try {
             Encoded(channel, timeNs, encode())
         } catch (_: Throwable) { // of a term nested too deeply, too: who writes must go on
-            Encoded(Gap.CHANNEL, timeNs, Gap.of(timeNs).json())
+            Gap.of(timeNs).encoded()
         }
     }
 
@@ -71,10 +71,20 @@ internal class WaitingRecords(private val maxBytes: Long) {
     }
 
     /**
-     * What waits after [patienceNs], or as soon as half of the room is taken, somebody waits for a flush, or this is closed. Null: it is
-     * closed, and nothing will come.
+     * Calls [work] with what waits after [patienceNs], or as soon as half of the room is taken, somebody waits for a flush, or this is
+     * closed. Who waits for a flush goes on afterwards, also if [work] throws. Returns false if this is closed and nothing will come.
      */
-    fun take(patienceNs: Long): List<Waiting>? = lock.withLock {
+    fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {
+        val batch = next(patienceNs) ?: return false
+        try {
+            work(batch)
+        } finally {
+            batch.forEach { if (it is Waiting.Flush) it.done.countDown() }
+        }
+        return true
+    }
+
+    private fun next(patienceNs: Long): List<Waiting>? = lock.withLock {
         var rest = patienceNs
         while (!isUrgent && !isClosed && rest > 0) rest = changed.awaitNanos(rest)
         isUrgent = false
@@ -88,6 +98,12 @@ internal class WaitingRecords(private val maxBytes: Long) {
     fun close() = lock.withLock {
         isClosed = true
         changed.signalAll()
+    }
+
+    /** Takes no more, and drops what waits: nothing can be written any more. */
+    fun giveUp() {
+        close()
+        while (take(0) {}) continue
     }
 
     private fun endGap() {

@@ -48,6 +48,11 @@ private class FullDisk(path: Path, private val bytes: Long) : SeekableByteChanne
     override fun truncate(size: Long): SeekableByteChannel = apply { file.truncate(size) }
 }
 
+/** A disk whose driver has a fault. */
+private class FaultyDisk(path: Path) : SeekableByteChannel by FileChannel.open(path, CREATE_NEW, READ, WRITE) {
+    override fun write(source: ByteBuffer): Int = throw IllegalStateException("a fault")
+}
+
 /** A disk that takes nothing until [awake]. */
 private class SlowDisk(private val disk: FileChannel) : SeekableByteChannel by disk {
     val awake = CountDownLatch(1)
@@ -126,6 +131,16 @@ class RecordingFileSpec : FunSpec({
             file.offer(file.cycles(), 1, json(1)) shouldBe false
         }
         warnings shouldHaveSize 1
+    }
+
+    test("a fault that is no trouble of the disk ends the recording in words, too, and holds nobody up") {
+        val warnings = CopyOnWriteArrayList<String>()
+        RecordingFile(Path.of("drive.mcap"), FaultyDisk(tempdir().toPath().resolve("drive.mcap")), warnings::add).use { file ->
+            file.flush()
+            file.offer(file.cycles(), 1, json(1)) shouldBe false
+            file.trouble shouldBe warnings.single()
+        }
+        warnings.single() shouldContain "a fault"
     }
 
     test("a slow disk holds nobody up: what finds no room is a gap, in its place") {

@@ -8,6 +8,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
 import java.nio.file.Path
 import java.time.Duration
@@ -20,14 +21,22 @@ private fun times(path: Path) = McapReader(path).use { read ->
 }
 
 class RecordingRingSpec : FunSpec({
-    test("the last messages are kept, by their time and within the bound of bytes") {
+    test("the last messages are kept, by their time and within the bound of bytes, and one that is too large becomes a gap") {
         val path = tempdir().toPath().resolve("last.mcap")
-        checkAll(200, Arb.list(Arb.int(0..40), 0..80), Arb.int(1..200)) { steps, room ->
-            val ring = RecordingRing(Duration.ofNanos(100), maxBytes = room * 10L)
-            val all = steps.runningFold(0L) { time, step -> time + step }.drop(1)
-            all.forEach { ring.offer(ring.cycles(), it, ByteArray(10)) shouldBe true }
+        val offered = Arb.list(Arb.pair(Arb.int(0..40), Arb.int(0..120)), 0..80)
+        checkAll(200, offered, Arb.int(1..2000)) { steps, room ->
+            val ring = RecordingRing(Duration.ofNanos(100), maxBytes = room.toLong())
+            val all = steps.runningFold(0L to 0) { (time, _), (step, size) -> time + step to size }.drop(1)
+            all.forEach { (time, size) -> ring.offer(ring.cycles(), time, ByteArray(size)) shouldBe true }
             ring.use { it.save(path) }
-            times(path) shouldBe all.filter { it >= all.last() - 100 }.takeLast(room)
+            val stored = all.map { (time, size) -> time to if (size > room) Gap.of(time).json().size else size }
+            fun isKept(at: Int) = stored.drop(at).sumOf { it.second } <= room && stored[at].first >= all.last().first - 100
+            val kept = stored.indices.filter(::isKept)
+            times(path) shouldBe kept.map { stored[it].first }
+            McapReader(path).use { read ->
+                read.messages(topics = setOf(GAP_TOPIC)).map { it.logTimeNs }.toList() shouldBe
+                    kept.filter { all[it].second > room }.map { all[it].first }
+            }
         }
     }
 

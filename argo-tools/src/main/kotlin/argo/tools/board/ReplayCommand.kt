@@ -75,7 +75,7 @@ internal class ReplayCommand : ToolCommand() {
             return runWithJason(spec.root().name(), options.classPath, listOf("replay", "$file") + options.arguments())
         }
         if (options.isWhatIf) return runOthers(options)
-        val report = AgentReplay(file, options.from, options.until, options.of).run()
+        val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck).run()
         if (options.json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }
         val isGood = report.problems.isEmpty() && (if (options.isCheck) report.isDeterministic else report.isIdentical)

@@ -12,12 +12,14 @@ import java.nio.file.Path
  * @param from from where on their cycles are shown; null: none is
  * @param until where the replay ends; null: at the end
  * @param shownAgents the agents that are shown; none: all
+ * @param isChecking whether the project's own actions and functions are carried out again
  */
 internal class AgentReplay(
     private val file: Path,
     private val from: Moment?,
     private val until: Moment?,
     private val shownAgents: Set<String>,
+    private val isChecking: Boolean,
 ) {
     /** @throws RecordingException if none of it can be replayed */
     fun run(): ReplayReport = Recording(file).use { recording ->
@@ -25,7 +27,7 @@ internal class AgentReplay(
         if (unknown.isNotEmpty()) {
             throw ToolException("$file has no agent ${unknown.first()}; those that it has: ${recording.agents.keys.joinToString()}")
         }
-        Replay(recording).use { replay(recording, it) }
+        Replay(recording, isChecking).use { replay(recording, it) }
     }
 
     private fun replay(recording: Recording, replay: Replay): ReplayReport {

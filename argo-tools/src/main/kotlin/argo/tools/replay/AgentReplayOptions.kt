@@ -6,7 +6,12 @@ import java.nio.file.Path
 /** The options of `replay` for a recording of agents. */
 internal class AgentReplayOptions {
     /** Whether everything is named that gives another result each time. */
-    @Option(names = ["--check"], description = ["names all that gives another result each time; then the exit status is 1"])
+    @Option(
+        names = ["--check"],
+        description = [
+            "carries the project's own actions out again, and names all that gives another result; then the exit status is 1",
+        ],
+    )
     var isCheck = false
         private set
 

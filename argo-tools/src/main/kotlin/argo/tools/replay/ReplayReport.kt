@@ -54,9 +54,6 @@ internal class ReplayReport(
         if (isCheck) {
             results.forEach { (first, times) -> addAll(described("not deterministic${if (times > 1) ", $times times" else ""}", first)) }
             if (isDeterministic) add("nothing in it gave another result")
-        } else if (results.isNotEmpty()) {
-            val times = results.sumOf { it.second }
-            add("${counted(times, "result")} of the project's own actions differed, and what is recorded was used; --check names them")
         }
         shown.forEach { add("%9.3f s  ".format((it.cycle.ns - firstNs) / NANOS) + it.words()) }
         for ((agent, believed) in beliefs) {

@@ -24,7 +24,7 @@ import java.nio.file.Path
     name = "why",
     description = [
         "Tells why an agent in a recording (FILE.mcap) sent a command, back to the frames of the boards, or why it did not.",
-        "QUESTION is a command or its functor: stop@12.3s is the one next to that second, stop#3 the third one, stop the last one;",
+        "QUESTION is a command or its functor: stop@12.3s is the one nearest to that second, 0.5 s off at most, stop#3 the third one, stop the last one;",
         "#17 is the command that the live view and the timeline call number 17.",
     ],
 )

@@ -42,7 +42,8 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         }
         return try {
             val timeline = recording.read { file -> Recording(file).use { Timeline.of(it, LAST) } }
-            TimelineRoutes(timeline, agent, emptyList(), why, ++number).also { newest = it }.respond("/recording", emptyMap())
+            val routes = TimelineRoutes(timeline, agent, listOfNotNull(recording.trouble), why, ++number)
+            routes.also { newest = it }.respond("/recording", emptyMap())
         } catch (unreadable: IOException) {
             unreadable(unreadable)
         } catch (unreadable: IllegalArgumentException) { // a message

@@ -1,0 +1,82 @@
+package argo.recording.agent
+
+import jason.asSemantics.ArithFunction
+
+/** What an internal action or function of Jason's has to do with what is outside of its agent. */
+internal enum class Nature {
+    /** Nothing: its result follows from the agent, and it changes nothing else. A replay carries it out again. */
+    PURE,
+
+    /** Its messages, percepts and timers pass the boundary and the keeper of timers, which a replay holds. It carries it out again. */
+    BOUNDARY,
+
+    /** Its result comes from a clock, chance, the disk or the infrastructure. A replay takes the recorded one. */
+    INPUT,
+
+    /** It changes files, agents or the infrastructure. A replay takes the recorded result, and does not carry it out. */
+    EFFECT,
+}
+
+/**
+ * The [Nature] of each internal action and function of Jason 3.2.1 and 3.3.0, by its class. What is not listed is refused by its name, in a
+ * recording as in a replay.
+ */
+internal object JasonCode {
+    private const val ACTIONS = "jason.stdlib."
+    private const val FUNCTIONS = "jason.functions."
+
+    private val actions: Map<String, Nature> = mapOf(
+        Nature.PURE to """
+            abolish add_annot add_nested_source add_plan asserta assertz atom belief concat copy_term count current_intention delete desire
+            difference done drop_all_desires drop_all_events drop_all_intentions drop_desire drop_event drop_future_intention
+            drop_intention empty eval fail fail_goal findall foreach fork get_src_info ground if_then_else include intend intention
+            internal_action intersection join length list list_plans list_rules literal log loop lower_case max member min my_name
+            namespace namespace_get_prop namespace_set_prop nth number plan_label prefix print print_unifier printf println puts range
+            relevant_plan relevant_plans relevant_rules remove_plan remove_source_annot rename_apart replace resume reverse
+            set_random_seed setof signal sort string structure sublist substring succeed_goal suffix suspend suspended term2string type
+            union upper_case verbose
+            map.clear map.copy map.create map.get map.key map.put map.remove map.value
+            queue.add queue.add_all queue.clear queue.copy queue.create queue.head queue.remove queue.to_list
+            set.add set.add_all set.clear set.copy set.create set.difference set.intersection set.remove set.to_list set.union
+        """,
+        Nature.BOUNDARY to """
+            at broadcast perceive send wait
+            act age can change_filter explain filter limit percepts port ports record skew
+            argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
+            argo.record argo.skew
+        """, // from the second line on ARGO's own, in their other forms
+        Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
+        Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",
+    ).flatMap { (nature, names) -> wordsOf(names).map { "$ACTIONS$it" to nature } }.toMap()
+
+    private val functions: Map<String, Nature> = mapOf(
+        Nature.PURE to """
+            Abs Average Count Length Max Min Round RuleToFunction Sqrt StdDev Sum acos asin atan ceil cos e floor log mean median pi sin
+            tan
+        """,
+        Nature.INPUT to "Random time",
+    ).flatMap { (nature, names) -> wordsOf(names).map { "$FUNCTIONS$it" to nature } }.toMap()
+
+    /** The classes of Jason's actions that a replay does not carry out, and a recording notes. */
+    val recordedActions: Set<String> = actions.filterValues(::isRecorded).keys
+
+    /** The nature of the class called [type]; null: it is not known. */
+    fun natureOf(type: String): Nature? = actions[type] ?: functions[type]
+
+    /** Whether a replay takes the recorded result of what has this [nature]. */
+    fun isRecorded(nature: Nature) = nature == Nature.INPUT || nature == Nature.EFFECT
+
+    /** The name that programs have for the internal action of the class [type]. */
+    fun nameOf(type: String): String = if (type.startsWith(ACTIONS)) ".${type.removePrefix(ACTIONS)}" else type
+
+    /** Whether [type], a class, is Jason's or ARGO's, and no code of a project. */
+    fun isOwn(type: Class<*>): Boolean = type.packageName.let { it == "argo" || it.startsWith("jason.") }
+
+    /** Whether [code], an action or a function, is Jason's and not in the table. */
+    fun isUnknown(code: Any): Boolean = code.javaClass.run { packageName.startsWith("jason.") && natureOf(name) == null }
+
+    /** The name that programs have for [code], an action or a function. */
+    fun nameOf(code: Any): String = if (code is ArithFunction) code.name else nameOf(code.javaClass.name)
+
+    private fun wordsOf(names: String) = names.trim().split(Regex("\\s+"))
+}

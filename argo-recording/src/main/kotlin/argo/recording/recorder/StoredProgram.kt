@@ -1,0 +1,88 @@
+package argo.recording.recorder
+
+import argo.recording.agent.KeptInclude
+import argo.recording.agent.ProgramNames
+import argo.recording.includeMetadata
+import argo.recording.programName
+import argo.recording.storage.RecordSink
+import jason.asSyntax.directives.DirectiveProcessor
+import java.io.IOException
+import java.nio.file.Path
+
+/**
+ * The program of [agent] in its recording: the file [main], and those that it includes, as Jason finds them. For the agent's thread.
+ *
+ * @throws IOException if the project's own code reads it
+ */
+internal class StoredProgram(private val agent: String, main: ProgramSource, private val sink: RecordSink) {
+    private class Inclusion(val within: String, val name: String, val file: ProgramSource?)
+
+    private val names = HashMap<String, ProgramSource>() // of the attachments
+    private var inclusions = 0
+    private val root: Path
+
+    /** The name of the attachment with the agent's own file. */
+    val main: String
+
+    init {
+        val all = ArrayList<Inclusion>()
+        findIncluded(main, null, all, HashSet())
+        val paths = (listOf(main) + all.mapNotNull { it.file }).mapNotNull { it.path?.parent }
+        root = commonDirectory(paths)
+        this.main = attached(main)
+        all.forEach(::store)
+    }
+
+    private fun findIncluded(source: ProgramSource, outer: String?, all: MutableList<Inclusion>, seen: MutableSet<String>) {
+        val names = ProgramNames(source.text)
+        names.directives.forEach(::requireJasons)
+        for (included in names.includes) {
+            val within = outer.takeUnless { included.isInBlock }
+            val file = ProgramSource.included(included.name, within, KeptInclude.sourcePath)
+            all += Inclusion(within.orEmpty(), included.name, file)
+            if (file != null && seen.add(file.address)) findIncluded(file, file.address, all, seen)
+        }
+    }
+
+    private fun requireJasons(directive: String) {
+        if (directive in JASONS_DIRECTIVES) return
+        val type = DirectiveProcessor.getDirective(directive)?.javaClass ?: return // it is none, as in a term that only looks so
+        throw IOException("the project's class ${type.name} reads its directive $directive")
+    }
+
+    /**
+     * The agent includes the file called [name] as it runs, and Jason will look for it likewise.
+     *
+     * @param outer the address of the file that includes it
+     * @param within how [KeptInclude.placeOf] calls that
+     */
+    fun include(name: String, outer: String?, within: String) =
+        store(Inclusion(within, name, ProgramSource.included(name, outer, KeptInclude.sourcePath)))
+
+    private fun store(inclusion: Inclusion) {
+        val values = mapOf("within" to inclusion.within, "name" to inclusion.name)
+        val file = inclusion.file?.let { mapOf("address" to it.address, "file" to attached(it)) }.orEmpty()
+        sink.metadata(includeMetadata(agent, ++inclusions), values + file)
+    }
+
+    /** The name of the attachment with [source], each once; a file that has changed is another one. */
+    private fun attached(source: ProgramSource): String {
+        val wanted = source.path?.takeIf(root::isParentOf)?.let { programName(agent, root.relativize(it)) }
+            ?: "${programName(agent, Path.of("included"))}/${source.address.substringAfterLast('/')}"
+        val name = generateSequence(1) { it + 1 }.map { if (it == 1) wanted else numbered(wanted, it) }
+            .first { names[it]?.bytes?.contentEquals(source.bytes) ?: true }
+        if (names.put(name, source) == null) sink.attach(name, "text/plain", source.bytes)
+        return name
+    }
+
+    private fun numbered(name: String, number: Int) = "${name.substringBeforeLast('/')}/$number/${name.substringAfterLast('/')}"
+}
+
+private val JASONS_DIRECTIVES =
+    setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
+
+private fun Path.isParentOf(file: Path) = file.startsWith(this)
+
+private fun commonDirectory(directories: List<Path>): Path =
+    directories.reduceOrNull { one, other -> generateSequence(one) { it.parent }.firstOrNull(other::startsWith) ?: one }
+        ?: Path.of("").toAbsolutePath()

@@ -1,0 +1,36 @@
+package argo.recording.agent
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldHaveAtLeastSize
+import io.kotest.matchers.shouldBe
+import jason.asSemantics.InternalAction
+import java.nio.file.Path
+import java.util.jar.JarFile
+
+/** The table has each internal action and function that a version of Jason brings. */
+class JasonCodeSpec : FunSpec({
+    val here = Path.of(InternalAction::class.java.protectionDomain.codeSource.location.toURI())
+
+    /** The actions and functions in [jar] by their classes, of which this Java may not be able to load one. */
+    fun codeIn(jar: Path): List<String> = JarFile(jar.toFile()).use { file ->
+        file.entries().asSequence().map { it.name }.filter { it.startsWith("jason/stdlib/") || it.startsWith("jason/functions/") }
+            .filter { it.endsWith(".class") && '$' !in it }.map { it.removeSuffix(".class").replace('/', '.') }
+            .filter { it != "jason.stdlib.Manual" }.toList() // a program that prints what they do
+    }
+
+    for (jar in listOf(here, Path.of(System.getProperty("newest.jason.jar")))) {
+        test("that of ${jar.fileName}") {
+            val code = codeIn(jar)
+            code shouldHaveAtLeastSize 150
+            code.filter { JasonCode.natureOf(it) == null }.shouldBeEmpty()
+        }
+    }
+
+    test("what changes files, agents or the infrastructure is an effect, and what comes from them an input") {
+        listOf("save_agent", "create_agent", "clone", "kill_agent", "stopMAS", "df_register").forEach {
+            JasonCode.natureOf("jason.stdlib.$it") shouldBe Nature.EFFECT
+        }
+        listOf("list_files", "random", "date", "all_names").forEach { JasonCode.natureOf("jason.stdlib.$it") shouldBe Nature.INPUT }
+    }
+})
