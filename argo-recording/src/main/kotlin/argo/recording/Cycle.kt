@@ -252,12 +252,20 @@ internal data class Mark(
     val why: String,
 )
 
+/** What an agent believed, and which events it had, when its program had been read: there a program may draw numbers or read clocks. */
+@Serializable
+data class Beginning(val beliefs: List<String>, val events: List<String>)
+
 /**
  * The agent of a recording, in its metadata.
  *
  * @property source the name of the attachment that holds its program
  * @property options its options in the `.mas2j`
  * @property isConditional whether Jason left out parts of a cycle that had nothing to do, as its Local infrastructure does
+ * @property address where Jason read the program, as it shows that in annotations and errors; null: not known
+ * @property beginning what it began with; null: not known
+ * @property config settings of Jason's for all agents
+ * @property directives the classes of the project's directives for its programs, by their names
  */
 data class RecordedAgent(
     val name: String,
@@ -267,4 +275,8 @@ data class RecordedAgent(
     val beliefBase: String,
     val options: Map<String, String>,
     val isConditional: Boolean,
+    val address: String? = null,
+    val beginning: Beginning? = null,
+    val config: Map<String, String> = emptyMap(),
+    val directives: Map<String, String> = emptyMap(),
 )

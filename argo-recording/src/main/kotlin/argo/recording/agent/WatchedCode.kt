@@ -56,14 +56,33 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private val actions = HashMap<String, InternalAction>()
     private val functionOf = ArithFunctionTerm::class.java.getDeclaredField("function").apply { isAccessible = true }
 
+    private var plans = 0
+    private var lastPlan: Plan? = null
+
     /** The agent whose code it is. */
     val agent: Agent get() = ts.ag
 
     /** Watches all plans and rules that the agent has now, and actions that it looks up later. */
     fun begin() {
-        Plans.of(ts.ag).all.forEach(::visit)
-        ts.ag.bb.filterIsInstance<Rule>().forEach { visit(it.body) }
+        visitAll()
+        ts.c.events.forEach { visit(it.trigger.literal as Any) } // goals of the program, whose arguments are evaluated later
         INPUTS.filter { it != RANDOM }.forEach { name -> ts.ag.setIA("jason.stdlib$name", watched(name, ts.ag.getIA(name))) }
+    }
+
+    /** Watches what the agent has been told or has included since: Jason looks its actions up anew. */
+    fun visitNew() {
+        val now = Plans.of(ts.ag).all
+        if (now.size == plans && now.lastOrNull() === lastPlan) return
+        seen.clear()
+        visitAll()
+    }
+
+    private fun visitAll() {
+        val all = Plans.of(ts.ag).all
+        plans = all.size
+        lastPlan = all.lastOrNull()
+        all.forEach(::visit)
+        ts.ag.bb.filterIsInstance<Rule>().forEach { visit(it.body) }
     }
 
     /** The action [name] of the program, watched. */
@@ -124,7 +143,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private val watch: CallWatch,
     ) : InternalAction by action {
         override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
-            watch.call(InternalCall(name, args, un), kind()) { action.execute(ts, it, args) }
+            current(watch).call(InternalCall(name, args, un), kind()) { action.execute(ts, it, args) }
 
         private fun kind() = when {
             !isOfProject -> WatchedKind.OUTSIDE
@@ -136,12 +155,15 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private class WatchedFunction(private val function: ArithFunction, private val isOfProject: Boolean, private val watch: CallWatch) :
         ArithFunction by function {
         override fun evaluate(ts: TransitionSystem?, args: Array<Term>): Double =
-            watch.evaluate(function.name, args, isOfProject) { function.evaluate(ts, args) }
+            current(watch).evaluate(function.name, args, isOfProject) { function.evaluate(ts, args) }
     }
 
     companion object {
         /** The name that the program has for [code], an action or a function that is watched; null: it is not. */
         fun nameOf(code: Any): String? = (code as? WatchedAction)?.name ?: (code as? WatchedFunction)?.name
+
+        /** Who watches the agent that calls: a plan that one agent tells another comes with the code of the first. */
+        private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
 
         private const val MAX_ARITY = 9
         private const val RANDOM = ".random"

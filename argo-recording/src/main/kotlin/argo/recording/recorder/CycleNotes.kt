@@ -6,7 +6,7 @@ import argo.recording.Input
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.PerceptChange
-import argo.recording.agent.textOf
+import argo.recording.agent.literalText
 import jason.asSyntax.Literal
 
 /** What has entered an agent in a cycle. Belongs to the agent's thread; from the end of the cycle on to the thread that stores it. */
@@ -51,5 +51,5 @@ internal class CycleNotes(val ns: Long) {
 internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
     val size: Int get() = now.size
 
-    fun change() = PerceptChange(keep, now.map(::textOf), keepLast)
+    fun change() = PerceptChange(keep, now.map(::literalText), keepLast)
 }

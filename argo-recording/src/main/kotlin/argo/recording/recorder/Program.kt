@@ -2,7 +2,9 @@ package argo.recording.recorder
 
 import argo.Arch
 import argo.platform.Plans
+import argo.recording.Beginning
 import argo.recording.FORMAT
+import argo.recording.agent.beginningOf
 import argo.recording.agentMetadata
 import argo.recording.programName
 import argo.recording.storage.RecordSink
@@ -10,7 +12,9 @@ import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Rule
 import jason.infra.local.BaseLocalMAS
 import jason.infra.local.LocalAgArch
+import jason.runtime.Settings
 import jason.util.Config
+import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.net.URI
 import java.net.URISyntaxException
@@ -35,7 +39,12 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink) {
             "archClass" to generateSequence(ts.agArch) { it.nextAgArch }.first { it is Arch }.javaClass.name,
             "beliefBase" to ts.ag.bb.javaClass.name,
             "isConditional" to "${generateSequence(ts.agArch) { it.nextAgArch }.last() is LocalAgArch}",
-        ) + ts.settings.userParameters.filterValues { it is String || it is Number }.map { (key, value) -> "option.$key" to "$value" },
+            "address" to ts.ag.aslSrc.orEmpty(),
+            "beginning" to Json.encodeToString(Beginning.serializer(), beginningOf(ts)),
+        ) + ts.settings.userParameters.filterValues { it is String || it is Number }.map { (key, value) -> "option.$key" to "$value" } +
+            inForce(ts.settings).map { (key, value) -> "option.$key" to value } +
+            CONFIG.mapNotNull { key -> Config.get().getProperty(key)?.let { "config.$key" to it } } +
+            BaseLocalMAS.getRunner()?.project?.directiveClasses.orEmpty().map { (name, type) -> "directive.$name" to type },
     )
     sink.metadata(
         "argo.recording",
@@ -47,6 +56,18 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink) {
         ),
     )
 }
+
+/** The [settings] that an infrastructure may set besides the options, such as an execution control, which has its agents wait for it. */
+private fun inForce(settings: Settings) = mapOf(
+    "events" to if (settings.requeue()) "requeue" else if (settings.retrieve()) "retrieve" else "discard",
+    "intBels" to if (settings.sameFocus()) "sameFocus" else "newFocus",
+    "nrcbp" to "${settings.nrcbp()}",
+    "synchronised" to "${settings.isSync}",
+    "tro" to "${settings.isTROon}",
+)
+
+/** Settings of Jason's, for all agents, that change what agents do. */
+private val CONFIG = listOf(Config.SHORT_UNNAMED_VARS, Config.KQML_RECEIVED_FUNCTOR)
 
 /** Stores the text of [file], if it has not gone since Jason read it. */
 private fun RecordSink.attach(name: String, file: Path) {

@@ -30,7 +30,8 @@ import argo.recording.agent.callFailure
 import argo.recording.agent.complete
 import argo.recording.agent.failureOf
 import argo.recording.agent.mailOf
-import argo.recording.agent.textOf
+import argo.recording.agent.literalText
+import argo.recording.agent.triggerText
 import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
@@ -71,6 +72,7 @@ internal class Recorder(
     private inner class Running(val ts: TransitionSystem) {
         val course = CourseWatch(ts)
         val keyFrames = KeyFrames(ts, course)
+        val code = watch(ts)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
         var events = -1
@@ -84,8 +86,9 @@ internal class Recorder(
         inCycle = Thread.currentThread()
         agent.now = CycleNotes(this.agent.nanos())
         agent.now.counters = if (Counters.isAt(agent.counters)) null else Counters.read()
-        if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { "${it.trigger}" }
-        agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent()
+        if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { triggerText(it.trigger) }
+        agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent() || ts.c.hasMsg() || ts.c.hasFeedbackAction()
+        agent.code.visitNew()
         agent.course.begin()
         carryOutEnds(agent)
     }
@@ -108,9 +111,7 @@ internal class Recorder(
             isRefused = true
             return null
         }
-        val agent = Running(ts)
-        watch(ts)
-        return agent.also { running = it }
+        return Running(ts).also { running = it }
     }
 
     override fun perceive(live: () -> Perception): Perception = live().also { perception ->
@@ -122,10 +123,10 @@ internal class Recorder(
         agent.keyFrames.perceived(percepts.size)
     }
 
-    override fun newlyCritical(live: () -> List<Literal>) = live().also { current()?.now?.critical = it.map(::textOf) }
+    override fun newlyCritical(live: () -> List<Literal>) = live().also { current()?.now?.critical = it.map(::literalText) }
 
     override fun boardOf(percept: Literal, live: () -> String?) =
-        live().also { board -> if (board != null) current()?.now?.boards?.put(textOf(percept), board) }
+        live().also { board -> if (board != null) current()?.now?.boards?.put(literalText(percept), board) }
 
     override fun takeMail(live: () -> Unit) {
         val agent = current() ?: return live()

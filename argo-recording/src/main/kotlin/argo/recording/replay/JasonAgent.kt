@@ -4,18 +4,25 @@ import argo.Arch
 import argo.boundary.Boundary
 import argo.platform.Platform
 import argo.recording.RecordedAgent
+import argo.recording.agent.Insides
 import jason.architecture.AgArch
 import jason.asSemantics.Agent
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.directives.DirectiveProcessor
 import jason.asSyntax.directives.Include
 import jason.asSyntax.parser.ParseException
+import jason.bb.BeliefBase
+import jason.bb.DefaultBeliefBase
 import jason.mas2j.ClassParameters
 import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
 import jason.runtime.SourcePath
 import jason.util.Config
+import java.io.File
+import java.net.MalformedURLException
+import java.net.URL
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -26,13 +33,16 @@ import java.nio.file.Path
  * @throws RecordingException if a class of it is missing, or Jason cannot read it
  */
 internal fun jasonAgent(recorded: RecordedAgent, source: Path, directory: Path, boundary: Boundary): TransitionSystem {
-    listOf(recorded.agentClass, recorded.archClass, recorded.beliefBase).forEach { requireClass(recorded, it) }
+    Config.get().putAll(recorded.config) // before Jason reads them, once in a program
+    (listOf(recorded.agentClass, recorded.archClass, recorded.beliefBase) + recorded.directives.values).forEach { requireClass(recorded, it) }
+    recorded.directives.forEach { (name, type) -> DirectiveProcessor.registerDirective(name, Class.forName(type)) }
     val paths = SourcePath().apply { listOfNotNull(source.parent, directory).forEach { addPath("$it") } }
     (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)
     val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options - RECORD)) }
     val beliefBase = recorded.beliefBase.takeIf { it != DEFAULT_BELIEFS }?.let { ClassParameters(it) }
     val infra = Infra(recorded)
-    load(recorded) { unshown { Agent.create(infra, recorded.agentClass, beliefBase, "$source", settings) } }
+    val address = if (source == directory.resolve(recorded.source)) recorded.address else null
+    load(recorded) { unshown { create(infra, recorded.agentClass, beliefBase, settings) { ag -> ag.read(source, address) } } }
     val ts = infra.ts
     infra.insertAgArch(infra)
     val arch = Class.forName(recorded.archClass).asSubclass(Arch::class.java).getConstructor(Platform::class.java)
@@ -42,6 +52,43 @@ internal fun jasonAgent(recorded: RecordedAgent, source: Path, directory: Path, 
     arch.init()
     ts.logger.useParentHandlers = false // what it printed is in the recording
     return ts
+}
+
+/** As [Agent.create], which reads a program only where it lies. */
+private fun create(infra: AgArch, type: String, beliefBase: ClassParameters?, settings: Settings, read: (Agent) -> Unit) {
+    val agent = Class.forName(type).getConstructor().newInstance() as Agent
+    TransitionSystem(agent, null, settings, infra)
+    agent.bb = beliefBase?.let { Class.forName(it.className).getConstructor().newInstance() as BeliefBase } ?: DefaultBeliefBase()
+    agent.initAg()
+    beliefBase?.let { agent.bb.init(agent, it.parametersArray) }
+    read(agent)
+}
+
+/** Reads the program in the file [source] as if it lay at [address], which Jason shows in annotations and errors; null: where it lies. */
+private fun Agent.read(source: Path, address: String?) {
+    if (address == null) return loadInitialAS("$source")
+    Files.newInputStream(source).use { parseAS(it, shown(address)) }
+    loadInitialAS(null) // the rest
+    aslSrc = address
+}
+
+/** What Jason calls a program that it reads at [address]: the URL, or the name of a file. */
+private fun shown(address: String) = try {
+    "${URL(address)}"
+} catch (_: MalformedURLException) {
+    File(address).name
+}
+
+/** Has Jason forget what it forgets in so many [cycles] in which nothing happens, which are not recorded. */
+internal fun TransitionSystem.rest(cycles: Int) {
+    if (cycles <= 0) return
+    c.resetDeliberate()
+    c.resetAct()
+    repeat(cycles) {
+        val unperceived = Insides.cyclesUnperceived.getInt(this)
+        Insides.cyclesUnperceived.setInt(this, if (unperceived >= settings.nrcbp()) 1 else unperceived + 1)
+        if (settings.nrcbp() <= 1) return
+    }
 }
 
 /** Carries out a reasoning cycle with this [number], of an agent that [isConditional] as [RecordedAgent.isConditional] has it. */

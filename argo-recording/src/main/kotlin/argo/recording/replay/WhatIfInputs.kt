@@ -18,11 +18,13 @@ import argo.recording.agent.Keeper
 import argo.recording.agent.ProgramParts
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.complete
+import argo.recording.agent.contentOf
 import argo.recording.agent.literalOf
 import argo.recording.agent.mailOf
-import argo.recording.agent.parsed
 import argo.recording.agent.termOf
+import argo.recording.agent.literalText
 import argo.recording.agent.textOf
+import argo.recording.agent.triggerOf
 import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
@@ -113,7 +115,7 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
         if (isAsRecorded) cycle.counters?.let(Counters::write)
         unanswered += cycle.course.mail
         boards += cycle.input.boards
-        cycle.input.events.forEach { ts.c.addExternalEv(parsed(it, ASSyntax::parseTrigger)) }
+        cycle.input.events.forEach { ts.c.addExternalEv(triggerOf(it)) }
     }
 
     /** The cycle is over. */
@@ -145,7 +147,7 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
 
     override fun newlyCritical(live: () -> List<Literal>): List<Literal> = senses.takeNewlyCritical()
 
-    override fun boardOf(percept: Literal, live: () -> String?): String? = boards[textOf(percept)]
+    override fun boardOf(percept: Literal, live: () -> String?): String? = boards[literalText(percept)]
 
     override fun takeMail(live: () -> Unit) {
         cycle?.input?.mail?.forEach { ts.c.addMsg(messageOf(it)) }
@@ -154,7 +156,7 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
 
     private fun isDue(one: Due) = cycle.let { now -> if (one.index != null) now != null && one.index <= now.index else one.ns <= ns }
 
-    private fun messageOf(mail: Mail) = Message(mail.performative, mail.sender, mail.receiver, termOf(mail.content), mail.id).apply {
+    private fun messageOf(mail: Mail) = Message(mail.performative, mail.sender, mail.receiver, contentOf(mail.content, ts.ag), mail.id).apply {
         inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
     }
 
