@@ -50,6 +50,10 @@ data class Input(
     val filters: List<FilterChange> = emptyList(),
 )
 
+/** The terms that a replay reads. */
+internal fun Input.texts(): Sequence<String> = events.asSequence() + percepts?.now.orEmpty() + mail.asSequence().map { it.content } +
+    calls.asSequence().flatMap { it.answers }.flatMap { it.values }
+
 /** How a list of percepts differs from the one before: the first [keep] and the last [keepLast] stay, [now] stands between them. */
 @Serializable
 data class PerceptChange(
@@ -264,6 +268,7 @@ data class Beginning(val beliefs: List<String>, val events: List<String>)
  * @property isConditional whether Jason left out parts of a cycle that had nothing to do, as its Local infrastructure does
  * @property address where Jason read the program, as it shows that in annotations and errors; null: not known
  * @property beginning what it began with; null: not known
+ * @property firstLabel the number that Jason gave its first plan without a name; null: it has none
  * @property config settings of Jason's for all agents
  * @property directives the classes of the project's directives for its programs, by their names
  */
@@ -277,6 +282,7 @@ data class RecordedAgent(
     val isConditional: Boolean,
     val address: String? = null,
     val beginning: Beginning? = null,
+    val firstLabel: Int? = null,
     val config: Map<String, String> = emptyMap(),
     val directives: Map<String, String> = emptyMap(),
 )

@@ -48,7 +48,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
     /** The literal, where only a literal can stand. */
     fun literal(): Literal = whole {
         val read = next() as? Literal ?: fail()
-        if (read.javaClass == Atom::class.java) LiteralImpl(read.ns, Literal.LPos, read.functor) else read
+        if (read.javaClass == Atom::class.java && !text.startsWith("#atom(")) LiteralImpl(read.ns, Literal.LPos, read.functor) else read
     }
 
     /** The text in quotes. */
@@ -231,7 +231,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         if (name.variable != null) {
             val variable = variableOf(name.variable, name.number, space)
             if (isNegated) variable.setNegated(Literal.LNeg)
-            if (peek() == '[') variable.setAnnots(list())
+            annotate(variable)
             return variable
         }
         if (name.isPlain && '.' in name.functor) return call(name.functor, space)
@@ -243,8 +243,19 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         }
         val literal = LiteralImpl(space, !isNegated, name.functor)
         if (terms.isNotEmpty()) literal.terms = terms
-        if (peek() == '[') literal.setAnnots(list())
+        annotate(literal)
         return literal
+    }
+
+    /** In the order in which they are written: Jason would sort them, and it cannot compare terms of each kind. */
+    private fun annotate(literal: Literal) {
+        if (peek() == '[') literal.annotatedBy(list())
+    }
+
+    private fun <T : Literal> T.annotatedBy(annotations: ListTerm?): T = also { literal ->
+        if (annotations?.term == null) return@also literal.setAnnots(annotations).let { }
+        literal.setAnnots(ListTermImpl().also { it.append(annotations.term) })
+        literal.annots.setNext(annotations.next)
     }
 
     private fun atom(functor: String, space: Atom): Literal = Atom(functor).let { if (space == Literal.DefaultNS) it else it.cloneNS(space) }
@@ -264,6 +275,9 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
                 at -= "#var(".length
                 literalHere()
             }
+            "atom" -> literalHere().also { expect(")") }
+            "structure" -> literalHere().let { read -> Structure(read.ns, read.functor).with(read.terms) }.also { expect(")") }
+            "pred" -> literalHere().let { read -> Pred(read.ns, read.functor).with(read.terms).annotatedBy(read.annots) }.also { expect(")") }
             "string" -> StringTermImpl(quoted()).also { expect(")") }
             "set" -> SetTermImpl().apply { items(")").forEach(::add) }
             "map" -> MapTermImpl().apply { items(")").chunked(2).forEach { (key, value) -> put(key, value) } }
@@ -287,6 +301,9 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             it.agent = agent
         }
     }
+
+    /** Without copies, in which Jason loses the negation of variables. */
+    private fun <T : Structure> T.with(terms: List<Term>?): T = also { if (!terms.isNullOrEmpty()) it.terms = terms }
 
     private fun flag(): Boolean = if (take("1")) true else if (take("0")) false else fail()
 

@@ -39,6 +39,7 @@ import kotlin.math.floor
  * | `-1`, `(-1)` | a negative number, an expression that Jason has not evaluated |
  * | `#NaN`, `#Infinity`, `#-Infinity` | numbers |
  * | `hello`, `hello()` | an atom, a literal without arguments, which can get annotations |
+ * | `#structure(f(1))`, `#pred(f)`, `#atom(f)` | what Java code has made, and Jason believes none of these |
  * | `#"Upper Case"(1)` | a structure with a functor that is no word |
  * | `#string("a\\b")` | a string that Jason's syntax cannot hold |
  * | `_12`, `#var("_12",-12)` | a variable that Jason has numbered; one with another name or number |
@@ -54,7 +55,9 @@ internal class TermWriter {
     fun text(term: Term): String = written { term(term) }
 
     /** The text of [literal] where only a literal can stand. */
-    fun literalText(literal: Literal): String = written { if (isBare(literal)) functor(literal.functor) else term(literal) }
+    fun literalText(literal: Literal): String = written {
+        if (!isBare(literal)) term(literal) else if (literal is LiteralImpl) functor(literal.functor) else marked("atom") { literal(literal) }
+    }
 
     private inline fun written(write: () -> Unit): String = try {
         write()
@@ -154,13 +157,15 @@ internal class TermWriter {
             literal is ArithExpr -> operation(literal)
             literal is ArithFunctionTerm -> marked("fun") { items(listOf(StringTermImpl(literal.functor)) + literal.terms.orEmpty()) }
             literal is InternalActionLiteral && !CALL.matches(literal.functor) -> refuse("an internal action called ${literal.functor}")
+            literal.javaClass == Structure::class.java -> marked("structure") { structure(literal) }
+            literal.javaClass == Pred::class.java -> marked("pred") { structure(literal) }
             literal.javaClass in KNOWN -> structure(literal)
             else -> refuse("a term of the class ${literal.javaClass.name}")
         }
     }
 
     /** Whether it is one word, which may be an atom or a literal. */
-    private fun isBare(literal: Literal) = literal.javaClass in PLAIN && !literal.hasTerm() && !literal.hasAnnot() && !literal.negated() &&
+    private fun isBare(literal: Literal) = (literal.javaClass == Atom::class.java || literal.javaClass == LiteralImpl::class.java) && !literal.hasTerm() && !literal.hasAnnot() && !literal.negated() &&
         literal.ns == Literal.DefaultNS
 
     private fun structure(literal: Literal) {
@@ -170,7 +175,7 @@ internal class TermWriter {
             append("(")
             items(literal.terms)
             append(")")
-        } else if (literal.javaClass in PLAIN && literal.javaClass != Atom::class.java && !literal.hasAnnot() && !literal.negated()) {
+        } else if (literal.javaClass == LiteralImpl::class.java && !literal.hasAnnot() && !literal.negated()) {
             append("()")
         }
         annotations(literal)
@@ -245,8 +250,11 @@ internal class TermWriter {
         /** Stands for something that is not there. */
         const val NONE = "#none"
 
-        private val PLAIN: Set<Class<*>> = setOf(Atom::class.java, Structure::class.java, Pred::class.java, LiteralImpl::class.java)
-        private val KNOWN: Set<Class<*>> = PLAIN + InternalActionLiteral::class.java
+        private val KNOWN: Set<Class<*>> = setOf(
+            Atom::class.java, LiteralImpl::class.java, InternalActionLiteral::class.java,
+            Rule::class.java, // its head
+            Pred.createSource(Atom("self")).javaClass, // an annotation that Jason never copies
+        )
 
         /** Doubles below hold each whole number. */
         private const val LARGEST_WHOLE = 1e15
@@ -269,6 +277,9 @@ internal class TermWriter {
 
         /** Whether [text] is of a term that could not be written. */
         fun isRefused(text: String) = text.startsWith(REFUSED)
+
+        /** What the term is whose [text] is refused. */
+        fun refusalOf(text: String) = text.removePrefix(REFUSED).removeSuffix(")").trim('"')
 
         /** [text] in quotes, in characters that each encoding has. */
         fun quoted(text: String): String = buildString {

@@ -6,6 +6,7 @@ import argo.recording.Input
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.PerceptChange
+import argo.recording.agent.laterText
 import argo.recording.agent.literalText
 import jason.asSyntax.Literal
 
@@ -47,9 +48,11 @@ internal class CycleNotes(val ns: Long) {
     )
 }
 
-/** How percepts differ from those before, see [PerceptChange]. Their literals do not change: Jason believes copies of them. */
+/** How percepts differ from those before, see [PerceptChange]. Jason believes copies of them, in which it shares sets and maps. */
 internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
+    private val texts = laterText(now) { now.map(::literalText) }
+
     val size: Int get() = now.size
 
-    fun change() = PerceptChange(keep, now.map(::literalText), keepLast)
+    fun change() = PerceptChange(keep, texts(), keepLast)
 }

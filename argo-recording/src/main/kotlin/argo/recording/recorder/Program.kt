@@ -4,6 +4,7 @@ import argo.Arch
 import argo.platform.Plans
 import argo.recording.Beginning
 import argo.recording.FORMAT
+import argo.recording.agent.Counters
 import argo.recording.agent.beginningOf
 import argo.recording.agentMetadata
 import argo.recording.programName
@@ -39,6 +40,7 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink) {
             "archClass" to generateSequence(ts.agArch) { it.nextAgArch }.first { it is Arch }.javaClass.name,
             "beliefBase" to ts.ag.bb.javaClass.name,
             "isConditional" to "${generateSequence(ts.agArch) { it.nextAgArch }.last() is LocalAgArch}",
+            "firstLabel" to Counters.firstLabel(Plans.of(ts.ag).all)?.toString().orEmpty(),
             "address" to ts.ag.aslSrc.orEmpty(),
             "beginning" to Json.encodeToString(Beginning.serializer(), beginningOf(ts)),
         ) + ts.settings.userParameters.filterValues { it is String || it is Number }.map { (key, value) -> "option.$key" to "$value" } +

@@ -28,6 +28,7 @@ import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
 import argo.recording.agent.complete
+import argo.recording.agent.evaluationFailure
 import argo.recording.agent.failureOf
 import argo.recording.agent.mailOf
 import argo.recording.agent.literalText
@@ -77,6 +78,7 @@ internal class Recorder(
         var counters: List<Int> = emptyList()
         var events = -1
         var cycles = 0L
+        var overlap = 0L
         lateinit var now: CycleNotes // of the cycle that runs
     }
 
@@ -85,12 +87,14 @@ internal class Recorder(
         val agent = running ?: begin(ts) ?: return
         inCycle = Thread.currentThread()
         agent.now = CycleNotes(this.agent.nanos())
-        agent.now.counters = if (Counters.isAt(agent.counters)) null else Counters.read()
+        agent.overlap = Overlaps.begin()
+        if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
         if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { triggerText(it.trigger) }
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent() || ts.c.hasMsg() || ts.c.hasFeedbackAction()
         agent.code.visitNew()
         agent.course.begin()
         carryOutEnds(agent)
+        Keeper.begin(this, ts)
     }
 
     /** Before Jason begins the cycle: an intention that this resumes goes on in it, as it would without a recording. */
@@ -166,9 +170,17 @@ internal class Recorder(
         }
     }
 
-    override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live().also { value ->
-        val agent = current() ?: return@also
-        agent.now.calls += CallNote(name, args, isOfProject).apply { this.value = "$value" }
+    override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
+        val agent = current() ?: return live()
+        val note = CallNote(name, args, isOfProject)
+        try {
+            return live().also { note.value = "$it" }
+        } catch (failed: Exception) { // Jason reports it, and goes on
+            note.failure = evaluationFailure(failed)
+            throw failed
+        } finally {
+            agent.now.calls += note
+        }
     }
 
     override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
@@ -228,13 +240,33 @@ internal class Recorder(
         val course = agent.course.end()
         val now = agent.now
         agent.events = agent.ts.c.events.size
-        if (now.isNothing() && !now.isAtWork && !course.hasHappened) return
+        val isAlone = Overlaps.end(agent.overlap)
+        if (!isAlone) noteCounters(agent, course.firstMessage)
+        val isRecorded = !now.isNothing() || now.isAtWork || course.hasHappened
+        agent.counters = whereLeft(agent, isAlone, isRecorded)
+        if (!isRecorded) return
         now.end()
         val arch = agent.ts.agArch
         val cycle = CycleNote(++agent.cycles, arch.cycleNumber, now, course, !arch.isRunning, agent.course.missesPrints)
         track.cycle(cycle)
-        if (!Counters.isAt(agent.counters)) agent.counters = Counters.read()
         takeKeyFrame(agent, cycle)
+    }
+
+    /** Where a replay has the counters behind this cycle; empty: it will be told before the next one. */
+    private fun whereLeft(agent: Running, isAlone: Boolean, isRecorded: Boolean): List<Int> = when {
+        !isAlone || !isRecorded && agent.now.counters != null -> emptyList()
+        Counters.isAt(agent.counters) -> agent.counters
+        else -> if (isRecorded) Counters.read() else emptyList()
+    }
+
+    /** Other agents have drawn from the counters in this cycle, too. */
+    private fun noteCounters(agent: Running, message: String?) {
+        val start = agent.counters
+        val c = agent.ts.c
+        val last = Counters.lastIntention(start)
+        val own = if (Counters.hasNewIntentions(start)) (c.allIntentions.asSequence() + listOfNotNull(c.selectedIntention)) else emptySequence()
+        val first = own.map { it.id }.filter { it > last }.minOrNull()
+        Counters.before(start, first, message).let { if (it != start) agent.now.counters = it }
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {

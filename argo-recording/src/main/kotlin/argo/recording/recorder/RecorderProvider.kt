@@ -19,7 +19,7 @@ class RecorderProvider : AgentObserverProvider {
         return try {
             val recording = SharedRecording.join(wanted, log)
             storeProgram(agent.reasoning, recording.sink)
-            Recorder(agent, Track(agent.name, recording, agent::nanos), log)
+            Recorder(agent, Track(agent.name, recording, agent::nanos, log::warning), log)
         } catch (trouble: IOException) {
             refuse("the file cannot be made ($trouble)")
         } catch (trouble: InvalidPathException) {

@@ -4,6 +4,7 @@ import argo.Arch
 import argo.boundary.Boundary
 import argo.platform.Platform
 import argo.recording.RecordedAgent
+import argo.recording.agent.Counters
 import argo.recording.agent.Insides
 import jason.architecture.AgArch
 import jason.asSemantics.Agent
@@ -42,6 +43,7 @@ internal fun jasonAgent(recorded: RecordedAgent, source: Path, directory: Path, 
     val beliefBase = recorded.beliefBase.takeIf { it != DEFAULT_BELIEFS }?.let { ClassParameters(it) }
     val infra = Infra(recorded)
     val address = if (source == directory.resolve(recorded.source)) recorded.address else null
+    recorded.firstLabel?.let(Counters::nameFrom)
     load(recorded) { unshown { create(infra, recorded.agentClass, beliefBase, settings) { ag -> ag.read(source, address) } } }
     val ts = infra.ts
     infra.insertAgArch(infra)

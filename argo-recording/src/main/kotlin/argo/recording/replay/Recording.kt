@@ -123,7 +123,8 @@ class Recording(private val file: Path) : AutoCloseable {
             name, value("source"), value("agentClass"), value("archClass"), value("beliefBase"),
             values.after(OPTION),
             value("isConditional").toBoolean(), values["address"]?.takeIf { it.isNotEmpty() },
-            values["beginning"]?.let { JSON.decodeFromString(Beginning.serializer(), it) }, values.after("config."), values.after("directive."),
+            values["beginning"]?.let { JSON.decodeFromString(Beginning.serializer(), it) },
+            values["firstLabel"]?.toIntOrNull(), values.after("config."), values.after("directive."),
         )
     }
 

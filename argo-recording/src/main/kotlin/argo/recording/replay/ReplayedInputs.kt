@@ -22,6 +22,7 @@ import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
 import argo.recording.agent.complete
+import argo.recording.agent.evaluationFailed
 import argo.recording.agent.contentOf
 import argo.recording.agent.literalOf
 import argo.recording.agent.mailOf
@@ -117,6 +118,7 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         course.begin()
         code.visitNew()
         Keeper.within(this) { carryOut(cycle.input.ends) }
+        Keeper.begin(this, ts)
     }
 
     override fun perceive(live: () -> Perception): Perception {
@@ -239,7 +241,9 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
     }
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
-        val recorded = take(name, args.map(::textOf))?.value
+        val call = take(name, args.map(::textOf))
+        call?.failure?.let { throw evaluationFailed(it) }
+        val recorded = call?.value
         if (recorded == null) {
             if (!isAsking) foundCall("$name(${args.joinToString(",")})")
             return live()

@@ -137,6 +137,7 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
             while (true) due.peek()?.takeIf(::isDue)?.let { due.remove().carryOut() } ?: break
             while (true) left.poll()?.run() ?: break
         }
+        Keeper.begin(this, ts)
     }
 
     override fun perceive(live: () -> Perception): Perception {

@@ -101,6 +101,9 @@ private class DrawnTerms(private val random: Random) {
     fun literal(depth: Int): Literal {
         val space = if (sometimes(5)) oneOf(Atom("ns"), Atom("N s"), VarTerm("NS")) else Literal.DefaultNS
         if (sometimes(8)) return InternalActionLiteral(space, structure(oneOf(".print", "argo.act", "my.own.action"), depth), null)
+        if (sometimes(8)) return structure(functor(), depth)
+        if (sometimes(10)) return Pred(functor()).apply { setAnnots(list(0)) }
+        if (sometimes(10)) return Pred.createSource(Atom("boss"))
         val literal = LiteralImpl(space, !sometimes(4), functor())
         repeat(random.nextInt(4)) { literal.addTerm(term(maxOf(0, depth - 1))) }
         if (depth > 0 && sometimes()) literal.setAnnots(list(depth - 1))
@@ -201,5 +204,5 @@ private fun literalDifferences(one: Literal, other: Literal): List<String> {
 private fun of(one: List<Term>, other: List<Term>): List<String> =
     if (one.size != other.size) listOf("$one, not $other") else one.zip(other).flatMap { (a, b) -> differences(a, b) }
 
-/** Jason never asks whether a literal is no more than a structure. */
-private fun classOf(term: Any): Class<*> = if (term.javaClass == Structure::class.java || term.javaClass == Pred::class.java) LiteralImpl::class.java else term.javaClass
+/** Jason has an annotation of a class without a name, which is a literal for all purposes. */
+private fun classOf(term: Any): Class<*> = if (term is Pred && term.javaClass.isAnonymousClass) LiteralImpl::class.java else term.javaClass
