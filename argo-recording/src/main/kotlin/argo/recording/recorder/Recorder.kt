@@ -30,8 +30,8 @@ import argo.recording.agent.callFailure
 import argo.recording.agent.complete
 import argo.recording.agent.evaluationFailure
 import argo.recording.agent.failureOf
-import argo.recording.agent.mailOf
 import argo.recording.agent.literalText
+import argo.recording.agent.mailOf
 import argo.recording.agent.triggerText
 import argo.recording.agent.watch
 import jason.JasonException

@@ -22,12 +22,12 @@ import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
 import argo.recording.agent.complete
-import argo.recording.agent.evaluationFailed
 import argo.recording.agent.contentOf
+import argo.recording.agent.evaluationFailed
 import argo.recording.agent.literalOf
+import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
 import argo.recording.agent.termOf
-import argo.recording.agent.literalText
 import argo.recording.agent.textOf
 import argo.recording.agent.triggerOf
 import argo.recording.agent.watch

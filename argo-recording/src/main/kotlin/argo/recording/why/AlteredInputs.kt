@@ -1,8 +1,8 @@
 package argo.recording.why
 
 import argo.boundary.InternalCall
-import argo.recording.End
 import argo.filters.jason.perceptText
+import argo.recording.End
 import argo.recording.replay.DifferenceSink
 import argo.recording.replay.ReplayedInputs
 import jason.asSyntax.Literal

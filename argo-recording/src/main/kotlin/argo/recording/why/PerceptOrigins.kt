@@ -1,8 +1,8 @@
 package argo.recording.why
 
-import argo.recording.PerceivedSnapshot
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
+import argo.recording.PerceivedSnapshot
 import argo.recording.agent.literalOf
 import argo.recording.agent.literalText
 import jason.asSyntax.ASSyntax

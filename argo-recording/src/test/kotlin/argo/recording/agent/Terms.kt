@@ -1,9 +1,9 @@
 package argo.recording.agent
 
 import io.kotest.property.Arb
+import io.kotest.property.RandomSource
 import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.next
-import io.kotest.property.RandomSource
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.Atom
@@ -163,7 +163,7 @@ private class DrawnTerms(private val random: Random) {
 internal fun differences(one: Any?, other: Any?): List<String> {
     fun <T : Any> differing(what: String, of: T.() -> Any?): List<String> {
         @Suppress("UNCHECKED_CAST")
-        val (before, after) = (one as T).of() to (other as T).of()
+            val (before, after) = (one as T).of() to (other as T).of()
         val isPart = before is Term || after is Term
         return if (isPart) differences(before, after) else if (before == after) emptyList() else listOf("$what of $one: $before, not $after")
     }
