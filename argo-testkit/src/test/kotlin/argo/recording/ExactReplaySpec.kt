@@ -5,6 +5,7 @@ import argo.platform.Platform
 import argo.recording.replay.Recording
 import argo.recording.replay.Replay
 import argo.recording.why.Question
+import argo.recording.why.StepCause
 import argo.recording.why.Why
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
@@ -40,7 +41,8 @@ class ExactReplaySpec : FunSpec({
     test("percepts of an environment whose terms Jason's syntax has not, or has with another meaning") {
         val world = world(
             percept("temp", number(-1.0)), percept("way", ASSyntax.createList(number(1.0), number(-2.0))), LiteralImpl("Upper Case"),
-            percept("at", Structure("Pos").addTerms(number(1.0), number(-2.0)), Atom("Upper Case")), Structure("unbelievable", 1), Atom("never"),
+            percept("at", Structure("Pos").addTerms(number(1.0), number(-2.0)), Atom("Upper Case")),
+            Structure("unbelievable", 1), Atom("never"),
             percept("Height", number(1e300)), percept("none", number(Double.NaN)), percept("far", number(Double.POSITIVE_INFINITY)),
             percept("says", ASSyntax.createString("C:\\temp \"x\"\n")), percept("seen", SetTermImpl().apply { add(Atom("Cup")) }),
             ASSyntax.parseLiteral("lab::~door(open)[by(-3)]"),
@@ -68,7 +70,8 @@ class ExactReplaySpec : FunSpec({
                 "clerk" to """
                     !get(_, Task, _).
                     +!get(Id, Task, Prices)[source(S)] <- .print(Id, Task, Prices); !find(Id, _, Prices).
-                    +!find(_, _, Prices) <- .send(store, askOne, item(_, Price, Rest), A); .print(A, Price, Rest); ?item(N, P, _); .print(N, P).
+                    +!find(_, _, Prices) <- .send(store, askOne, item(_, Price, Rest), A);
+                       .print(A, Price, Rest); ?item(N, P, _); .print(N, P).
                     +?item(pen, 2, L) <- .length([L], N).
                 """,
                 "store" to "item(cup, -4, [X|T]). item(plate, 3, []).",
@@ -196,8 +199,8 @@ class ExactReplaySpec : FunSpec({
             recorded(
                 """
                 !start.
-                +!start <- for (.range(I, 1, 12)) { !!job(I) }; .wait(50); .resume(job(7)); .resume(job(_)); .wait(20); .drop_desire(job(3));
-                   .succeed_goal(job(4)); .print(done).
+                +!start <- for (.range(I, 1, 12)) { !!job(I) }; .wait(50); .resume(job(7)); .resume(job(_)); .wait(20);
+                   .drop_desire(job(3)); .succeed_goal(job(4)); .print(done).
                 +!job(N) <- .suspend; .wait(N * 10); .print(N).
                 """.trimIndent(),
             ) { after(1.seconds) },
@@ -235,8 +238,8 @@ class ExactReplaySpec : FunSpec({
                 Why(recording).use { why ->
                     for (command in listOf("slow(1)", "stop")) {
                         val cause = why.answer(Question.of(command).shouldNotBeNull().find(why.commands)).cause.shouldNotBeNull()
-                        generateSequence(cause.plan) { (it.event as? argo.recording.why.StepCause)?.plan }.map { it.trigger }.toList() shouldContain
-                            "+dist(front,30)"
+                        val plans = generateSequence(cause.plan) { (it.event as? StepCause)?.plan }
+                        plans.map { it.trigger }.toList() shouldContain "+dist(front,30)"
                     }
                 }
             }

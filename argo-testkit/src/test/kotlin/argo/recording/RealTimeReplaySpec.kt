@@ -92,11 +92,13 @@ class RealTimeReplaySpec : FunSpec({
                 !start.
                 @show +!show(X,_) <- .random(R); .print(X, R).
                 +!start <- .plan_label(P, show); .print(P); !fail.
-                -!fail[error_msg(M),code_src(S)] <- .print(M, S); .send(pupil, askHow, {+!learn(_)}, Plans); .print(Plans); .add_plan(Plans);
+                -!fail[error_msg(M),code_src(S)]
+                   <- .print(M, S); .send(pupil, askHow, {+!learn(_)}, Plans); .print(Plans); .add_plan(Plans);
                    !learn(1); .send(pupil, tellHow, Plans); .send(pupil, tellHow, "@told +!sing(X) <- .random(R); .print(X, R)."); +taught.
                 +!fail <- .fail.
                 """.trimIndent()
-            mas.agent("pupil", "+!learn(X) <- .random(R); .print(X, R); Y = math.random(10); +learnt(Y). +!hum <- !sing(low); +hummed.") { "file:$it" }
+            val pupil = "+!learn(X) <- .random(R); .print(X, R); Y = math.random(10); +learnt(Y). +!hum <- !sing(low); +hummed."
+            mas.agent("pupil", pupil) { "file:$it" }
             mas.agent("teacher", teacher) { "file:$it" }
             runBlocking {
                 mas.awaitBelief("teacher", "taught")
@@ -121,7 +123,8 @@ class RealTimeReplaySpec : FunSpec({
             for (seller in 1..4) {
                 mas.agent(
                     "seller$seller",
-                    "!start. +!start <- for (.range(I,1,10)) { !bid(I) }. +!bid(I) <- .send(buyer, tell, bid($seller, I * 7 - 30)); .wait(1).",
+                    "!start. +!start <- for (.range(I,1,10)) { !bid(I) }.\n" +
+                        "+!bid(I) <- .send(buyer, tell, bid($seller, I * 7 - 30)); .wait(1).",
                 )
             }
             runBlocking { mas.awaitBelief("buyer", "bought(-23)") }

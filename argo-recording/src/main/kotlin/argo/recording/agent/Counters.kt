@@ -10,7 +10,8 @@ import jason.stdlib.at
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Jason's counters, which all agents of a program share: the numbers of variables, intentions, messages, suspended calls, `.at` and plans without a name. They
+ * Jason's counters, which all agents of a program share: the numbers of variables, intentions, messages, suspended calls, `.at` and plans
+ * without a name. They
  * are in names, and so in the order of Jason's maps.
  */
 internal object Counters {
@@ -61,7 +62,8 @@ internal object Counters {
     fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
 
     /** The number of the first plan among [plans] that Jason has named; null: it has named none. */
-    fun firstLabel(plans: List<Plan>): Int? = plans.mapNotNull { LABEL.matchEntire(it.label?.functor.orEmpty())?.groupValues?.get(1)?.toInt() }.minOrNull()
+    fun firstLabel(plans: List<Plan>): Int? =
+        plans.mapNotNull { LABEL.matchEntire(it.label?.functor.orEmpty())?.groupValues?.get(1)?.toInt() }.minOrNull()
 
     /** The next plan that Jason names has the number [label]. */
     fun nameFrom(label: Int) {

@@ -258,7 +258,8 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         literal.annots.setNext(annotations.next)
     }
 
-    private fun atom(functor: String, space: Atom): Literal = Atom(functor).let { if (space == Literal.DefaultNS) it else it.cloneNS(space) }
+    private fun atom(functor: String, space: Atom): Literal =
+        Atom(functor).let { if (space == Literal.DefaultNS) it else it.cloneNS(space) }
 
     private fun call(functor: String, space: Atom): Literal {
         val structure = Structure(functor)
@@ -277,7 +278,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             }
             "atom" -> literalHere().also { expect(")") }
             "structure" -> literalHere().let { read -> Structure(read.ns, read.functor).with(read.terms) }.also { expect(")") }
-            "pred" -> literalHere().let { read -> Pred(read.ns, read.functor).with(read.terms).annotatedBy(read.annots) }.also { expect(")") }
+            "pred" -> literalHere().let { Pred(it.ns, it.functor).with(it.terms).annotatedBy(it.annots) }.also { expect(")") }
             "string" -> StringTermImpl(quoted()).also { expect(")") }
             "set" -> SetTermImpl().apply { items(")").forEach(::add) }
             "map" -> MapTermImpl().apply { items(")").chunked(2).forEach { (key, value) -> put(key, value) } }

@@ -56,7 +56,11 @@ internal class TermWriter {
 
     /** The text of [literal] where only a literal can stand. */
     fun literalText(literal: Literal): String = written {
-        if (!isBare(literal)) term(literal) else if (literal is LiteralImpl) functor(literal.functor) else marked("atom") { literal(literal) }
+        when {
+            !isBare(literal) -> term(literal)
+            literal is LiteralImpl -> functor(literal.functor)
+            else -> marked("atom") { literal(literal) }
+        }
     }
 
     private inline fun written(write: () -> Unit): String = try {
@@ -165,8 +169,8 @@ internal class TermWriter {
     }
 
     /** Whether it is one word, which may be an atom or a literal. */
-    private fun isBare(literal: Literal) = (literal.javaClass == Atom::class.java || literal.javaClass == LiteralImpl::class.java) && !literal.hasTerm() && !literal.hasAnnot() && !literal.negated() &&
-        literal.ns == Literal.DefaultNS
+    private fun isBare(literal: Literal) = (literal.javaClass == Atom::class.java || literal.javaClass == LiteralImpl::class.java) &&
+        !literal.hasTerm() && !literal.hasAnnot() && !literal.negated() && literal.ns == Literal.DefaultNS
 
     private fun structure(literal: Literal) {
         namespace(literal)

@@ -89,7 +89,9 @@ internal class Recorder(
         agent.now = CycleNotes(this.agent.nanos())
         agent.overlap = Overlaps.begin()
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
-        if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { triggerText(it.trigger) }
+        if (agent.events >= 0 && ts.c.events.size > agent.events) {
+            agent.now.events = ts.c.events.drop(agent.events).map { triggerText(it.trigger) }
+        }
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent() || ts.c.hasMsg() || ts.c.hasFeedbackAction()
         agent.code.visitNew()
         agent.course.begin()
@@ -215,11 +217,12 @@ internal class Recorder(
         val agent = current()
         if (agent == null || agent.now.isSending) return live() // a broadcast may be sent as many messages
         agent.now.isSending = true
+        val mail = mailOf(message) // its receiver, on another thread, gets the same terms and may change them
         try {
             live()
-            agent.course.sent(mailOf(message))
+            agent.course.sent(mail.copy(sender = message.sender))
         } catch (failed: JasonException) {
-            agent.course.sent(mailOf(message, failed.message.orEmpty()))
+            agent.course.sent(mail.copy(sender = message.sender, failure = failed.message.orEmpty()))
             throw failed
         } finally {
             agent.now.isSending = false
@@ -264,8 +267,8 @@ internal class Recorder(
         val start = agent.counters
         val c = agent.ts.c
         val last = Counters.lastIntention(start)
-        val own = if (Counters.hasNewIntentions(start)) (c.allIntentions.asSequence() + listOfNotNull(c.selectedIntention)) else emptySequence()
-        val first = own.map { it.id }.filter { it > last }.minOrNull()
+        val own = c.allIntentions.asSequence() + listOfNotNull(c.selectedIntention)
+        val first = if (Counters.hasNewIntentions(start)) own.map { it.id }.filter { it > last }.minOrNull() else null
         Counters.before(start, first, message).let { if (it != start) agent.now.counters = it }
     }
 

@@ -35,7 +35,8 @@ import java.nio.file.Path
  */
 internal fun jasonAgent(recorded: RecordedAgent, source: Path, directory: Path, boundary: Boundary): TransitionSystem {
     Config.get().putAll(recorded.config) // before Jason reads them, once in a program
-    (listOf(recorded.agentClass, recorded.archClass, recorded.beliefBase) + recorded.directives.values).forEach { requireClass(recorded, it) }
+    val classes = listOf(recorded.agentClass, recorded.archClass, recorded.beliefBase) + recorded.directives.values
+    classes.forEach { requireClass(recorded, it) }
     recorded.directives.forEach { (name, type) -> DirectiveProcessor.registerDirective(name, Class.forName(type)) }
     val paths = SourcePath().apply { listOfNotNull(source.parent, directory).forEach { addPath("$it") } }
     (DirectiveProcessor.getDirective("include") as Include).setSourcePath(paths)

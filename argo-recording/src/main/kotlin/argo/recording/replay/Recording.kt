@@ -128,7 +128,8 @@ class Recording(private val file: Path) : AutoCloseable {
         )
     }
 
-    private fun Map<String, String>.after(prefix: String) = filterKeys { it.startsWith(prefix) }.mapKeys { (key, _) -> key.removePrefix(prefix) }
+    private fun Map<String, String>.after(prefix: String) =
+        filterKeys { it.startsWith(prefix) }.mapKeys { (key, _) -> key.removePrefix(prefix) }
 
     override fun close() = reader.close()
 

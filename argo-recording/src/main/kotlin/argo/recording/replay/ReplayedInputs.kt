@@ -168,8 +168,11 @@ internal open class ReplayedInputs(private val found: DifferenceSink) : Boundary
         }
     }
 
-    private fun messageOf(mail: Mail) = Message(mail.performative, mail.sender, mail.receiver, contentOf(mail.content, ts.ag), mail.id).apply {
-        inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+    private fun messageOf(mail: Mail): Message {
+        val content = contentOf(mail.content, ts.ag)
+        return Message(mail.performative, mail.sender, mail.receiver, content, mail.id).apply {
+            inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+        }
     }
 
     private fun carryOut(end: End) {

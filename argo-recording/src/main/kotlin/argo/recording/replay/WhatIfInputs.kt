@@ -157,8 +157,11 @@ internal class WhatIfInputs(private val recorded: RecordedCalls, private val sen
 
     private fun isDue(one: Due) = cycle.let { now -> if (one.index != null) now != null && one.index <= now.index else one.ns <= ns }
 
-    private fun messageOf(mail: Mail) = Message(mail.performative, mail.sender, mail.receiver, contentOf(mail.content, ts.ag), mail.id).apply {
-        inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+    private fun messageOf(mail: Mail): Message {
+        val content = contentOf(mail.content, ts.ag)
+        return Message(mail.performative, mail.sender, mail.receiver, content, mail.id).apply {
+            inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+        }
     }
 
     override fun call(call: InternalCall, live: () -> Any): Any = call(call, WatchedKind.OUTSIDE) { live() }

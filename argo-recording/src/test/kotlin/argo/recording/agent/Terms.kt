@@ -38,7 +38,9 @@ import kotlin.random.Random
 internal fun Arb.Companion.terms(): Arb<Term> = arbitrary { DrawnTerms(it.random).term(4) }
 
 /** Literals as percepts and beliefs are. */
-internal fun Arb.Companion.literals(): Arb<Literal> = arbitrary { DrawnTerms(it.random).run { if (it.random.nextInt(5) == 0) Atom(functor()) else literal(3) } }
+internal fun Arb.Companion.literals(): Arb<Literal> = arbitrary {
+    DrawnTerms(it.random).run { if (it.random.nextInt(5) == 0) Atom(functor()) else literal(3) }
+}
 
 private class DrawnTerms(private val random: Random) {
     private fun <T> oneOf(vararg values: T): T = values[random.nextInt(values.size)]
@@ -118,7 +120,8 @@ private class DrawnTerms(private val random: Random) {
         0 -> number()
         1 -> variable(0)
         2 -> ArithExpr(oneOf(ArithExpr.ArithmeticOp.minus, ArithExpr.ArithmeticOp.plus), expression(depth - 1))
-        3 -> ArithFunctionTerm(FunctionRegister.getFunction("math.max", 2)).apply { terms = listOf(expression(depth - 1), expression(depth - 1)) }
+        3 -> ArithFunctionTerm(FunctionRegister.getFunction("math.max", 2))
+            .apply { terms = listOf(expression(depth - 1), expression(depth - 1)) }
         else -> ArithExpr(
             expression(depth - 1), ArithExpr.ArithmeticOp.entries.filter { "$it".isNotEmpty() }.random(random), expression(depth - 1),
         )
@@ -165,17 +168,22 @@ internal fun differences(one: Any?, other: Any?): List<String> {
         @Suppress("UNCHECKED_CAST")
             val (before, after) = (one as T).of() to (other as T).of()
         val isPart = before is Term || after is Term
-        return if (isPart) differences(before, after) else if (before == after) emptyList() else listOf("$what of $one: $before, not $after")
+        if (isPart) return differences(before, after)
+        return if (before == after) emptyList() else listOf("$what of $one: $before, not $after")
     }
     if (one == null && other == null) return emptyList()
-    if (one == null || other == null || classOf(one) != classOf(other)) return listOf("$one is of ${one?.javaClass}, not of ${other?.javaClass}")
+    if (one == null || other == null || classOf(one) != classOf(other)) {
+        return listOf("$one is of ${one?.javaClass}, not of ${other?.javaClass}")
+    }
     if (one is Atom && one === Literal.DefaultNS) return if (one === other) emptyList() else listOf("$one, not $other")
     return when (one) {
         is NumberTermImpl -> differing<NumberTermImpl>("value") { solve().toRawBits() }
         is StringTermImpl -> differing<StringTermImpl>("text") { string }
         is SetTermImpl -> of(one.toList(), (other as SetTermImpl).toList())
-        is MapTermImpl -> of(one.keys().toList(), (other as MapTermImpl).keys().toList()) + of(one.values().toList(), other.values().toList())
-        is Plan -> differing<Plan>("term") { isPlanTerm } + differing<Plan>("source") { sourceFile } + differing<Plan>("place") { "$srcInfo" } +
+        is MapTermImpl -> of(one.keys().toList(), (other as MapTermImpl).keys().toList()) +
+            of(one.values().toList(), other.values().toList())
+        is Plan -> differing<Plan>("term") { isPlanTerm } + differing<Plan>("source") { sourceFile } +
+            differing<Plan>("place") { "$srcInfo" } +
             differing<Plan>("label") { label } + differing<Plan>("trigger") { trigger } + differing<Plan>("context") { context } +
             differing<Plan>("condition") { goalCondition } + differing<Plan>("body") { body }
         is PlanBodyImpl -> differing<PlanBodyImpl>("type") { bodyType } + differing<PlanBodyImpl>("term") { isBodyTerm } +
