@@ -52,6 +52,10 @@ data class Input(
     val isChangedOutside: Boolean = false,
 )
 
+/** The terms that a replay reads. */
+internal fun Input.texts(): Sequence<String> = events.asSequence() + percepts?.now.orEmpty() + mail.asSequence().map { it.content } +
+    calls.asSequence().flatMap { it.answers }.flatMap { it.values }
+
 /** How a list of percepts differs from the one before: the first [keep] and the last [keepLast] stay, [now] stands between them. */
 @Serializable
 data class PerceptChange(
@@ -254,12 +258,20 @@ internal data class Mark(
     val why: String,
 )
 
+/** What an agent believed, and which events it had, when its program had been read: there a program may draw numbers or read clocks. */
+@Serializable
+data class Beginning(val beliefs: List<String>, val events: List<String>)
+
 /**
  * The agent of a recording, in its metadata.
  *
  * @property source the name of the attachment that holds its program
  * @property options its options in the `.mas2j`
  * @property isConditional whether Jason left out parts of a cycle that had nothing to do, as its Local infrastructure does
+ * @property address where Jason read the program, as it shows that in annotations and errors; null: not known
+ * @property beginning what it began with; null: not known
+ * @property firstLabel the number that Jason gave its first plan without a name; null: it has none
+ * @property config settings of Jason's for all agents
  */
 data class RecordedAgent(
     val name: String,
@@ -269,4 +281,8 @@ data class RecordedAgent(
     val beliefBase: String,
     val options: Map<String, String>,
     val isConditional: Boolean,
+    val address: String? = null,
+    val beginning: Beginning? = null,
+    val firstLabel: Int? = null,
+    val config: Map<String, String> = emptyMap(),
 )

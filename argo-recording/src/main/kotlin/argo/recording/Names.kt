@@ -1,9 +1,13 @@
 package argo.recording
 
+import jason.util.Config
 import java.nio.file.Path
 
 /** The version of what a recording of an agent holds; a reader refuses a newer one. */
-const val FORMAT = "1"
+const val FORMAT = "2"
+
+/** The versions that are read. The first one wrote terms as Jason does. */
+internal val FORMATS = setOf("1", FORMAT)
 
 /** The name of the metadata of the agent called [name]. */
 internal fun agentMetadata(name: String) = "agent/$name"
@@ -19,3 +23,6 @@ internal fun isProgram(name: String) = name.startsWith("program/")
 
 /** The name of the attachment with the file [file] of the program of [agent]. */
 internal fun programName(agent: String, file: Path) = "program/$agent/${file.joinToString("/")}"
+
+/** Settings of Jason's, for all agents, that change what agents do. */
+internal val CONFIG = listOf(Config.SHORT_UNNAMED_VARS, Config.KQML_RECEIVED_FUNCTOR)

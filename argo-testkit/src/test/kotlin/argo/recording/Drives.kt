@@ -5,7 +5,13 @@ import argo.recording.replay.Recording
 import argo.recording.replay.Replay
 import argo.testkit.AgentSetUp
 import argo.testkit.TestAgent
+import argo.testkit.TestMas
 import argo.testkit.agentOf
+import argo.testkit.mas
+import io.kotest.assertions.withClue
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
@@ -27,6 +33,23 @@ internal fun recorded(program: String, setUp: AgentSetUp.() -> Unit = {}, drive:
         options("argo_record" to "$file")
     }.use { it.drive() }
     return file
+}
+
+/** Records agents with these programs, by their names, while [drive] runs, and returns the file. */
+internal fun recordedMas(vararg agents: Pair<String, String>, drive: TestMas.() -> Unit): Path {
+    val file = recordingFile()
+    mas {
+        for ((name, program) in agents) agentOf(name, program.trimIndent()) { options("argo_record" to "$file") }
+    }.use { it.drive() }
+    return file
+}
+
+/** All of [file] is replayed, and does what was recorded. */
+internal fun shouldReplay(file: Path) {
+    val outcome = replayOf(file)
+    withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }
+    outcome.cycles shouldBe outcome.recorded.toLong()
+    outcome.cycles shouldBeGreaterThan 0L
 }
 
 /** What came of a replay: how many cycles were run, how many were recorded, and what differs. */

@@ -169,7 +169,9 @@ class KeyFramesSpec : FunSpec({
         SeededDrives("$folder/talk.mas2j", listOf("left", "right")) { board("sim:none") { sensor("idle(%d)", 0..1) } }.record(1, file)
         val ring = ringOf(file, Duration.ofSeconds(6)) // a key frame comes every five
         Recording(ring).use { recording ->
-            val starts = recording.agents.keys.associateWith { recording.start(it).shouldNotBeNull() }
+            val starts = recording.agents.keys.associateWith { agent ->
+                withClue(recording.keyFrames(agent).map { "${it.ns}: ${it.missing}" }.toList()) { recording.start(agent).shouldNotBeNull() }
+            }
             starts.keys shouldBe setOf("left", "right")
             recording.agents.keys.flatMap { agent -> recording.replayable(agent).flatMap { it.input.mail }.toList() }.shouldNotBeEmpty()
         }

@@ -29,12 +29,12 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         mas.start()
     }
 
-    /** Starts an agent with [program]. */
-    fun agent(name: String, program: String) {
+    /** Starts an agent with [program], which Jason reads at the [address] of its file. */
+    fun agent(name: String, program: String, address: (Path) -> String = Path::toString) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val settings = Settings().apply { addOption("argo_record", "$file") }
         val services = RuntimeServicesFactory.get()
-        services.startAgent(services.createAgent(name, "$source", null, listOf("argo.Arch"), null, settings, null))
+        services.startAgent(services.createAgent(name, address(source), null, listOf("argo.Arch"), null, settings, null))
     }
 
     /** Returns when agent [name] believes [belief]. */

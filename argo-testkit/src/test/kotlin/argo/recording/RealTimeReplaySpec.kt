@@ -3,9 +3,7 @@ package argo.recording
 import argo.recording.replay.Recording
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
-import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import javino.sim.SimulatedBoards
 import javino.sim.Sketch
@@ -42,13 +40,6 @@ class RealTimeReplaySpec : FunSpec({
         }
     }
 
-    fun shouldReplay(file: Path) {
-        val outcome = replayOf(file)
-        withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }
-        outcome.cycles shouldBe outcome.recorded.toLong()
-        outcome.cycles shouldBeGreaterThan 0L
-    }
-
     fun driver(port: String) =
         """
         !start. !miss.
@@ -70,6 +61,74 @@ class RealTimeReplaySpec : FunSpec({
         }
         Recording(file).use { it.cycles("driver").toList() }.flatMap { it.input.calls }.flatMap { it.commands }.map { it.text }
             .distinct() shouldContain "stop"
+        shouldReplay(file)
+    }
+
+    test("goals that are given up when their time is over, while the agent rests") {
+        val file = recordingFile()
+        LiveMas(file).use { mas ->
+            mas.agent(
+                "runner",
+                """
+                !start.
+                +!start <- !!lap(30)[hard_deadline(200)]; !lap(20)[hard_deadline(100)]; !lap(2)[hard_deadline(500)]; !lap(3); +home.
+                +!lap(N) <- .wait(N * 20); .print(N).
+                -!lap(N)[error(E)] <- .print(N, E); +late(N).
+                """.trimIndent(),
+            )
+            runBlocking {
+                mas.awaitBelief("runner", "home")
+                mas.awaitBelief("runner", "late(30)")
+            }
+        }
+        shouldReplay(file)
+    }
+
+    test("what shows where the program lies: errors, labels of plans, and plans that are told") {
+        val file = recordingFile()
+        LiveMas(file).use { mas ->
+            val teacher =
+                """
+                !start.
+                @show +!show(X,_) <- .random(R); .print(X, R).
+                +!start <- .plan_label(P, show); .print(P); !fail.
+                -!fail[error_msg(M),code_src(S)]
+                   <- .print(M, S); .send(pupil, askHow, {+!learn(_)}, Plans); .print(Plans); .add_plan(Plans);
+                   !learn(1); .send(pupil, tellHow, Plans); .send(pupil, tellHow, "@told +!sing(X) <- .random(R); .print(X, R)."); +taught.
+                +!fail <- .fail.
+                """.trimIndent()
+            val pupil = "+!learn(X) <- .random(R); .print(X, R); Y = math.random(10); +learnt(Y). +!hum <- !sing(low); +hummed."
+            mas.agent("pupil", pupil) { "file:$it" }
+            mas.agent("teacher", teacher) { "file:$it" }
+            runBlocking {
+                mas.awaitBelief("teacher", "taught")
+                mas.agent("boss", "!start. +!start <- .send(pupil, achieve, hum).")
+                mas.awaitBelief("pupil", "hummed")
+            }
+        }
+        shouldReplay(file)
+    }
+
+    test("an agent that gets many messages at once, without plans for them, from agents that reason at the same time") {
+        val file = recordingFile()
+        LiveMas(file).use { mas ->
+            mas.agent(
+                "buyer",
+                """
+                enough :- .count(bid(_,_), N) & N >= 40.
+                !start.
+                +!start <- .wait(enough); .findall(P, bid(_,P), Ps); .min(Ps, Best); .print(Ps, Best); +bought(Best).
+                """.trimIndent(),
+            )
+            for (seller in 1..4) {
+                mas.agent(
+                    "seller$seller",
+                    "!start. +!start <- for (.range(I,1,10)) { !bid(I) }.\n" +
+                        "+!bid(I) <- .send(buyer, tell, bid($seller, I * 7 - 30)); .wait(1).",
+                )
+            }
+            runBlocking { mas.awaitBelief("buyer", "bought(-23)") }
+        }
         shouldReplay(file)
     }
 

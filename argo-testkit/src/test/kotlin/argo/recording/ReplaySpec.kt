@@ -2,10 +2,7 @@ package argo.recording
 
 import argo.recording.replay.Recording
 import argo.recording.replay.Replay
-import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
@@ -13,13 +10,6 @@ import kotlin.time.Duration.Companion.seconds
 
 /** What a recorded agent did, it does again when Jason runs it on what was recorded. */
 class ReplaySpec : FunSpec({
-    fun shouldReplay(file: Path) {
-        val outcome = replayOf(file)
-        withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }
-        outcome.cycles shouldBe outcome.recorded.toLong()
-        outcome.cycles shouldBeGreaterThan 0L
-    }
-
     test("percepts, events, commands and timers") {
         val file = recorded(
             """

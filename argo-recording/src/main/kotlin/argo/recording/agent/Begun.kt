@@ -4,6 +4,7 @@ import argo.boundary.InternalCall
 import argo.recording.CallFailure
 import argo.recording.End
 import jason.JasonException
+import jason.NoValueException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
@@ -55,6 +56,15 @@ internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> 
     if (call.args.all { it.isGround }) return emptyMap() // as of most calls
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }
 }
+
+/** Why a function has no value. */
+internal fun evaluationFailure(failed: Exception) = CallFailure(if (failed is NoValueException) NO_VALUE else "", failed.message.orEmpty())
+
+/** What was thrown where a function has no value. */
+internal fun evaluationFailed(failure: CallFailure): Exception =
+    if (failure.error == NO_VALUE) NoValueException(failure.message) else JasonException(failure.message)
+
+private const val NO_VALUE = "no_value"
 
 /** How a call failed that threw [failed]. */
 internal fun callFailure(failed: JasonException) = CallFailure(

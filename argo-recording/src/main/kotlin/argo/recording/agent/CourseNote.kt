@@ -19,6 +19,9 @@ internal class CourseNote(
     private val printed: List<String>,
     private val beliefs: Int,
 ) {
+    /** The name of the first message that was sent; null: none was. */
+    val firstMessage: String? get() = mail.firstOrNull()?.id
+
     /** Whether an event was chosen, or a step carried out. */
     val hasHappened: Boolean get() = event != null || step != null
 

@@ -98,5 +98,5 @@ internal fun fileName(path: String) = path.removePrefix("file:").substringAfterL
 /** [message] as a recording has it. */
 internal fun mailOf(message: Message, failure: String? = null) = Mail(
     message.ilForce, message.sender, message.receiver,
-    message.propCont.let { if (it is Term) textOf(it) else "$it" }, message.msgId, message.inReplyTo, failure,
+    contentText(message.propCont), message.msgId, message.inReplyTo, failure,
 )

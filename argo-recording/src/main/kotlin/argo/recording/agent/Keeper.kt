@@ -22,6 +22,12 @@ internal interface Keeper {
             get() = CURRENT.get()
             set(keeper) = if (keeper == null) CURRENT.remove() else CURRENT.set(keeper)
 
+        /** A cycle of the agent of [ts] begins. If it perceives nothing in it, [keeper] is the current one at once. */
+        fun begin(keeper: Keeper, ts: TransitionSystem) {
+            val every = ts.settings.nrcbp()
+            if (every > 1 && Insides.cyclesUnperceived.getInt(ts) < every) current = keeper
+        }
+
         /** Does [work] as the agent of [keeper] does it, whose cycle has not begun yet. */
         inline fun <T> within(keeper: Keeper, work: () -> T): T {
             current = keeper

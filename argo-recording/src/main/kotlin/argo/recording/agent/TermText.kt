@@ -2,33 +2,78 @@ package argo.recording.agent
 
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
-import argo.filters.jason.perceptText
+import jason.asSemantics.Agent
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
+import jason.asSyntax.Trigger
 import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 
-/** The text of [term] in a recording. */
-internal fun textOf(term: Term): String = if (term is Literal && !term.isVar && term.isGround) perceptText(term) else "$term"
+/** The text of [term] in a recording, from which [termOf] makes the same term; see [TermWriter]. */
+internal fun textOf(term: Term): String = TermWriter().text(term)
+
+/** The text of [literal] where only a literal can stand, as a percept or a belief. */
+internal fun literalText(literal: Literal): String = TermWriter().literalText(literal)
+
+/** The text of an event with [trigger]. */
+internal fun triggerText(trigger: Trigger): String =
+    if (trigger.type.name == SIGNAL) textOf(trigger)
+    else "${trigger.operator}${trigger.type}${literalText(trigger.literal)}"
+
+/** The text of the [content] of a message: a term, or a text that Jason reads when the message is taken. */
+internal fun contentText(content: Any?): String = when (content) {
+    is Term -> textOf(content)
+    is String -> "$TEXT${TermWriter.quoted(content)})"
+    else -> TermWriter.refusedText("a Java object of the class ${content?.javaClass?.name}")
+}
+
+/** The content that [contentText] wrote as [text]. Throws as [termOf] does. */
+internal fun contentOf(text: String, agent: Agent): Any =
+    if (text.startsWith(TEXT)) TermReader(text.substring(TEXT.length, text.length - 1)).quotedText() else termOf(text, agent)
+
+private const val TEXT = "#text("
+
+/** Written as a belief; a type of event that Jason 3.2.1 does not have. */
+private const val SIGNAL = "signal"
 
 /**
  * The term that [textOf] wrote as [text].
+ *
+ * @param agent whose functions it may hold
+ * @throws UnrecordableTerm if it could not be written
  * @throws IllegalArgumentException if it is none
  */
-internal fun termOf(text: String): Term = perceptOf(text) ?: parsed(text) { ASSyntax.parseTerm(it) }
+internal fun termOf(text: String, agent: Agent? = null): Term = try {
+    TermReader(text, agent).term()
+} catch (_: TermReader.Unreadable) {
+    perceptOf(text) ?: parsed(text) { ASSyntax.parseTerm(it) }
+}
 
-/** The literal that [textOf] wrote as [text]. */
-internal fun literalOf(text: String): Literal = perceptOf(text) ?: parsed(text) { ASSyntax.parseLiteral(it) }
+/** The literal that [literalText] wrote as [text]. Throws as [termOf] does. */
+internal fun literalOf(text: String): Literal = try {
+    TermReader(text).literal()
+} catch (_: TermReader.Unreadable) {
+    perceptOf(text) ?: parsed(text) { ASSyntax.parseLiteral(it) }
+}
 
-/** It reads strings as boards write them, which Jason's parser does not. */
+/** The trigger that [triggerText] wrote as [text]. Throws as [termOf] does. */
+internal fun triggerOf(text: String): Trigger {
+    if (text.startsWith("#")) return termOf(text) as Trigger
+    val operator = Trigger.TEOperator.entries.find { text.startsWith("$it") } ?: return parsed(text, ASSyntax::parseTrigger)
+    val rest = text.drop("$operator".length)
+    val type = listOf(Trigger.TEType.achieve, Trigger.TEType.test).find { rest.startsWith("$it") } ?: Trigger.TEType.belief
+    return Trigger(operator, type, literalOf(rest.drop("$type".length)))
+}
+
+/** Recordings of format 1 hold strings as boards write them, which Jason's parser does not read. */
 private fun perceptOf(text: String): Literal? = try {
     if ('"' in text && "::" !in text) PerceptReader.read(text) else null
 } catch (_: PerceptSyntaxException) {
     null
 }
 
-internal fun <T> parsed(text: String, parse: (String) -> T): T = try {
+private fun <T> parsed(text: String, parse: (String) -> T): T = try {
     parse(text)
 } catch (unreadable: ParseException) {
     throw IllegalArgumentException("a recording holds \"$text\", which Jason cannot read", unreadable)

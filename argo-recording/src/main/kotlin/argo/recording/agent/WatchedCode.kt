@@ -75,17 +75,23 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
     /** Watches all plans and rules that the agent has now, and actions that it looks up later. */
     fun begin() {
-        watchAdded()
-        ts.ag.bb.filterIsInstance<Rule>().forEach { visit(it.body) }
+        visitAll()
+        ts.c.events.forEach { visit(it.trigger.literal as Any) } // goals of the program, whose arguments are evaluated later
         (JasonCode.recordedActions - RANDOM).forEach { type -> ts.ag.setIA(type, watched(type, ts.ag.getIA(type))) }
     }
 
-    /** Watches the plans that the agent has got since it was called last. */
+    /** Watches what the agent has been told or has included since: Jason looks its actions up anew. */
     fun watchAdded() {
         val now = Plans.of(ts.ag).all
         if (now.size == plans.size && now.lastOrNull() === plans.lastOrNull() && now.firstOrNull() === plans.firstOrNull()) return
-        plans = now.toList()
+        seen.clear()
+        visitAll()
+    }
+
+    private fun visitAll() {
+        plans = Plans.of(ts.ag).all.toList()
         plans.forEach(::visit)
+        ts.ag.bb.filterIsInstance<Rule>().forEach { visit(it.body) }
     }
 
     /** [action], which the program calls [name], watched if it is to be. */
@@ -153,7 +159,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun writeReplace(): Any = action
 
         override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
-            watch.call(InternalCall(name, args, un), kind()) { action.execute(ts, it, args) }
+            current(watch).call(InternalCall(name, args, un), kind()) { action.execute(ts, it, args) }
 
         private fun kind() = when {
             !isOfProject -> WatchedKind.OUTSIDE
@@ -169,7 +175,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun writeReplace(): Any = function
 
         override fun evaluate(ts: TransitionSystem?, args: Array<Term>): Double =
-            watch.evaluate(function.name, args, isOfProject) { function.evaluate(ts, args) }
+            current(watch).evaluate(function.name, args, isOfProject) { function.evaluate(ts, args) }
     }
 
     private companion object {
@@ -177,5 +183,8 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
         /** `.set_random_seed` wants Jason's own object; that of the program's terms is watched. */
         val RANDOM = random::class.java.name
+
+        /** Who watches the agent that calls: a plan that one agent tells another comes with the code of the first. */
+        fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
     }
 }

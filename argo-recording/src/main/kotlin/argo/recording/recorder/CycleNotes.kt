@@ -6,7 +6,8 @@ import argo.recording.Input
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.PerceptChange
-import argo.recording.agent.textOf
+import argo.recording.agent.laterText
+import argo.recording.agent.literalText
 import jason.asSyntax.Literal
 
 /** What has entered an agent in a cycle. Belongs to the agent's thread; from the end of the cycle on to the thread that stores it. */
@@ -48,9 +49,11 @@ internal class CycleNotes(val ns: Long) {
     )
 }
 
-/** How percepts differ from those before, see [PerceptChange]. Their literals do not change: Jason believes copies of them. */
+/** How percepts differ from those before, see [PerceptChange]. Jason believes copies of them, in which it shares sets and maps. */
 internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
+    private val texts = laterText(now) { now.map(::literalText) }
+
     val size: Int get() = now.size
 
-    fun change() = PerceptChange(keep, now.map(::textOf), keepLast)
+    fun change() = PerceptChange(keep, texts(), keepLast)
 }

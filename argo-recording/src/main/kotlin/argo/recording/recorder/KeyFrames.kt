@@ -10,7 +10,7 @@ import argo.recording.agent.Mind
 import argo.recording.agent.ProgramParts
 import argo.recording.agent.Waits
 import argo.recording.agent.bytesOf
-import argo.recording.agent.textOf
+import argo.recording.agent.literalText
 import jason.asSemantics.CircumstanceListener
 import jason.asSemantics.Intention
 import jason.asSemantics.TransitionSystem
@@ -199,7 +199,7 @@ internal class KeyFrameNote(
 
     /** Any thread. */
     fun frame(): KeyFrame =
-        if (!isThere) frame else frame.copy(beliefs = beliefs.map(::textOf), perceived = perceived.map(::textOf), mind = packed())
+        if (!isThere) frame else frame.copy(beliefs = beliefs.map(::literalText), perceived = perceived.map(::literalText), mind = packed())
 
     private fun packed(): String {
         val bytes = ByteArrayOutputStream()

@@ -1,13 +1,20 @@
 package argo.recording.recorder
 
 import argo.Arch
+import argo.platform.Plans
+import argo.recording.Beginning
+import argo.recording.CONFIG
 import argo.recording.FORMAT
+import argo.recording.agent.Counters
+import argo.recording.agent.beginningOf
 import argo.recording.agentMetadata
 import argo.recording.storage.RecordSink
 import jason.asSemantics.TransitionSystem
 import jason.infra.local.BaseLocalMAS
 import jason.infra.local.LocalAgArch
+import jason.runtime.Settings
 import jason.util.Config
+import kotlinx.serialization.json.Json
 import java.io.IOException
 
 /**
@@ -29,7 +36,12 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram
             "archClass" to generateSequence(ts.agArch) { it.nextAgArch }.first { it is Arch }.javaClass.name,
             "beliefBase" to ts.ag.bb.javaClass.name,
             "isConditional" to "${generateSequence(ts.agArch) { it.nextAgArch }.last() is LocalAgArch}",
-        ) + ts.settings.userParameters.filterValues { it is String || it is Number }.map { (key, value) -> "option.$key" to "$value" },
+            "firstLabel" to Counters.firstLabel(Plans.of(ts.ag).all)?.toString().orEmpty(),
+            "address" to ts.ag.aslSrc.orEmpty(),
+            "beginning" to Json.encodeToString(Beginning.serializer(), beginningOf(ts)),
+        ) + ts.settings.userParameters.filterValues { it is String || it is Number }.map { (key, value) -> "option.$key" to "$value" } +
+            inForce(ts.settings).map { (key, value) -> "option.$key" to value } +
+            CONFIG.mapNotNull { key -> Config.get().getProperty(key)?.let { "config.$key" to it } },
     )
     sink.metadata(
         "argo.recording",
@@ -42,3 +54,12 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram
     )
     return program
 }
+
+/** The [settings] that an infrastructure may set besides the options, such as an execution control, which has its agents wait for it. */
+private fun inForce(settings: Settings) = mapOf(
+    "events" to if (settings.requeue()) "requeue" else if (settings.retrieve()) "retrieve" else "discard",
+    "intBels" to if (settings.sameFocus()) "sameFocus" else "newFocus",
+    "nrcbp" to "${settings.nrcbp()}",
+    "synchronised" to "${settings.isSync}",
+    "tro" to "${settings.isTROon}",
+)

@@ -32,9 +32,11 @@ import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
 import argo.recording.agent.complete
+import argo.recording.agent.evaluationFailure
 import argo.recording.agent.failureOf
+import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
-import argo.recording.agent.textOf
+import argo.recording.agent.triggerText
 import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
@@ -83,6 +85,7 @@ internal class Recorder(
         var events = -1
         var beliefs = -1
         var cycles = 0L
+        var overlap = 0L
         lateinit var now: CycleNotes // of the cycle that runs
     }
 
@@ -93,12 +96,16 @@ internal class Recorder(
         KeptInclude.current = this
         agent.code.watchAdded()
         agent.now = CycleNotes(this.agent.nanos())
-        agent.now.counters = if (Counters.isAt(agent.counters)) null else Counters.read()
-        if (agent.events >= 0 && ts.c.events.size > agent.events) agent.now.events = ts.c.events.drop(agent.events).map { "${it.trigger}" }
+        agent.overlap = Overlaps.begin()
+        if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
+        if (agent.events >= 0 && ts.c.events.size > agent.events) {
+            agent.now.events = ts.c.events.drop(agent.events).map { triggerText(it.trigger) }
+        }
         agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
-        agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent()
+        agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent() || ts.c.hasMsg() || ts.c.hasFeedbackAction()
         agent.course.begin()
         carryOutEnds(agent)
+        Keeper.begin(this, ts)
     }
 
     /** Before Jason begins the cycle: an intention that this resumes goes on in it, as it would without a recording. */
@@ -143,10 +150,10 @@ internal class Recorder(
         agent.keyFrames.perceived(percepts.size)
     }
 
-    override fun newlyCritical(live: () -> List<Literal>) = live().also { current()?.now?.critical = it.map(::textOf) }
+    override fun newlyCritical(live: () -> List<Literal>) = live().also { current()?.now?.critical = it.map(::literalText) }
 
     override fun boardOf(percept: Literal, live: () -> String?) =
-        live().also { board -> if (board != null) current()?.now?.boards?.put(textOf(percept), board) }
+        live().also { board -> if (board != null) current()?.now?.boards?.put(literalText(percept), board) }
 
     override fun takeMail(live: () -> Unit) {
         val agent = current() ?: return live()
@@ -186,9 +193,17 @@ internal class Recorder(
         }
     }
 
-    override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live().also { value ->
-        val agent = current() ?: return@also
-        agent.now.calls += CallNote(name, args, isOfProject).apply { this.value = "$value" }
+    override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
+        val agent = current() ?: return live()
+        val note = CallNote(name, args, isOfProject)
+        try {
+            return live().also { note.value = "$it" }
+        } catch (failed: Exception) { // Jason reports it, and goes on
+            note.failure = evaluationFailure(failed)
+            throw failed
+        } finally {
+            agent.now.calls += note
+        }
     }
 
     override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
@@ -223,11 +238,12 @@ internal class Recorder(
         val agent = current()
         if (agent == null || agent.now.isSending) return live() // a broadcast may be sent as many messages
         agent.now.isSending = true
+        val mail = mailOf(message) // its receiver, on another thread, gets the same terms and may change them
         try {
             live()
-            agent.course.sent(mailOf(message))
+            agent.course.sent(mail.copy(sender = message.sender))
         } catch (failed: JasonException) {
-            agent.course.sent(mailOf(message, failed.message.orEmpty()))
+            agent.course.sent(mail.copy(sender = message.sender, failure = failed.message.orEmpty()))
             throw failed
         } finally {
             agent.now.isSending = false
@@ -250,13 +266,33 @@ internal class Recorder(
         val now = agent.now
         agent.events = agent.ts.c.events.size
         agent.beliefs = agent.ts.ag.bb.size()
-        if (now.isNothing() && !now.isAtWork && !course.hasHappened) return
+        val isAlone = Overlaps.end(agent.overlap)
+        if (!isAlone) noteCounters(agent, course.firstMessage)
+        val isRecorded = !now.isNothing() || now.isAtWork || course.hasHappened
+        agent.counters = whereLeft(agent, isAlone, isRecorded)
+        if (!isRecorded) return
         now.end()
         val arch = agent.ts.agArch
         val cycle = CycleNote(++agent.cycles, arch.cycleNumber, now, course, !arch.isRunning, agent.course.missesPrints)
         track.cycle(cycle)
-        if (!Counters.isAt(agent.counters)) agent.counters = Counters.read()
         takeKeyFrame(agent, cycle)
+    }
+
+    /** Where a replay has the counters behind this cycle; empty: it will be told before the next one. */
+    private fun whereLeft(agent: Running, isAlone: Boolean, isRecorded: Boolean): List<Int> = when {
+        !isAlone || !isRecorded && agent.now.counters != null -> emptyList()
+        Counters.isAt(agent.counters) -> agent.counters
+        else -> if (isRecorded) Counters.read() else emptyList()
+    }
+
+    /** Other agents have drawn from the counters in this cycle, too. */
+    private fun noteCounters(agent: Running, message: String?) {
+        val start = agent.counters
+        val c = agent.ts.c
+        val last = Counters.lastIntention(start)
+        val own = c.allIntentions.asSequence() + listOfNotNull(c.selectedIntention)
+        val first = if (Counters.hasNewIntentions(start)) own.map { it.id }.filter { it > last }.minOrNull() else null
+        Counters.before(start, first, message).let { if (it != start) agent.now.counters = it }
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {

@@ -2,18 +2,22 @@ package argo.recording.recorder
 
 import argo.recording.CommandEnd
 import argo.recording.Cycle
+import argo.recording.Input
 import argo.recording.KeyFrame
 import argo.recording.Mark
 import argo.recording.ReflexEnd
 import argo.recording.RunningRecording
 import argo.recording.RunningRecordings
+import argo.recording.agent.TermWriter
 import argo.recording.jsonSchema
 import argo.recording.lean
 import argo.recording.storage.RecordChannel
 import argo.recording.storage.RecordSink
+import argo.recording.texts
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.json.Json
 import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
@@ -22,6 +26,7 @@ internal class Track(
     override val agent: String,
     private val recording: SharedRecording,
     private val nanos: () -> Long,
+    private val warn: (String) -> Unit,
 ) : RunningRecording {
     private val sink: RecordSink = recording.sink
     private val cycles = channel("cycle", "argo.Cycle", Cycle.serializer())
@@ -30,6 +35,7 @@ internal class Track(
     private val reflexes = channel("reflex", "argo.Reflex", ReflexEnd.serializer())
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
+    private val refused: MutableSet<String> = ConcurrentHashMap.newKeySet()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()
 
     init {
@@ -44,7 +50,16 @@ internal class Track(
         sink.channel("/$agent/$name", schema, jsonSchema(serializer.descriptor))
 
     fun cycle(note: CycleNote) = store(cycles, note.ns, CYCLE_BYTES + note.percepts * PERCEPT_BYTES) {
-        json(Cycle.serializer(), note.cycle().lean())
+        val cycle = note.cycle()
+        warnOfRefused(cycle.input)
+        json(Cycle.serializer(), cycle.lean())
+    }
+
+    /** Reports once for each kind what of [input] could not be written. */
+    private fun warnOfRefused(input: Input) {
+        for (text in input.texts()) if (TermWriter.isRefused(text) && refused.add(text)) {
+            warn("argo_record: agent $agent got ${TermWriter.refusalOf(text)}, which a recording cannot hold; a replay ends there")
+        }
     }
 
     /** Stores a key frame. */

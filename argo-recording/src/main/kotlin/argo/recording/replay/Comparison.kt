@@ -55,5 +55,5 @@ internal fun normal(text: String): String =
     else text
 
 private val NUMBERED = Regex("""\b(_|p__|mid|samid)\d+(?:_\d+)*""")
-private val CODE_PLACE = Regex("""\b(code_line|code_src)\((?:\d+|"(?:[^"\\]|\\.)*")\)""")
+private val CODE_PLACE = Regex("""\b(code_line|code_src)\((?:no_code|\d+|"(?:[^"\\]|\\.)*")\)""")
 private val OBJECT = Regex("""\b((?:\w+\.)+[\w$]+)@[0-9a-f]{1,8}\b""")

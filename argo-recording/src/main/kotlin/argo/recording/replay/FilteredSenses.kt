@@ -7,7 +7,7 @@ import argo.filters.jason.PerceptReader
 import argo.perception.whyLeftOut
 import argo.recording.Cycle
 import argo.recording.PerceivedSnapshot
-import argo.recording.agent.textOf
+import argo.recording.agent.literalText
 import jason.asSyntax.Atom
 import jason.asSyntax.Literal
 import java.util.concurrent.TimeUnit
@@ -36,7 +36,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
         if (input?.percepts == null && !isDue) return null
         noteCritical()
         val before = boards.values.flatMapTo(HashSet()) { it.before }
-        return boards.values.flatMap { it.now?.percepts.orEmpty() } + recorded.filterNot { textOf(it) in before }
+        return boards.values.flatMap { it.now?.percepts.orEmpty() } + recorded.filterNot { literalText(it) in before }
     }
 
     private fun noteCritical() {
@@ -60,7 +60,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
             private set
 
         fun receive(message: PerceivedSnapshot, ms: Long) {
-            before = (message.kept ?: message.texts).flatMap(::read).mapTo(HashSet(), ::textOf)
+            before = (message.kept ?: message.texts).flatMap(::read).mapTo(HashSet(), ::literalText)
             now = session.perceive(message.texts, ms)
         }
 

@@ -4,6 +4,8 @@ import argo.Arch
 import argo.boundary.Boundary
 import argo.platform.Platform
 import argo.recording.RecordedAgent
+import argo.recording.agent.Counters
+import argo.recording.agent.Insides
 import argo.recording.agent.KeptInclude
 import jason.architecture.AgArch
 import jason.asSemantics.Agent
@@ -15,6 +17,10 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
 import jason.util.Config
+import java.io.File
+import java.net.MalformedURLException
+import java.net.URL
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -25,15 +31,18 @@ import java.nio.file.Path
  * @throws RecordingException if a class of it is missing, or is none that a replay makes, or Jason cannot read it
  */
 internal fun jasonAgent(recorded: RecordedAgent, source: Path, includes: RecordedIncludes, boundary: Boundary): TransitionSystem {
+    Config.get().putAll(recorded.config) // before Jason reads them, once in a program
     requireJasons(recorded, recorded.agentClass, Agent::class.java.name)
     requireJasons(recorded, recorded.beliefBase, DefaultBeliefBase::class.java.name)
     val archType = archType(recorded)
     val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options.filterKeys(::isOfAgent))) }
     val infra = Infra(recorded)
+    val address = recorded.address.takeIf { includes.isOfRecordedProgram }
+    recorded.firstLabel?.let(Counters::nameFrom)
     KeptInclude.install()
     load(recorded) {
         ofJasonsConfiguration {
-            KeptInclude.within(includes) { Agent.create(infra, GuardedAgent::class.java.name, null, "$source", settings) }
+            KeptInclude.within(includes) { create(infra, settings) { it.read(source, address) } }
         }
     }
     val ts = infra.ts
@@ -45,6 +54,42 @@ internal fun jasonAgent(recorded: RecordedAgent, source: Path, includes: Recorde
     arch.init()
     ts.logger.useParentHandlers = false // what it printed is in the recording
     return ts
+}
+
+/** As [Agent.create], which reads a program only where it lies. */
+private fun create(infra: AgArch, settings: Settings, read: (Agent) -> Unit) {
+    val agent = GuardedAgent()
+    TransitionSystem(agent, null, settings, infra)
+    agent.bb = DefaultBeliefBase()
+    agent.initAg()
+    read(agent)
+}
+
+/** Reads the program in the file [source] as if it lay at [address], which Jason shows in annotations and errors; null: where it lies. */
+private fun Agent.read(source: Path, address: String?) {
+    if (address == null) return loadInitialAS("$source")
+    Files.newInputStream(source).use { parseAS(it, shown(address)) }
+    loadInitialAS(null) // the rest
+    aslSrc = address
+}
+
+/** What Jason calls a program that it reads at [address]: the URL, or the name of a file. */
+private fun shown(address: String) = try {
+    "${URL(address)}"
+} catch (_: MalformedURLException) {
+    File(address).name
+}
+
+/** Has Jason forget what it forgets in so many [cycles] in which nothing happens, which are not recorded. */
+internal fun TransitionSystem.rest(cycles: Int) {
+    if (cycles <= 0) return
+    c.resetDeliberate()
+    c.resetAct()
+    repeat(cycles) {
+        val unperceived = Insides.cyclesUnperceived.getInt(this)
+        Insides.cyclesUnperceived.setInt(this, if (unperceived >= settings.nrcbp()) 1 else unperceived + 1)
+        if (settings.nrcbp() <= 1) return
+    }
 }
 
 /**

@@ -21,6 +21,9 @@ import java.nio.file.Path
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }
 
+    /** Whether the program is the recorded one. */
+    val isOfRecordedProgram: Boolean get() = beside == null
+
     /** The agent that runs; null: it is being read. */
     var running: Agent? = null
 

@@ -1,9 +1,12 @@
 package argo.recording.replay
 
 import argo.mcap.McapReader
+import argo.recording.Beginning
+import argo.recording.CONFIG
 import argo.recording.CommandEnd
 import argo.recording.Cycle
 import argo.recording.FORMAT
+import argo.recording.FORMATS
 import argo.recording.KeyFrame
 import argo.recording.RecordedAgent
 import argo.recording.ReflexEnd
@@ -75,7 +78,7 @@ class Recording(private val file: Path) : AutoCloseable {
         if (format == null || metadata.keys.none { it.startsWith(agentMetadata("")) }) {
             throw RecordingException("$file holds no agent; the option argo_record=\"FILE.mcap\" of an agent in the .mas2j records it")
         }
-        if (format != FORMAT) {
+        if (format !in FORMATS) {
             throw RecordingException(
                 "$file has format $format of what agents do, and this version of ARGO reads format $FORMAT; a newer version may read it",
             )
@@ -153,10 +156,15 @@ class Recording(private val file: Path) : AutoCloseable {
         fun value(key: String) = values[key] ?: throw RecordingException("$file does not hold the $key of agent $name")
         return RecordedAgent(
             name, value("source"), value("agentClass"), value("archClass"), value("beliefBase"),
-            values.filterKeys { it.startsWith(OPTION) }.mapKeys { (key, _) -> key.removePrefix(OPTION) },
-            value("isConditional").toBoolean(),
+            values.after(OPTION),
+            value("isConditional").toBoolean(), values["address"]?.takeIf { it.isNotEmpty() },
+            values["beginning"]?.let { readable(agentMetadata(name)) { JSON.decodeFromString(Beginning.serializer(), it) } },
+            values["firstLabel"]?.toIntOrNull(), values.after("config.").filterKeys { it in CONFIG },
         )
     }
+
+    private fun Map<String, String>.after(prefix: String) =
+        filterKeys { it.startsWith(prefix) }.mapKeys { (key, _) -> key.removePrefix(prefix) }
 
     override fun close() = reader.close()
 

@@ -3,6 +3,7 @@ package argo.recording.replay
 import argo.boundary.Boundary
 import argo.recording.Cycle
 import argo.recording.RecordedAgent
+import argo.recording.agent.restoreIn
 import jason.asSemantics.TransitionSystem
 
 /**
@@ -29,8 +30,10 @@ internal class ReplayedAgent(
     private val start = recording.start(recorded.name)
     private val seen = LinkedHashSet<String>() // threads of the project, so far
     private var lastIndex = start?.index ?: 0L
+    private var lastNumber = start?.number
 
     init {
+        if (start == null) recorded.beginning?.restoreIn(ts)
         inputs.begin(ts, start)
     }
 
@@ -38,6 +41,8 @@ internal class ReplayedAgent(
     fun run(cycle: Cycle) {
         recording.requireNext(recorded.name, cycle, lastIndex)
         lastIndex = cycle.index
+        lastNumber?.let { ts.rest(cycle.number - it - 1) }
+        lastNumber = cycle.number
         reason(cycle)
         val now = inputs.course.end().course().asFarAs(cycle)
         difference(cycle.course, now)?.let { (what, before, after) -> report(what, before, after, null) }

@@ -17,16 +17,20 @@ import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
 import argo.recording.agent.ProgramParts
 import argo.recording.agent.UnknownCodeException
+import argo.recording.agent.UnrecordableTerm
 import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.bound
 import argo.recording.agent.callFailure
 import argo.recording.agent.complete
+import argo.recording.agent.contentOf
+import argo.recording.agent.evaluationFailed
 import argo.recording.agent.literalOf
+import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
-import argo.recording.agent.parsed
 import argo.recording.agent.termOf
 import argo.recording.agent.textOf
+import argo.recording.agent.triggerOf
 import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
@@ -81,6 +85,8 @@ internal open class ReplayedInputs(
     lateinit var course: CourseWatch
         private set
 
+    private lateinit var code: WatchedCode
+
     /** The recorded calls that the agent has made again in this cycle, in its order. */
     val repeated: List<Call> get() = taken
 
@@ -92,7 +98,7 @@ internal open class ReplayedInputs(
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts(ts.ag)
-        val code = guarded(ts) { watch(ts) }
+        code = guarded(ts) { watch(ts) }
         if (start == null) return
         val timers = Restoration(start, ts, program, code, course).restore()
         percepts = start.perceived.map(::perceptOf)
@@ -110,17 +116,19 @@ internal open class ReplayedInputs(
         taken.clear()
         sent = cycle.course.mail.toMutableList()
         sleep = ArrayDeque(cycle.input.sleep.toList())
-        cycle.input.events.forEach { ts.c.addExternalEv(parsed(it, ASSyntax::parseTrigger)) }
+        cycle.input.events.forEach { text -> reading("events") { triggerOf(text) }?.let(ts.c::addExternalEv) }
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
         course.begin()
+        code.watchAdded()
         Keeper.within(this) { carryOut(cycle.input.ends) }
+        Keeper.begin(this, ts)
     }
 
     override fun perceive(live: () -> Perception): Perception {
         val change = cycle.input.percepts ?: return Perception(null)
-        percepts = change.appliedTo(percepts, ::perceptOf)
+        percepts = reading("percepts") { change.appliedTo(percepts, ::perceptOf) } ?: return Perception(null)
         val waiting = if (cycle.input.isOfSeveralBoards) ts.c.events.size else null
         return Perception(perceived(percepts).toMutableList(), waiting, hasNamespaces = true)
     }
@@ -136,10 +144,10 @@ internal open class ReplayedInputs(
 
     override fun newlyCritical(live: () -> List<Literal>) = cycle.input.critical.map(::literalOf)
 
-    override fun boardOf(percept: Literal, live: () -> String?) = cycle.input.boards[textOf(percept)]
+    override fun boardOf(percept: Literal, live: () -> String?) = cycle.input.boards[literalText(percept)]
 
     override fun takeMail(live: () -> Unit) {
-        cycle.input.mail.forEach { ts.c.addMsg(messageOf(it)) }
+        cycle.input.mail.forEach { mail -> reading("message of ${mail.sender}") { messageOf(mail) }?.let(ts.c::addMsg) }
         Keeper.current = this
     }
 
@@ -165,8 +173,11 @@ internal open class ReplayedInputs(
         }
     }
 
-    private fun messageOf(mail: Mail) = Message(mail.performative, mail.sender, mail.receiver, termOf(mail.content), mail.id).apply {
-        inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+    private fun messageOf(mail: Mail): Message {
+        val content = contentOf(mail.content, ts.ag)
+        return Message(mail.performative, mail.sender, mail.receiver, content, mail.id).apply {
+            inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+        }
     }
 
     private fun carryOut(end: End) {
@@ -193,7 +204,14 @@ internal open class ReplayedInputs(
         if (code == WatchedKind.SUSPENDING) return if (isChecking) live(call.un) else unresumed(call)
         if (code == WatchedKind.PROJECT && isChecking) compare(recorded, call, live)
         recorded.failure?.let { throw JasonException(it.message, if (it.error.isEmpty()) null else termOf(it.error)) }
-        return answer(recorded, call)
+        return reading("result of ${call.name}") { answer(recorded, call) } ?: false
+    }
+
+    /** What [read] makes of recorded texts; null: one of them is of a term that no recording can hold. */
+    private fun <T : Any> reading(what: String, read: () -> T): T? = try {
+        read()
+    } catch (refused: UnrecordableTerm) {
+        null.also { found("the $what", refused.message, null, "a recording cannot hold ${refused.message}, so the replay ends here") }
     }
 
     private fun unresumed(call: InternalCall): Any {
@@ -239,7 +257,9 @@ internal open class ReplayedInputs(
     }
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
-        val recorded = take(name, args.map(::textOf))?.value
+        val call = take(name, args.map(::textOf))
+        call?.failure?.let { throw evaluationFailed(it) }
+        val recorded = call?.value
         if (recorded == null) {
             if (!isAsking) foundCall("$name(${args.joinToString(",")})")
             return if (isOfProject && !isChecking) Double.NaN else live()

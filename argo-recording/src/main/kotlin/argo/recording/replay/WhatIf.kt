@@ -3,6 +3,7 @@ package argo.recording.replay
 import argo.filters.PerceptionFilter
 import argo.recording.Cycle
 import argo.recording.KeyFrame
+import argo.recording.agent.restoreIn
 import argo.recording.agent.shownBeliefs
 import jason.asSemantics.TransitionSystem
 import java.nio.file.Path
@@ -67,6 +68,7 @@ class WhatIf(
         val start = recording.start(recorded.name)
         val source = program?.toAbsolutePath() ?: files.of(recorded.name)
         jasonAgent(recorded, source, includes, inputs).also { ts ->
+            if (start == null && program == null) recorded.beginning?.restoreIn(ts)
             if (start == null || program == null) inputs.begin(ts, start) else beginChanged(ts, start)
         }
     } catch (refused: RecordingException) {
@@ -111,6 +113,7 @@ class WhatIf(
     }
 
     private fun run(cycle: Cycle?, ns: Long) {
+        if (cycle != null && number > 0) ts.rest(cycle.number - number - 1)
         inputs.next(cycle, ns)
         number = maxOf(number + 1, cycle?.number ?: 0)
         ts.cycle(number, recorded.isConditional, includes)

@@ -18,11 +18,13 @@ import argo.recording.agent.Keeper
 import argo.recording.agent.ProgramParts
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.complete
+import argo.recording.agent.contentOf
 import argo.recording.agent.literalOf
+import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
-import argo.recording.agent.parsed
 import argo.recording.agent.termOf
 import argo.recording.agent.textOf
+import argo.recording.agent.triggerOf
 import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
@@ -119,7 +121,7 @@ internal class WhatIfInputs(
         if (isAsRecorded) cycle.counters?.let(Counters::write)
         unanswered += cycle.course.mail
         boards += cycle.input.boards
-        cycle.input.events.forEach { ts.c.addExternalEv(parsed(it, ASSyntax::parseTrigger)) }
+        cycle.input.events.forEach { ts.c.addExternalEv(triggerOf(it)) }
     }
 
     /** The cycle is over. */
@@ -141,6 +143,7 @@ internal class WhatIfInputs(
             while (true) due.peek()?.takeIf(::isDue)?.let { due.remove().carryOut() } ?: break
             while (true) left.poll()?.run() ?: break
         }
+        Keeper.begin(this, ts)
     }
 
     override fun perceive(live: () -> Perception): Perception {
@@ -151,7 +154,7 @@ internal class WhatIfInputs(
 
     override fun newlyCritical(live: () -> List<Literal>): List<Literal> = senses.takeNewlyCritical()
 
-    override fun boardOf(percept: Literal, live: () -> String?): String? = boards[textOf(percept)]
+    override fun boardOf(percept: Literal, live: () -> String?): String? = boards[literalText(percept)]
 
     override fun takeMail(live: () -> Unit) {
         cycle?.input?.mail?.forEach { ts.c.addMsg(messageOf(it)) }
@@ -160,8 +163,11 @@ internal class WhatIfInputs(
 
     private fun isDue(one: Due) = cycle.let { now -> if (one.index != null) now != null && one.index <= now.index else one.ns <= ns }
 
-    private fun messageOf(mail: Mail) = Message(mail.performative, mail.sender, mail.receiver, termOf(mail.content), mail.id).apply {
-        inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+    private fun messageOf(mail: Mail): Message {
+        val content = contentOf(mail.content, ts.ag)
+        return Message(mail.performative, mail.sender, mail.receiver, content, mail.id).apply {
+            inReplyTo = mail.inReplyTo?.let { ids[it] ?: it }
+        }
     }
 
     override fun call(call: InternalCall, live: () -> Any): Any = call(call, WatchedKind.OUTSIDE) { live() }

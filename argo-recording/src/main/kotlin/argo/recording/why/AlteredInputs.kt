@@ -1,8 +1,8 @@
 package argo.recording.why
 
 import argo.boundary.InternalCall
+import argo.filters.jason.perceptText
 import argo.recording.End
-import argo.recording.agent.textOf
 import argo.recording.replay.DifferenceSink
 import argo.recording.replay.ReplayedInputs
 import jason.asSyntax.Literal
@@ -78,7 +78,7 @@ internal class AlteredInputs(
 
     private fun textOfCommand(call: InternalCall) = when (val command = call.args[0]) {
         is StringTerm -> command.string
-        is Literal -> textOf(command.cloneNS(Literal.DefaultNS))
+        is Literal -> perceptText(command.cloneNS(Literal.DefaultNS) as Literal)
         else -> "$command"
     }
 

@@ -1,8 +1,7 @@
 package argo.recording.why
 
 import argo.recording.agent.literalOf
-import argo.recording.agent.parsed
-import jason.asSyntax.ASSyntax
+import argo.recording.agent.termOf
 import jason.asSyntax.Literal
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.NumberTermImpl
@@ -50,7 +49,7 @@ internal class Flips(private val cause: StepCause, private val had: (Literal, Pe
     }
 
     private fun numberOf(text: String): Double? = try {
-        (parsed(text.trim()) { ASSyntax.parseTerm(it) } as? NumberTerm)?.takeIf { it.isGround }?.solve()
+        (termOf(text.trim()) as? NumberTerm)?.takeIf { it.isGround }?.solve()
     } catch (_: IllegalArgumentException) {
         null
     } catch (_: RuntimeException) {

@@ -1,8 +1,10 @@
 package argo.recording.why
 
+import argo.filters.jason.PerceptReader
+import argo.filters.jason.PerceptSyntaxException
 import argo.recording.PerceivedSnapshot
 import argo.recording.agent.literalOf
-import argo.recording.agent.textOf
+import argo.recording.agent.literalText
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 
@@ -68,10 +70,10 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
 
 /** The percept that a board's [text] is believed as in [namespace]; null: it cannot be read. */
 internal fun believed(text: String, namespace: String?): Literal? = try {
-    literalOf(text).let { if (namespace == null) it else it.cloneNS(ASSyntax.createAtom(namespace)) as Literal }
-} catch (_: IllegalArgumentException) {
+    PerceptReader.read(text).let { if (namespace == null) it else it.cloneNS(ASSyntax.createAtom(namespace)) as Literal }
+} catch (_: PerceptSyntaxException) {
     null
 }
 
 /** What [literal] is without its annotations. */
-internal fun keyOf(literal: Literal): String = textOf(if (literal.hasAnnot()) literal.copy().apply { clearAnnots() } else literal)
+internal fun keyOf(literal: Literal): String = literalText(if (literal.hasAnnot()) literal.copy().apply { clearAnnots() } else literal)

@@ -69,6 +69,7 @@ internal class Trace(
     private var option: Option? = null
     private var selected: Intention? = null
     private var step: StepCause? = null
+    private var splitting: Pair<IntendedMeans, Adopted>? = null
     private var isFirst = true
     private var start: KeyFrame? = null
     private var isWatching = false
@@ -136,8 +137,17 @@ internal class Trace(
         }
     }
 
+    /** The steps that follow a split of an intention, `|&|` and `|||`, are of the plan that it stands in. */
+    private fun adoptSplit() {
+        val (means, adopted) = splitting ?: return
+        splitting = null
+        val split = ts.c.runningIntentionsPlusAtomic.asSequence().filterNot { it.isFinished }.map { it.peek() }
+        for (one in split) if (one !in this.adopted && one.plan === means.plan && one.trigger == means.trigger) this.adopted[one] = adopted
+    }
+
     override fun cycleFinished() {
         bindPending()
+        adoptSplit()
         notice { event -> step ?: UnknownCause(shown(event), "what added it was not seen") }
         event?.let(origins::remove)
         inputs.repeated.flatMap { it.commands }.forEach { issue(it.port, it.text) }
@@ -196,6 +206,7 @@ internal class Trace(
         val body = means.currentStep?.takeUnless { it.isEmptyBody } ?: return
         val adopted = adopted[means] ?: earlier(means) ?: return
         test(means, body, adopted)
+        if ((body.bodyTerm as? InternalActionLiteral)?.functor == FORK) splitting = means to adopted
         step = stepOf(means, adopted)?.also { note(means, body, it) }
     }
 
@@ -286,6 +297,7 @@ internal class Trace(
 
         /** How far a condition is followed. */
         private const val MAX_ASIDE = 8
+        private const val FORK = ".fork"
         private val BRANCHES = setOf(".if_then_else", ".loop")
         private val NOTING = setOf(
             BodyType.addBel, BodyType.addBelBegin, BodyType.addBelEnd, BodyType.addBelNewFocus, BodyType.delAddBel,

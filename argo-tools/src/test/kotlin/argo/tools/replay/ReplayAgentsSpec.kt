@@ -170,8 +170,8 @@ class ReplayAgentsSpec : FunSpec({
             status shouldBe 1
             err shouldContain "begins with its cycle 7, what it believed then is not known, and there is no key frame to begin with"
         }
-        argo("replay", "${made("newer", format = "2")}").err shouldContain
-            "has format 2 of what agents do, and this version of ARGO reads format 1"
+        argo("replay", "${made("newer", format = "3")}").err shouldContain
+            "has format 3 of what agents do, and this version of ARGO reads format 2"
         argo("replay", "${made("foreign", agentClass = "robot.Brain")}").run {
             status shouldBe 1
             err shouldBe "agent bob had the class robot.Brain, and a replay makes jason.asSemantics.Agent only\n"

@@ -1,0 +1,52 @@
+package argo.recording.agent
+
+import argo.recording.Beginning
+import jason.asSemantics.Event
+import jason.asSemantics.Intention
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.Literal
+import jason.bb.DefaultBeliefBase
+
+/** What the agent of [ts], whose program has just been read, believes and has to do. */
+internal fun beginningOf(ts: TransitionSystem) =
+    Beginning(ts.ag.bb.filterNot { it.isRule }.map(::literalText), ts.c.events.map { triggerText(it.trigger) })
+
+/**
+ * Gives the agent of [ts], whose program has just been read again, what it believed and had to do then. That differs where the program
+ * draws a number or reads a clock, and of an agent that was made as a copy of another.
+ */
+internal fun Beginning.restoreIn(ts: TransitionSystem) {
+    val now = beginningOf(ts)
+    if (now.beliefs != beliefs && ts.ag.bb is DefaultBeliefBase) believe(ts, now.beliefs)
+    if (now.events != events) intend(ts, now.events)
+}
+
+private fun Beginning.believe(ts: TransitionSystem, now: List<String>) {
+    val before = ts.ag.bb.toList()
+    var place = 0
+    val all = before.mapNotNull { belief -> if (belief.isRule) belief else believed(place, now, belief).also { place++ } }
+    ts.ag.bb.clear()
+    (all + beliefs.drop(place).map(::literalOf)).forEach { ts.ag.bb.add(1, it) }
+}
+
+/** What is believed at [place], where [now] the program has [belief]. */
+private fun Beginning.believed(place: Int, now: List<String>, belief: Literal): Literal? = when (val text = beliefs.getOrNull(place)) {
+    null -> null
+    now[place] -> belief
+    else -> literalOf(text).placedAs(belief)
+}
+
+private fun Beginning.intend(ts: TransitionSystem, now: List<String>) {
+    val before = ts.c.events.toList()
+    val all = events.mapIndexed { place, text ->
+        val event = before.getOrNull(place)
+        if (event != null && now[place] == text) return@mapIndexed event
+        val trigger = triggerOf(text)
+        if (event != null) trigger.literal = trigger.literal.placedAs(event.trigger.literal)
+        Event(trigger, Intention.EmptyInt)
+    }
+    ts.c.events.clear()
+    ts.c.events.addAll(all)
+}
+
+private fun Literal.placedAs(other: Literal) = also { it.srcInfo = other.srcInfo }
