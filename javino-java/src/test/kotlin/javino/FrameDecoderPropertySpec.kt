@@ -97,7 +97,7 @@ class FrameDecoderPropertySpec : FunSpec({
         }
     }
 
-    test("any byte of a frame may be anything without cost to the next frame, at once or after a gap").config(tags = setOf(NamedTag("Thorough"))) {
+    test("any byte of a frame may be anything without cost to the next frame, at once or after a gap").config(tags = thorough) {
         checkAll(30, ordinary, ordinary) { damagedFrame, intact ->
             assume(damagedFrame != intact)
             for (position in 0 until damagedFrame.length()) {
@@ -114,7 +114,7 @@ class FrameDecoderPropertySpec : FunSpec({
         }
     }
 
-    test("any byte of a frame may be lost without cost to the next frame, at once or after a gap").config(tags = setOf(NamedTag("Thorough"))) {
+    test("any byte of a frame may be lost without cost to the next frame, at once or after a gap").config(tags = thorough) {
         checkAll(500, ordinary, ordinary) { damagedFrame, intact ->
             assume(damagedFrame != intact)
             for (position in 0 until damagedFrame.length()) {
@@ -130,7 +130,7 @@ class FrameDecoderPropertySpec : FunSpec({
         }
     }
 
-    test("a frame may be cut anywhere without cost to the frames behind it, at once or after a gap").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a frame may be cut anywhere without cost to the frames behind it, at once or after a gap").config(tags = thorough) {
         checkAll(500, ordinary, Arb.list(ordinary, 1..4)) { cutFrame, intact ->
             for (length in 0 until cutFrame.length()) {
                 val cut = cutFrame.toBytes().copyOf(length)
@@ -151,7 +151,7 @@ class FrameDecoderPropertySpec : FunSpec({
         probe.decoder.discarded() shouldBe 10_000_000 - probe.delivered.sumOf { it.length() }
     }
 
-    test("ten million bytes made of pieces of headers do no harm").config(tags = setOf(NamedTag("Thorough")), timeout = 2.minutes, blockingTest = true) {
+    test("ten million bytes made of pieces of headers do no harm").config(tags = thorough, timeout = 2.minutes, blockingTest = true) {
         val random = Random(2)
         val pieces = listOf("fffe", "f", "e", "FF", "00", "0", "fffe02", "x").map { it.toByteArray() }
         var frames = 0L
@@ -172,3 +172,5 @@ class FrameDecoderPropertySpec : FunSpec({
         probe.delivered.size shouldBeGreaterThan 0
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -25,7 +25,7 @@ class SmallSamplesSpec : FunSpec({
 
     fun ends(sample: String, vararg story: String) = context(sample) {
         mapOf("in plain Jason" to { Program.jason(sample) }, "by its command" to { Program.samples(sample) }).forEach { (how, start) ->
-            test("$sample comes to its end $how").config(tags = setOf(NamedTag("Thorough"))) {
+            test("$sample comes to its end $how").config(tags = thorough) {
                 start().use { program ->
                     story.forEach { program.awaitLine(it) }
                     val (status, printed) = program.awaitEnd()
@@ -57,3 +57,5 @@ class SmallSamplesSpec : FunSpec({
 
     ends("delegation", "[robot] drives", "[pilot] the wall is", "[robot] stopped")
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -6,7 +6,7 @@ import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
 
 class CommandLedgerInterleavingsSpec : FunSpec({
-    test("a command that was issued while the port changed is awaited on its own port alone").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a command that was issued while the port changed is awaited on its own port alone").config(tags = thorough) {
         inEachInterleaving {
             val inUse = Holder("a")
             val ledger = CommandLedger { inUse.port }
@@ -29,3 +29,5 @@ class CommandLedgerInterleavingsSpec : FunSpec({
 })
 
 private class Holder(@Volatile var port: String)
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -298,7 +298,7 @@ class PortsSpec : FunSpec({
         }
     }
 
-    test("a hundred disconnections are a hundred times off and on, and leave no thread").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a hundred disconnections are a hundred times off and on, and leave no thread").config(tags = thorough) {
         bench("robot") { (board) ->
             choose("sim:robot", "[baud(1000000)]") shouldBe null
             repeat(100) {
@@ -355,3 +355,5 @@ class PortsSpec : FunSpec({
         }
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

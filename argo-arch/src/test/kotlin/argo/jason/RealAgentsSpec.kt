@@ -17,7 +17,7 @@ import java.util.concurrent.locks.LockSupport
 
 /** What only Jason's own infrastructure and real threads show; all other behaviour is specified in virtual time, in argo-testkit. */
 class RealAgentsSpec : FunSpec({
-    test("200 agents started and killed in one system leave no thread and no open port").config(tags = setOf(NamedTag("Thorough"))) {
+    test("200 agents started and killed in one system leave no thread and no open port").config(tags = thorough) {
         val boards = (1..200).map { FakeBoard.plugIn("robot$it").lenient() }
         try {
             boards.forEach { board ->
@@ -187,3 +187,5 @@ private fun threads(): List<String> = Thread.getAllStackTraces().keys.map { it.n
 private fun agentThreads(): List<String> = threads().filter { it.startsWith("argo-") || it.startsWith("write ") }
 
 private fun argoThreads(): List<String> = agentThreads() + threads().filter { it.startsWith("board sim:") }
+
+private val thorough = setOf(NamedTag("Thorough"))

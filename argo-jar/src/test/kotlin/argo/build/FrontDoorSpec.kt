@@ -81,7 +81,8 @@ class FrontDoorSpec : FunSpec({
             // formats nothing, and runs Maven
             val formatters = "#!/bin/sh\ncase \"\$*\" in *ktlint*|*palantir*) ;; *) exec '$java' \"\$@\" ;; esac\n"
             folder.resolve("java").apply { writeText(formatters) }.toFile().setExecutable(true)
-            val process = ProcessBuilder("bash", "-c", "PATH=$folder:\$PATH exec bash ../argo format $option").redirectErrorStream(true).start()
+            val command = "PATH=$folder:\$PATH exec bash ../argo format $option"
+            val process = ProcessBuilder("bash", "-c", command).redirectErrorStream(true).start()
             process.inputStream.bufferedReader().readLine() shouldStartWith "$work; takes about "
             process.destroy()
         }
@@ -90,7 +91,8 @@ class FrontDoorSpec : FunSpec({
     test("a release's library lies where Maven looks for it, with the checksum of the file that was packed") {
         val folder = tempdir().toPath()
         folder.resolve("packed.jar").writeText("bytes")
-        val (status, said) = bash("-c", ". ../build-tools/dist; here='$folder'; in_repository argo-arch 0.1.0 '$folder/packed.jar' -sources.jar")
+        val pack = "in_repository argo-arch 0.1.0 '$folder/packed.jar' -sources.jar"
+        val (status, said) = bash("-c", ". ../build-tools/dist; here='$folder'; $pack")
         withClue(said) { status shouldBe 0 }
         val place = folder.resolve("dist/maven/argo/argo-arch/0.1.0")
         place.resolve("argo-arch-0.1.0-sources.jar").readText() shouldBe "bytes"

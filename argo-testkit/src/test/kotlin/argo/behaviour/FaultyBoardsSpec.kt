@@ -60,7 +60,7 @@ class FaultyBoardsSpec : FunSpec({
         }
     }
 
-    test("an agent uses 127 boards in turn, each holding its port open, and a 128th is refused").config(tags = setOf(NamedTag("Thorough"))) {
+    test("an agent uses 127 boards in turn, each holding its port open, and a 128th is refused").config(tags = thorough) {
         agentOf("""
             +!greet(I,P) <- argo.port(P, [boot(0), baud(115200), protocol(1)]); argo.act(hello(I)); +greeted(I).
             -!greet(I,P)[error(E)] <- +refused(I,E).
@@ -77,3 +77,5 @@ class FaultyBoardsSpec : FunSpec({
         }
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -57,7 +57,7 @@ class ExploreSpec : FunSpec({
         """.trimIndent(),
     )
 
-    test("a command that is lost on its way, and that the agent believes to have been carried out").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a command that is lost on its way, and that the agent believes to have been carried out").config(tags = thorough) {
         val describe: Exploration.() -> Unit = {
             board("ttyACM0") {
                 version2()
@@ -190,3 +190,5 @@ class ExploreSpec : FunSpec({
         }
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -133,7 +133,7 @@ class KeyFramesSpec : FunSpec({
         shouldThrow<RecordingException> { replayOf(file) }.message.orEmpty() shouldContain "no key frame to begin with; keep more minutes"
     }
 
-    test("a key frame that is damaged").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a key frame that is damaged").config(tags = thorough) {
         val damages = listOf<(String) -> String>(
             { it.replace(Regex("\"mind\":\"...."), "\"mind\":\"!!!!") },
             { it.replace("\"mind\":\"eJ", "\"mind\":\"eK") },
@@ -201,3 +201,5 @@ class KeyFramesSpec : FunSpec({
         shouldThrow<AssertionError> { replayed("$file", program = "$changed").shouldSendTheSame() }.message.orEmpty() shouldContain "halt"
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

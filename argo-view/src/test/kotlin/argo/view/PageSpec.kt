@@ -73,7 +73,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("on a phone nothing has to be scrolled sideways").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("on a phone nothing has to be scrolled sideways").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);" + "x".repeat(180) + "(1);dist(b,90);") { _, _ ->
             size(360, 740)
             run<Long>("return document.documentElement.scrollWidth") shouldBeLessThanOrEqualTo 360
@@ -85,7 +85,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("markup that a board says is text").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("markup that a board says is text").config(tags = thorough, enabledOrReasonIf = browser) {
         val percepts = """say("<img src=x onerror=document.title='taken'><b>x</b>");'</li><script>document.title=\'taken\'</script>'(1);"""
         shown(percepts) { _, _ ->
             texts("#sensors .text") shouldContainText "<img src=x"
@@ -95,7 +95,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("a press on a percept tells why, and another takes it away").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("a press on a percept tells why, and another takes it away").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);dist(b,90);") { _, _ ->
             press("dist(b,90)")
             await { texts("#sensors .detail")[1].contains("is dropped by filter front: it matches rule 1") }
@@ -105,7 +105,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("why a percept is kept or dropped is renewed when it or the filter changes").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("why a percept is kept or dropped is renewed when it or the filter changes").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);dist(b,90);") { _, board ->
             press("dist(b,90)")
             await { texts("#sensors .detail")[1].startsWith("dist(b,90) is dropped by filter front") }
@@ -116,7 +116,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("a board that is silent is announced, and its sensors show the past").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("a board that is silent is announced, and its sensors show the past").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);dist(b,90);") { _, board ->
             text("#silence") shouldBe ""
             board.stall()
@@ -133,7 +133,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("buttons change the agent's filter").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("buttons change the agent's filter").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);dist(b,90);") { mas, _ ->
             await { texts("#filters [aria-pressed=true]") == listOf("front") }
             press("none")
@@ -151,7 +151,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("beliefs are searched for words in their text and source").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("beliefs are searched for words in their text and source").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);dist(b,90);light(4);") { _, board ->
             text("#beliefs-count") shouldBe "4"
             enter("#find", "percept F,")
@@ -166,7 +166,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("percepts are blocked and opened by a button, also from the keyboard").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("percepts are blocked and opened by a button, also from the keyboard").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);") { _, _ ->
             run<Any?>("document.getElementById('percepts').focus(); return null")
             type(Keys.ENTER)
@@ -177,7 +177,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("a frozen page stands still while the agent goes on").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("a frozen page stands still while the agent goes on").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);dist(b,90);") { mas, _ ->
             press("Freeze page")
             text("#notice") shouldContain "The agent goes on"
@@ -191,7 +191,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("keyboard focus stays where it is while the page changes").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("keyboard focus stays where it is while the page changes").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);dist(b,90);") { _, _ ->
             run<Any?>("document.querySelectorAll('#sensors button')[1].focus(); return null")
             press("none") // changes every row
@@ -201,7 +201,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("the agent's end is told, and what was seen last stays").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("the agent's end is told, and what was seen last stays").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);") { mas, _ ->
             mas.agentView("bob").show { Picture(SVG, "stopped 38.6 cm from the wall") }
             mas.kill("bob")
@@ -214,7 +214,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("a command is sent by hand, and equal ones are counted").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("a command is sent by hand, and equal ones are counted").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);") { _, board ->
             repeat(3) { round ->
                 enter("#command", "stop")
@@ -229,7 +229,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("another page in the browser can send no command").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("another page in the browser can send no command").config(tags = thorough, enabledOrReasonIf = browser) {
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer("dist(f,38);")
             ViewedMas().use { mas ->
@@ -249,7 +249,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("nothing moves for those who want nothing to move").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("nothing moves for those who want nothing to move").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);") { _, _ ->
             val duration = "return getComputedStyle(document.getElementById('freeze')).transitionDuration"
             prefer("prefers-reduced-motion" to "no-preference")
@@ -261,7 +261,7 @@ class PageSpec : FunSpec({
 
     context("words stand out from what is behind them") {
         listOf("light", "dark").forEach { scheme ->
-            test("in the $scheme").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+            test("in the $scheme").config(tags = thorough, enabledOrReasonIf = browser) {
                 shown("dist(f,38);dist(b,90);X;") { _, _ ->
                     prefer("prefers-color-scheme" to scheme, "prefers-reduced-motion" to "reduce")
                     press("dist(b,90)")
@@ -272,7 +272,7 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("every control has a name, and the console has no complaint").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = browser) {
+    test("every control has a name, and the console has no complaint").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);") { _, _ ->
             run<Long>("return [...document.querySelectorAll('button')].filter(b => !b.textContent.trim()).length") shouldBe 0
             run<Long>(
@@ -333,3 +333,5 @@ private const val FAINT = """
         return ratio < 4.5 ? [e.textContent + ': ' + ratio.toFixed(2)] : [];
     });
 """
+
+private val thorough = setOf(NamedTag("Thorough"))

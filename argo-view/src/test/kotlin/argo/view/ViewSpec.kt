@@ -436,7 +436,7 @@ class ViewSpec : FunSpec({
         }
     }
 
-    test("50 agents with views that are watched and killed leave no thread").config(tags = setOf(NamedTag("Thorough"))) {
+    test("50 agents with views that are watched and killed leave no thread").config(tags = thorough) {
         ViewedMas().use { mas ->
             (1..50).forEach { mas.agent("bob$it", "likes(tea).") }
             val watchers = (1..50 step 5).map { Watcher(mas.viewOf("bob$it")).apply { await { true } } }
@@ -472,3 +472,5 @@ class ViewSpec : FunSpec({
 
 private fun viewThreads(): List<String> =
     Thread.getAllStackTraces().keys.map { it.name }.filter { "-view" in it || it == "HTTP-Dispatcher" }
+
+private val thorough = setOf(NamedTag("Thorough"))

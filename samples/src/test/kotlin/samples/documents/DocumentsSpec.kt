@@ -102,7 +102,7 @@ class DocumentsSpec : FunSpec({
         shown.filterNot { (name, its) -> name in libraries && its == version }.shouldBeEmpty()
     }
 
-    context("Kotlin compiles").config(tags = setOf(NamedTag("Thorough"))) {
+    context("Kotlin compiles").config(tags = thorough) {
         documents.filter { document -> document.snippets.any { it.language == "kotlin" } }.forEach { document ->
             test("$document") {
                 val code = document.snippets.filter { it.language == "kotlin" }.map { it.text }
@@ -153,3 +153,5 @@ private fun kotlinFile(code: List<String>): String {
     val (imports, rest) = code.flatMap { it.lines() }.partition { it.startsWith("import ") }
     return (imports.distinct() + rest).joinToString("\n")
 }
+
+private val thorough = setOf(NamedTag("Thorough"))

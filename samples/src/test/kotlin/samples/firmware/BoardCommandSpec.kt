@@ -24,7 +24,10 @@ class BoardCommandSpec : FunSpec({
         if (!onPath("socat")) Enabled.disabled("there is no socat for a terminal") else compiles(it)
     }
 
-    test("inputs are set by lines, outputs are shown as lines, and the tools reach the board").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
+    test("inputs are set by lines, outputs are shown as lines, and the tools reach the board").config(
+        tags = thorough,
+        enabledOrReasonIf = compiles,
+    ) {
         Console("bash", "../argo", "board", "$sketch", "--link", "$link").use { board ->
             board.await("port $link\n")
             board.await("argo.port(\"$link\")")
@@ -56,7 +59,7 @@ class BoardCommandSpec : FunSpec({
         link.exists() shouldBe false
     }
 
-    test("on a terminal the pins are one line that is redrawn, with what is typed").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = drawn) {
+    test("on a terminal the pins are one line that is redrawn, with what is typed").config(tags = thorough, enabledOrReasonIf = drawn) {
         val command = "bash ../argo board \"$sketch\" --link $link"
         Console("socat", "-t5", "STDIO", "SYSTEM:'$command',pty,setsid,ctty,stderr").use { board ->
             board.await("\r\u001B[K")
@@ -70,7 +73,10 @@ class BoardCommandSpec : FunSpec({
         }
     }
 
-    test("a sketch with an error is refused with the compiler's words and its own line").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
+    test("a sketch with an error is refused with the compiler's words and its own line").config(
+        tags = thorough,
+        enabledOrReasonIf = compiles,
+    ) {
         val wrong = folder.resolve("wrong.ino").apply { writeText("void setup() {\n  nothing();\n}\nvoid loop() {}\n") }
         Console("bash", "../argo", "board", "$wrong").use { board ->
             board.await("wrong.ino:2:")
@@ -79,7 +85,10 @@ class BoardCommandSpec : FunSpec({
         }
     }
 
-    test("a sketch that names the library's header in lower case is told how it is written").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
+    test("a sketch that names the library's header in lower case is told how it is written").config(
+        tags = thorough,
+        enabledOrReasonIf = compiles,
+    ) {
         val wrong = folder.resolve("lower.ino").apply { writeText("#include <javino.h>\nvoid setup() {}\nvoid loop() {}\n") }
         Console("bash", "../argo", "board", "$wrong").use { board ->
             board.await("the header of the library is <Javino.h>")
@@ -87,7 +96,7 @@ class BoardCommandSpec : FunSpec({
         }
     }
 
-    test("a sketch for another board is told what the simulated one has").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = compiles) {
+    test("a sketch for another board is told what the simulated one has").config(tags = thorough, enabledOrReasonIf = compiles) {
         Console("bash", "../argo", "board", "../javino-arduino/examples/ServoArm").use { board ->
             board.await("Servo.h")
             board.await("of libraries Javino and SoftwareSerial")
@@ -146,3 +155,5 @@ private val SKETCH = """
 
     void loop() { javino.run(); }
 """.trimIndent() + "\n"
+
+private val thorough = setOf(NamedTag("Thorough"))

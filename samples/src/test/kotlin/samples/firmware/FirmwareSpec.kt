@@ -62,7 +62,10 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         }
     }
 
-    test("what an analogue input measures becomes a percept, and the agent stops the motors").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = built) {
+    test("what an analogue input measures becomes a percept, and the agent stops the motors").config(
+        tags = thorough,
+        enabledOrReasonIf = built,
+    ) {
         SimulatedBoard(robotProgram, kind).use { robot ->
             robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
             robot.watch(LEFT_FORWARD)
@@ -77,7 +80,10 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         }
     }
 
-    test("in version 2 the board says that it has acted, and refuses what it does not know").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = built) {
+    test("in version 2 the board says that it has acted, and refuses what it does not know").config(
+        tags = thorough,
+        enabledOrReasonIf = built,
+    ) {
         SimulatedBoard("Blink", kind).use { board ->
             board.watch(LED)
             Link.open(board.port, LinkSettings.defaults().withProtocol(Protocol.AUTO), "the test").use { link ->
@@ -91,7 +97,7 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         }
     }
 
-    test("the motors stop by themselves when the Java machine is killed").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = built) {
+    test("the motors stop by themselves when the Java machine is killed").config(tags = thorough, enabledOrReasonIf = built) {
         SimulatedBoard(robotProgram, kind).use { robot ->
             robot.setMillivolts(FRONT_DISTANCE, TWO_METRES_MV)
             robot.watch(LEFT_FORWARD)
@@ -100,7 +106,10 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
         }
     }
 
-    test("at one damaged byte in 200 in both directions each command is carried out once, in order").config(tags = setOf(NamedTag("Thorough")), enabledOrReasonIf = built) {
+    test("at one damaged byte in 200 in both directions each command is carried out once, in order").config(
+        tags = thorough,
+        enabledOrReasonIf = built,
+    ) {
         SimulatedBoard("Echo", kind).use { board ->
             DamagedLine(board.port).use { line ->
                 board.watch(DUTY)
@@ -155,3 +164,5 @@ private const val BRIGHT_MV = 300
 // The sonar gives Vcc/512 an inch: 5000 mV / 512 / 2.54 for a centimetre.
 private const val TWO_METRES_MV = 769
 private const val THIRTY_CM_MV = 118
+
+private val thorough = setOf(NamedTag("Thorough"))

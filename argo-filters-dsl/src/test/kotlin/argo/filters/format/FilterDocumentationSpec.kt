@@ -36,7 +36,7 @@ class FilterDocumentationSpec : StringSpec({
         blocks("json").forEach { JsonFilters.read(it, "page.json") }
     }
 
-    "its Kotlin compiles".config(tags = setOf(NamedTag("Thorough"))) {
+    "its Kotlin compiles".config(tags = thorough) {
         // one file of all blocks, the imports that they show before what needs them
         val (imports, code) = blocks("kotlin").flatMap { it.lines() }.partition { it.startsWith("import ") }
         val compilation = Compilation(tempdir(), emptyList(), (imports.distinct() + code).joinToString("\n"))
@@ -67,3 +67,5 @@ class FilterDocumentationSpec : StringSpec({
         }
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

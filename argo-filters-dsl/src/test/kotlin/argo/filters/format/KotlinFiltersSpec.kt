@@ -19,15 +19,15 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.RandomSource
+import org.jetbrains.kotlin.cli.common.ExitCode
+import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 import java.io.ByteArrayOutputStream
 import java.io.File
 import java.io.PrintStream
 import java.net.URLClassLoader
-import org.jetbrains.kotlin.cli.common.ExitCode
-import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
 
 class KotlinFiltersSpec : FunSpec({
-    test("a filter in Kotlin compiles, and is equal to what it was written from").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a filter in Kotlin compiles, and is equal to what it was written from").config(tags = thorough) {
         val written = List(120) { filters.sampleAt(it) } + infinite
         written.zip(compiled(tempdir(), written)).forEach { (filter, read) ->
             withClue(KotlinFilters.write(filter)) {
@@ -106,3 +106,5 @@ private fun compiled(directory: File, filters: List<PerceptionFilter>): List<Per
         }
     }
 }
+
+private val thorough = setOf(NamedTag("Thorough"))

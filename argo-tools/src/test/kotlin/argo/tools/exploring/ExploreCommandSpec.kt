@@ -61,7 +61,7 @@ class ExploreCommandSpec : FunSpec({
         script.toFile().setExecutable(true)
     }
 
-    test("a fault is found, and its spec compiles, fails, and passes when the agent is mended").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a fault is found, and its spec compiles, fails, and passes when the agent is mended").config(tags = thorough) {
         robot(isMended = false)
         val found = explore("robot.asl", *board, *blind, "--spec", "Blind.kt", "--runs", "200")
         withClue(found) {
@@ -118,7 +118,7 @@ class ExploreCommandSpec : FunSpec({
         }
     }
 
-    test("a file that kotlinc refuses, and no kotlinc").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a file that kotlinc refuses, and no kotlinc").config(tags = thorough) {
         robot(isMended = false)
         folder.resolve("broken.kt").writeText("fun Exploration.boards() {")
         val refused = explore("robot.asl", "--boards", "broken.kt", path = "${kotlinc()}:${System.getenv("PATH")}")
@@ -168,3 +168,5 @@ class ExploreCommandSpec : FunSpec({
         folder.listDirectoryEntries("*Spec.kt").shouldBeEmpty()
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))
