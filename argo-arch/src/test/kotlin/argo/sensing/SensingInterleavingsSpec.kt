@@ -92,7 +92,7 @@ private class Wishes : SensingListener {
 
     override fun answeredAgain(port: OpenPort) = error("the board is silent")
 
-    override fun lost(port: OpenPort, trouble: PortException) = error("lost: $trouble")
+    override fun lost(port: OpenPort, trouble: PortException): Unit = throw trouble.cause as? Asked ?: error("lost: $trouble")
 }
 
 @Tags("Thorough")

@@ -112,7 +112,7 @@ class DamagedFileSpec : FunSpec({
         file.writeBytes("getPercepts".encodeToByteArray())
         shouldThrow<McapException> { read(file) }.message shouldContain "is no MCAP file"
         file.writeBytes(ByteArray(0))
-        shouldThrow<McapException> { read(file) }.message shouldContain "$file is empty: what was to be recorded into it ended"
+        shouldThrow<McapException> { read(file) }.message shouldContain "$file is empty: the recording ended"
         shouldThrow<McapException> { McapReader.isMcap(file) }.message shouldContain "$file is empty"
         file.writeBytes(bytes.copyOf().also { it[5] = '1'.code.toByte() })
         shouldThrow<McapException> { read(file) }.message shouldContain "version '1'"

@@ -117,13 +117,10 @@ internal class TermWriter {
         },
     )
 
+    /** Jason resolves some escapes and drops some signs, and reads no others back. */
     private fun string(text: String) {
-        val plain = try {
-            if (text.any(Char::isSurrogate)) null else "${GroundTerm.Text(text)}"
-        } catch (_: IllegalArgumentException) {
-            null
-        }
-        if (plain != null) append(plain) else marked("string") { append(quoted(text)) }
+        if (text.none { it == '\\' || it == '\r' || it.isSurrogate() }) append("${GroundTerm.Text(text)}")
+        else marked("string") { append(quoted(text)) }
     }
 
     private fun list(list: ListTerm) {
