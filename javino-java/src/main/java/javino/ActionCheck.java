@@ -16,8 +16,9 @@ final class ActionCheck {
         if (actions.isEmpty()) {
             return null;
         }
-        String name = Command.functorOf(command);
-        int arguments = name.length() == command.length() ? 0 : argumentsBehind(command, name.length());
+        String functor = Command.functorOf(command);
+        String name = functor.strip();
+        int arguments = new Shape(command, functor.length()).arguments(command);
         BoardAction known = null;
         for (BoardAction action : actions) {
             known = action.name().equals(name) ? action : known; // the newest counts
@@ -33,7 +34,7 @@ final class ActionCheck {
 
     /** Why a board has refused the command that has told these actions, none if it has told nothing; for a message to a person. */
     static String refusal(String command, List<BoardAction> actions) {
-        if (!isClosed(command)) {
+        if (!new Shape(command, 0).isClosed()) {
             return "a bracket or quote in it is not closed";
         }
         if (actions.isEmpty()) {
@@ -45,49 +46,49 @@ final class ActionCheck {
                 : trouble;
     }
 
-    /** Whether as many brackets and quotes are closed as are opened. */
-    private static boolean isClosed(String command) {
-        int depth = 0;
-        char quote = 0; // none
-        for (int i = 0; i < command.length(); i++) {
-            char c = command.charAt(i);
-            if (quote != 0) {
-                if (c == '\\' && quote == '"') {
+    /** A command's text as boards read it: brackets of three kinds, quotes of two, and a backslash in double quotes. */
+    private static final class Shape {
+        private final int open; // where the arguments begin
+        private int depth;
+        private int commas; // between the arguments
+        private char quote; // 0: none
+        private boolean isBehind; // the arguments
+
+        Shape(String command, int functorEnd) {
+            open = command.startsWith("(", functorEnd) ? functorEnd : -1;
+            isBehind = open < 0;
+            for (int i = 0; i < command.length(); i++) {
+                char c = command.charAt(i);
+                if (quote == '"' && c == '\\') {
                     i++;
-                } else if (c == quote) {
-                    quote = 0;
+                } else if (quote != 0) {
+                    quote = c == quote ? 0 : quote;
+                } else {
+                    take(c);
                 }
-            } else if (c == '"' || c == '\'') {
+            }
+        }
+
+        private void take(char c) {
+            if (c == '"' || c == '\'') {
                 quote = c;
             } else if ("([{".indexOf(c) >= 0) {
                 depth++;
             } else if (")]}".indexOf(c) >= 0) {
                 depth--;
+                isBehind |= depth == 0;
+            } else if (c == ',' && depth == 1 && !isBehind) {
+                commas++;
             }
         }
-        return depth == 0 && quote == 0;
-    }
 
-    /** The commas outside of brackets and quotes, and one more. */
-    private static int argumentsBehind(String command, int open) {
-        int depth = 0;
-        int arguments = command.startsWith(")", open + 1) ? 0 : 1;
-        boolean isQuoted = false;
-        for (int i = open + 1; i < command.length(); i++) {
-            char c = command.charAt(i);
-            if (c == '\\' && isQuoted) {
-                i++;
-            } else if (c == '"') {
-                isQuoted = !isQuoted;
-            } else if (!isQuoted && (c == '(' || c == '[')) {
-                depth++;
-            } else if (!isQuoted && (c == ')' || c == ']')) {
-                depth--;
-            } else if (!isQuoted && c == ',' && depth == 0) {
-                arguments++;
-            }
+        boolean isClosed() {
+            return depth == 0 && quote == 0;
         }
-        return arguments;
+
+        int arguments(String command) {
+            return open < 0 || command.startsWith(")", open + 1) ? 0 : commas + 1;
+        }
     }
 
     private static String words(List<BoardAction> actions) {

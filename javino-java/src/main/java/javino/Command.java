@@ -68,10 +68,13 @@ final class Command implements SessionCommand {
         return number;
     }
 
-    /** The text of a command up to the first parenthesis. */
+    /** The text of a command up to its arguments or annotations. */
     static String functorOf(String text) {
-        int end = text.indexOf('(');
-        return end < 0 ? text : text.substring(0, end);
+        int end = 0;
+        while (end < text.length() && text.charAt(end) != '(' && text.charAt(end) != '[') {
+            end++;
+        }
+        return text.substring(0, end);
     }
 
     boolean isUrgent() {

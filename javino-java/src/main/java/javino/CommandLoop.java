@@ -136,7 +136,7 @@ final class CommandLoop {
             Command head = writer.head();
             if (head != null && isStuck(head)) {
                 movedNanos = clock.nanos();
-                fail(writer.withdrawNext(), writer.noTime(head.frame().length(), MAX_WAIT_MILLIS));
+                fail(writer.withdrawNext(), stuck(head));
             }
         }
     }
@@ -152,6 +152,12 @@ final class CommandLoop {
             line.abandon(unforeseen);
         }
         finishLeaving();
+    }
+
+    private PortTimeoutException stuck(Command head) {
+        return line.noSession()
+                .map(why -> new PortTimeoutException(port, why))
+                .orElseGet(() -> writer.noTime(head.frame().length(), MAX_WAIT_MILLIS));
     }
 
     /** Whether the next command has waited for long, and nothing has moved meanwhile. */
@@ -208,8 +214,8 @@ final class CommandLoop {
             if (channel.mustAsk()) {
                 start.await();
             }
-        } catch (RuntimeException | Error unforeseen) { // a transport's
-            fail(writer.withdrawNext(), unforeseen);
+        } catch (PortTimeoutException | RuntimeException | Error trouble) { // the latter a transport's; the commands behind go on
+            fail(writer.withdrawNext(), trouble);
         }
         if (line.isVersion2() || line.hasLapsed()) {
             return;

@@ -100,7 +100,7 @@ final class Pacer {
 
     /** Whether the board's answers begin so late that its {@code loop()} takes longer than the gap can be. */
     boolean isSlow() {
-        return lateAnswers >= MANY_LATE;
+        return hasAnswered && !isSilent && lateAnswers >= MANY_LATE;
     }
 
     /**

@@ -33,6 +33,10 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final int MAX_WRITE_MILLIS = 5000;
+
+    /** Less is no sign of a driver that takes nothing: its thread may have been late. */
+    private static final int LEAST_WRITE_MILLIS = 100;
+
     private static final int NONE = -1;
 
     private final Monitor monitor;
@@ -216,8 +220,9 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             isAsked = true;
             askedBehind = writer.written();
         }
+        byte[] bytes = frame.toBytes(session.nonce());
         writer.beginFrame();
-        return frame.toBytes(session.nonce());
+        return bytes;
     }
 
     /**
@@ -228,7 +233,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
      */
     private void write(byte[] first, long left, boolean mayWait) throws PortException {
         for (byte[] frame = first; frame != null; frame = nextBehind(mayWait)) {
-            writeOne(frame, mayWait ? Math.max(1, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left))) : 0);
+            writeOne(frame, mayWait ? Math.max(LEAST_WRITE_MILLIS, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left))) : 0);
         }
     }
 
@@ -309,8 +314,10 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     @Override
     public void received(WireFrame frame, long now) {
-        heardNanos = now;
         session.received(frame, now);
+        if (otherRevision == NONE) { // or no command would ever be given up
+            heardNanos = now;
+        }
         if (session.isSettled()) {
             writer.allArrived(now);
         }
@@ -354,6 +361,10 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                                     : "; until then version 1 is used with it, in which commands are not confirmed"));
         }
         otherRevision = revision;
+        if (wanted != Protocol.V2 && isVersion2()) { // the board was exchanged, or its sketch
+            session.close(clock.nanos());
+            lapsed();
+        }
     }
 
     private static String otherRevisionInWords(int revision) {

@@ -65,6 +65,9 @@ final class TimedWriter {
         } catch (RejectedExecutionException e) {
             underWay.decrementAndGet();
             return Outcome.CLOSED;
+        } catch (Error noThread) {
+            underWay.decrementAndGet();
+            throw noThread;
         }
         try {
             return write.applyToEither(closed, Function.identity()).get(timeoutMillis, TimeUnit.MILLISECONDS);

@@ -213,6 +213,7 @@ class LinkDeliverySpec : FunSpec({
             board.received.clear()
             for (known in listOf("on", "speed(f(1,2))", "say", "say(1,\"a,b\")")) bench.link.sendAndAwait(known, 500)
             board.handled.filter { REQUEST !in it } shouldContainExactly listOf("2:on", "2:speed(f(1,2))", "2:say", "2:say(1,\"a,b\")")
+            listOf("speed('a,b')", "speed({1,2})", "speed(1)[fast,safe]", "on[fast(1,2)]").forEach { bench.link.sendAndAwait(it, 500) }
             val frames = board.received.size
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("fly", 500) }.message shouldContain
                 "it has no action fly; it has on, speed with 1 argument, say with any number of arguments"

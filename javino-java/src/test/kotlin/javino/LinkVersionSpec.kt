@@ -442,6 +442,22 @@ class LinkVersionSpec : FunSpec({
         warnings.single() shouldContain "version 1 is used"
     }
 
+    test("a board that comes back with another revision in the middle of a session is spoken to in version 1") {
+        val board = VirtualBoard2()
+        bench(board, LinkSettings.defaults().withBootMillis(0)).use { bench ->
+            bench.link.request(REQUEST, 500)
+            bench.link.protocol() shouldBe Protocol.V2
+            board.posting = { listOf(if (it.kind() == FrameKind.WELCOME) olderDraft(it) else it) }
+            board.restart()
+            runCatching { bench.link.request(REQUEST, 500) }
+            bench.link.request(REQUEST, 500)
+            bench.link.protocol() shouldBe Protocol.V1
+            bench.link.sendAndAwait("ledOn", 500)
+            bench.awayFor(50)
+            board.handled.last() shouldBe "1:ledOn"
+        }
+    }
+
     test("if version 2 is forced, a board of another revision of it gives no answer, and the error says why") {
         for ((welcome, words) in listOf(::olderDraft to "upload its sketch again", ::newerRevision to "use a newer version of ARGO")) {
             val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) welcome(it) else it) } }

@@ -9,6 +9,7 @@ import argo.platform.Platform
 import javino.PortException
 import javino.PortFaultException
 import javino.PortGoneException
+import javino.PortInterruptedException
 import javino.SendOptions
 import javino.wire.CommandItem
 import java.util.logging.Level
@@ -71,8 +72,10 @@ internal class CommandSender(
     private fun writeCommands() {
         try {
             link.writeCommandsUntilClosed()
-        } catch (_: PortException) {
-            // the line is gone, and the commands that waited for it have failed
+        } catch (_: PortGoneException) {
+            // the commands that waited for the line have failed
+        } catch (_: PortInterruptedException) {
+            // the port is closed
         } catch (unforeseen: Throwable) { // without this thread no command would go out; the port is opened anew with another
             lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }

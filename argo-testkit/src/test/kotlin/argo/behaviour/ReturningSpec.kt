@@ -4,6 +4,7 @@ import argo.testkit.agentOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
@@ -50,7 +51,7 @@ class ReturningSpec : FunSpec({
                 bob.shouldBelieve("port(ttyACM0,off)", within = 100.milliseconds).board.reconnects()
                 bob.shouldBelieve("port(ttyACM0,on)", within = 1.seconds)
             }
-            bob.perceives("seen(last)").shouldSend("saw(last)").log.count { "port ttyACM0 is " in it } shouldBe 41
+            bob.perceives("seen(last)").shouldSend("saw(last)").log.count { "port ttyACM0 is " in it } shouldBeLessThanOrEqual 41
             bob.mas.time.living().size shouldBe threads
         }
     }

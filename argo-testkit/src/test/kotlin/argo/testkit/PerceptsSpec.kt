@@ -78,7 +78,7 @@ class PerceptsSpec : FunSpec({
             agent.perceives("dist(front,30)", "temp(21)")
             val message = shouldThrow<AssertionError> { agent.shouldBelieve("temp(_)") }.message.orEmpty()
             message shouldContain "boards: \n    ttyACM0 (on) shows dist(front,30), temp(21)"
-            message shouldContain "temp(21) is dropped by filter front: rule 1 "
+            message shouldContain "temp(21) is dropped by filter front: it matches rule 1"
             message shouldContain "dist(front,30) is kept by filter front"
         }
     }
@@ -89,7 +89,7 @@ class PerceptsSpec : FunSpec({
             agent.perceives("temp(21)")
             val message = shouldThrow<AssertionError> { agent.shouldBelieve("temp(_)") }.message.orEmpty()
             message shouldContain "/dev/ttyUNO (on) shows temp(21)"
-            message shouldContain "temp(21) is dropped by filter front: rule 1 "
+            message shouldContain "temp(21) is dropped by filter front: it matches rule 1"
         }
     }
 
