@@ -214,7 +214,9 @@ final class CommandLoop {
             if (channel.mustAsk()) {
                 start.await();
             }
-        } catch (PortTimeoutException | RuntimeException | Error trouble) { // the latter a transport's; the commands behind go on
+        } catch (PortTimeoutException
+                | RuntimeException
+                | Error trouble) { // the latter a transport's; the commands behind go on
             fail(writer.withdrawNext(), trouble);
         }
         if (line.isVersion2() || line.hasLapsed()) {

@@ -233,7 +233,12 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
      */
     private void write(byte[] first, long left, boolean mayWait) throws PortException {
         for (byte[] frame = first; frame != null; frame = nextBehind(mayWait)) {
-            writeOne(frame, mayWait ? Math.max(LEAST_WRITE_MILLIS, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left))) : 0);
+            writeOne(
+                    frame,
+                    mayWait
+                            ? Math.max(
+                                    LEAST_WRITE_MILLIS, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)))
+                            : 0);
         }
     }
 

@@ -121,8 +121,10 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAnyPackage("argo.ros", "argo.ros.bridge", "argo.ros.mapping").should()
                 .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", "javino", "javino.wire")).check(product)
         }
-        test("are served knowing links, observed agents, filters and what a tool is") {
-            val known = arrayOf("argo.links", "argo.observing", "argo.filters..", "argo.tools.board", "argo.tools.command", "javino")
+        test("are served knowing links, observed agents, the platform, filters and what a tool is") {
+            val known = arrayOf(
+                "argo.links", "argo.observing", "argo.platform", "argo.filters..", "argo.tools.board", "argo.tools.command", "javino",
+            )
             noClasses().that().resideInAPackage("argo.ros.serving").should()
                 .dependOnClassesThat(productBut("argo.ros.serving", "argo.ros.bridge", "javino.wire", *known)).check(product)
         }

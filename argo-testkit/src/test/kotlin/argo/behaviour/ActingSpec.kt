@@ -73,9 +73,9 @@ class ActingSpec : FunSpec({
             "argo.act(speed(X))" to "wrong_arguments",
             "argo.act(\"say(fffe05front)\")" to "no_port",
             "argo.act(\"\u0001\")" to "no_port",
-            "argo.act(\"say(1\\n)\")" to "wrong_arguments",
-            "argo.act(getPercepts)" to "wrong_arguments",
-            "argo.act(\"getPercepts(dist,light)\")" to "wrong_arguments",
+            "argo.act(\"say(1\\n)\")" to "no_port",
+            "argo.act(getPercepts)" to "no_port",
+            "argo.act(\"getPercepts(dist,light)\")" to "no_port",
             "argo.port(\"sim:nobody\")" to "no_such_port",
             "argo.port(COM77)" to "no_such_port",
             "argo.port(f(x))" to "wrong_arguments",
@@ -116,6 +116,18 @@ class ActingSpec : FunSpec({
             +!start <- argo.port(ttyACM0, [boot(0)]); argo.act("${"x".repeat(256)}").
             -!start[error_msg(M)] <- .print(M); argo.act(ok).
         """).use { bob -> bob.shouldSend("ok").shouldPrint("255").shouldSendNothingElse() }
+    }
+
+    test("a command with a control character, or with the header of a frame, is refused and nothing is sent") {
+        agentOf("""
+            !start.
+            +!start <- argo.port(ttyACM0, [boot(0)]); !try("${'\u0001'}"); !try("say(fffe05front)"); !try("say(1\n)"); argo.act(ok).
+            +!try(Text) <- argo.act(Text).
+            -!try(_)[error(E)] <- .print(E).
+        """).use { bob ->
+            bob.shouldSend("ok").shouldSendNothingElse()
+            bob.printed.filter { it == "wrong_arguments" }.size shouldBe 3
+        }
     }
 
     test("an agent without argo.Arch is told how to get a board") {

@@ -53,6 +53,7 @@ class CommandCheck(private val root: Path) {
             "explore" -> tool(words)
             "bench" -> rest.firstOrNull { !Regex("""\b$it \(""").containsMatchIn(usage) }?.let { "./argo bench has no $it" }
             "board" -> if (rest.isEmpty() || rest.any { it.endsWith(".ino") }) null else "./argo board takes a sketch"
+            "test" -> if (rest.isEmpty() || rest == listOf("--all")) null else "./argo test takes --all or nothing"
             "format" -> rest.firstOrNull { it !in usage }?.let { "./argo format knows nothing of $it" }
             else -> if (rest.isEmpty()) null else "./argo $verb takes no arguments"
         }
@@ -97,6 +98,8 @@ class CommandCheck(private val root: Path) {
                 word.startsWith("-DincludeScope=") || word.startsWith("-DoutputDirectory=") ->
                     missing("dependency:copy-dependencies".takeIf { it in words }, "goal for $word")
                 word.startsWith("-Dtest=") -> missing(source("${word.removePrefix("-Dtest=")}.kt"), word)
+                word.startsWith("-D") ->
+                    missing("<${word.removePrefix("-D").substringBefore('=')}>".takeIf { it in own }, "a property of $word")
                 ":" in word ->
                     missing("<artifactId>${word.substringBefore(':')}-maven-plugin</artifactId>".takeIf { it in own }, "a plugin for $word")
                 else -> "Maven has no $word"

@@ -20,7 +20,7 @@ import kotlin.io.path.writeText
 class JavaPageSpec : FunSpec({
     val documents = Document.all(Path.of("..").toRealPath())
     fun shown(page: String) = documents.single { it.name == page }.snippets.filter { it.language == "java" }.map { it.text }
-    val (backOff, classic) = shown("docs/java.md")
+    val (backOff, writing, classic) = shown("docs/java.md")
     val libraries = listOf(Link::class.java, SerialPort::class.java)
         .joinToString(File.pathSeparator) { Path.of(it.protectionDomain.codeSource.location.toURI()).toString() }
 
@@ -53,6 +53,10 @@ class JavaPageSpec : FunSpec({
         val saysLess = wall.replace("return List.of(\"dist", "if (cm-- % 3 == 0) return List.of();\n        return List.of(\"dist")
         (saysLess == wall) shouldBe false
         backOffFrom(saysLess)
+    }
+
+    test("the thread that writes compiles") {
+        compile("Writing" to "import javino.*;\nclass Writing {\nvoid show(Link board) {\n$writing\n}\n}\n")
     }
 
     test("the classic interface compiles") {

@@ -13,7 +13,7 @@ import kotlin.experimental.xor
 /** A way to the board on [boardPort], for one program, that damages one byte in 200 in both directions; the same ones in each run. */
 internal class DamagedLine(boardPort: String) : AutoCloseable {
     private val server = ServerSocket(0, 1, InetAddress.getLoopbackAddress())
-    private val board = Transports.open(boardPort, LineSettings.defaults())
+    private val board = Transports.open(boardPort, LineSettings(BAUD))
     private val threads = listOf(thread(isDaemon = true) { runUntilClosed(::serve) })
 
     /** The port for the program. */
@@ -71,6 +71,8 @@ internal class DamagedLine(boardPort: String) : AutoCloseable {
     }
 }
 
+/** That of the sketch `Echo`. */
+private const val BAUD = 115_200
 private const val BLOCK = 256
 private const val ONE_IN = 200
 private const val READ_MS = 100

@@ -53,7 +53,8 @@ private class ReviewedRule(private val name: String, private val rule: Rule, pri
     fun makesSuperfluous(other: ReviewedRule): Boolean {
         val doesAtLeastAsMuch = when {
             critical != null -> other.critical?.reflex.let { it == null || it == critical.reflex }
-            else -> rule.rate == null || rule.rate == other.rule.rate
+            // each rule remembers what it let through, so one of the same rate must match just the same percepts
+            else -> rule.rate == null || rule.rate == other.rule.rate && other.covers(this)
         }
         return doesAtLeastAsMuch && covers(other)
     }
