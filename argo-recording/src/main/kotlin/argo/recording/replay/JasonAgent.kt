@@ -42,7 +42,7 @@ internal fun jasonAgent(recorded: RecordedAgent, source: Path, includes: Recorde
     KeptInclude.install()
     load(recorded) {
         ofJasonsConfiguration {
-            KeptInclude.within(includes) { create(infra, settings) { it.read(source, address) } }
+            KeptInclude.within(includes) { create(GuardedAgent(includes.watch), infra, settings) { it.read(source, address) } }
         }
     }
     val ts = infra.ts
@@ -57,8 +57,7 @@ internal fun jasonAgent(recorded: RecordedAgent, source: Path, includes: Recorde
 }
 
 /** As [Agent.create], which reads a program only where it lies. */
-private fun create(infra: AgArch, settings: Settings, read: (Agent) -> Unit) {
-    val agent = GuardedAgent()
+private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent) -> Unit) {
     TransitionSystem(agent, null, settings, infra)
     agent.bb = DefaultBeliefBase()
     agent.initAg()
