@@ -131,7 +131,7 @@ data class Call(
     val number: Int? = null,
     @Holds("what it had sent to boards")
     val commands: List<Sent> = emptyList(),
-    @Holds("whether the project wrote the action or function: a replay carries it out again")
+    @Holds("whether the project wrote the action or function: a replay with --check carries it out again")
     val isOfProject: Boolean = false,
     @Holds("the value of a function")
     val value: String? = null,

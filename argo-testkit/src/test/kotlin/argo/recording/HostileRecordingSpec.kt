@@ -100,6 +100,24 @@ class HostileRecordingSpec : FunSpec({
         }
     }
 
+    for (program in listOf(
+        "b({ SAVE }). !start. +!start <- ?b(X); X.", "b(SAVE). !start. +!start <- ?b(X); X.", "b(SAVE). !start. +!start <- ?b(X); .eval(Y,X).",
+        "b(SAVE). !start. +!start : b(X) & X <- .print(a).", "b({ SAVE }) :- true. !start. +!start <- ?b(X); X.",
+        "b[x({ SAVE })]. !start. +!start <- ?b[x(X)]; X.", "!start. +!start <- !x(Y); Y. +!x({ SAVE }).",
+        "{ begin namespace(n) } b({ SAVE }). { end } !start. +!start <- ?n::b(X); X.",
+        "{ begin namespace(n) } b[x({ SAVE })]. +!x({ SAVE }). { end } !start. +!start <- ?n::b[x(X)]; X; !n::x(Y); Y.",
+    )) {
+        test("what is kept elsewhere than in a step: $program") {
+            shouldDoNothing(made(program.replace("SAVE", ".save_agent(\"$notes\")")))
+        }
+    }
+
+    test("the project's own code in a belief") {
+        val before = planted.calls.CALLS.get()
+        shouldDoNothing(made("b(planted.calls(N)). !start. +!start <- ?b(X); X."))
+        planted.calls.CALLS.get() shouldBe before
+    }
+
     test("an included file of the computer, of another one, and of the class path") {
         val names = listOf("$notes", "../../../../../../../../../../$notes", "file:$notes", address, "ClassResource:/asl/kqmlPlans.asl")
         for (name in names) {
@@ -182,6 +200,14 @@ class HostileRecordingSpec : FunSpec({
         val deep = "f(".repeat(100_000) + ")".repeat(100_000)
         val mail = """{"index":1,"number":1,"ns":1,"input":{"mail":[{"performative":"tell","sender":"eve","content":"$deep","id":"m"}]}}"""
         shouldDoNothing(made("!start.", cycles = listOf(mail)))
+    }
+
+    test("texts that are none") {
+        val events = """{"index":1,"number":1,"ns":1,"input":{"events":["+((("]}}"""
+        shouldDoNothing(made("!start.", cycles = listOf(events))) shouldContain "cannot be read"
+        for (beginning in listOf("""{"beliefs":["((("]}""", """{"events":["((("]}""")) {
+            shouldDoNothing(made("!start.", mapOf("beginning" to beginning))) shouldContain "cannot be read"
+        }
     }
 
     test("a rule without an end") {

@@ -16,6 +16,7 @@ import java.nio.file.Path
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
 import kotlin.io.path.createDirectories
+import kotlin.io.path.deleteExisting
 import kotlin.io.path.outputStream
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
@@ -71,6 +72,12 @@ class IncludedFilesSpec : FunSpec({
         } shouldContain "m::more(1)[source(self)]"
     }
 
+    test("as it runs, with beliefs only, and the project's own action after that") {
+        shouldReplay("facts.asl" to "speed(3).") {
+            """!work. +!work <- .include("$it/facts.asl"); .wait(20); planted.dice(X); +had(X); .print(X)."""
+        }
+    }
+
     test("from a jar") {
         val jar = tempdir().toPath().resolve("lib.jar")
         ZipOutputStream(jar.outputStream()).use {
@@ -97,6 +104,19 @@ class IncludedFilesSpec : FunSpec({
         beliefs() shouldContain "now(9)[source(self)]"
         folder.toFile().deleteRecursively()
         beliefs() shouldContain "now(3)[source(self)]"
+    }
+
+    test("a recorded file that another program includes takes none of the user's") {
+        val folder = tempdir().toPath().toRealPath()
+        folder.resolve("facts.asl").writeText("speed(3).")
+        folder.resolve("lib.asl").writeText("""{ include("$folder/facts.asl") } { begin namespace(n) } { include("$folder/facts.asl") } { end }""")
+        val program = """{ include("$folder/lib.asl") } !work. +!work : speed(S) & n::speed(N) <- +had(S,N)."""
+        val file = recorded(program) { after(300.milliseconds) }
+        folder.resolve("lib.asl").deleteExisting()
+        folder.resolve("facts.asl").writeText("speed(9).")
+        val other = tempdir().toPath().resolve("new.asl").apply { writeText(program) }
+        Recording(file).use { recording -> WhatIf(recording, "agent", other).use { it.run().beliefs } } shouldContain
+            "had(3,3)[source(self)]"
     }
 
     test("a file that a recording does not hold is named, and looked for nowhere") {

@@ -59,4 +59,14 @@ class RefusedRecordingsSpec : FunSpec({
             it.log.single { line -> "runs without a recording" in line } shouldContain "the program uses jason.planted.unheard, of which"
         }
     }
+
+    test("code of Jason's that this version does not know, in a plan that is added: the agent goes on") {
+        val file = recordingFile()
+        val program = """!start. +!start <- .wait(50); .add_plan("+!x(X) <- jason.planted.unheard(X)."); .wait(50); !x(X); .print(X)."""
+        agentOf(program) { options("argo_record" to "$file") }.use {
+            it.after(300.milliseconds)
+            it.printed shouldContain "7"
+            it.log.single { line -> "runs without a recording" in line } shouldContain "the program uses jason.planted.unheard, of which"
+        }
+    }
 })

@@ -52,6 +52,18 @@ class ReplaySpec : FunSpec({
         beliefs.filterNot { "port(" in it }.sorted() shouldBe listOf("begun[source(self)]", "height(12)[source(self)]")
     }
 
+    test("a seed of Jason's chance") {
+        val file = recorded("!start. +!start <- .set_random_seed(5); .random(X); .print(X); .print(done).") { after(300.milliseconds) }
+        Recording(file).use { it.cycles("agent").flatMap { cycle -> cycle.course.printed }.last() } shouldBe "done"
+        shouldReplay(file)
+    }
+
+    test("a plan that is added and calls an action that there is not") {
+        val file = recorded("""!start. +!start <- .add_plan("+!x <- foo.bar(1)."); .wait(20); .print(after).""") { after(300.milliseconds) }
+        Recording(file).use { it.cycles("agent").flatMap { cycle -> cycle.course.printed }.toList() } shouldBe listOf("after")
+        shouldReplay(file)
+    }
+
     test("loops, whose steps hold a Java object") {
         shouldReplay(
             recorded(

@@ -16,6 +16,7 @@ import jason.asSyntax.PlanBody
 import jason.asSyntax.Rule
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
+import jason.asSyntax.Trigger
 import jason.asSyntax.VarTerm
 import jason.stdlib.random
 import java.io.Serializable
@@ -68,6 +69,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private val seen: MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
     private val actions = HashMap<String, InternalAction>()
     private var plans: List<Plan> = emptyList() // those that have been visited
+    private var isStale = false
     private val functionOf = ArithFunctionTerm::class.java.getDeclaredField("function").apply { isAccessible = true }
 
     /** The agent whose code it is. */
@@ -80,10 +82,18 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         (JasonCode.recordedActions - RANDOM).forEach { type -> ts.ag.setIA(type, watched(type, ts.ag.getIA(type))) }
     }
 
-    /** Watches what the agent has been told or has included since: Jason looks its actions up anew. */
+    /** The agent includes a file: Jason looks the actions of all its plans up anew, also where the file has beliefs and rules only. */
+    fun included() {
+        isStale = true
+    }
+
+    /**
+     * Watches what the agent has been told or has included since: Jason looks its actions up anew.
+     * @throws UnknownCodeException if it has code that cannot be watched
+     */
     fun watchAdded() {
         val now = Plans.of(ts.ag).all
-        if (now.size == plans.size && now.lastOrNull() === plans.lastOrNull() && now.firstOrNull() === plans.firstOrNull()) return
+        if (!isStale && now.size == plans.size && now.lastOrNull() === plans.lastOrNull() && now.firstOrNull() === plans.firstOrNull()) return
         seen.clear()
         visitAll()
     }
@@ -91,19 +101,16 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private fun visitAll() {
         plans = Plans.of(ts.ag).all.toList()
         plans.forEach(::visit)
-        ts.ag.bb.filterIsInstance<Rule>().forEach { visit(it.body) }
+        ts.ag.bb.forEach { visit(it as Any) } // a belief may hold code, which a plan takes out of it
+        isStale = false
     }
 
     /** [action], which the program calls [name], watched if it is to be. */
-    fun watched(name: String, action: InternalAction): InternalAction {
-        if (action is WatchedAction || !isWatched(action)) return action
-        val called = if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
-        return actions.getOrPut(called) { WatchedAction(called, action, watch) }
-    }
+    fun watched(name: String, action: InternalAction): InternalAction =
+        if (isPlain(action)) actions.getOrPut(calledName(name, action)) { watched(name, action, watch) } else action
 
     /** [function], watched if it is to be. */
-    fun watched(function: ArithFunction): ArithFunction =
-        if (function is WatchedFunction || !isWatched(function)) function else WatchedFunction(function, watch)
+    fun watched(function: ArithFunction): ArithFunction = watched(function, watch)
 
     /**
      * The action of the program whose class is called [type], as [watched] has it.
@@ -120,39 +127,54 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
     private fun visit(plan: Plan) {
         if (!seen.add(plan)) return
+        plan.label?.let { visit(it as Any) }
+        plan.trigger?.let { visit(it.literal as Any?) }
         plan.context?.let { visit(it as Any) }
         visit(plan.body as Any?)
         Plans.within(plan)?.all?.forEach(::visit)
     }
 
     private fun visit(term: Any?) {
-        if (term == null || term is VarTerm || !seen.add(term)) return
+        if (term is Plan) return visit(term)
+        if (term == null || !seen.add(term)) return
         when (term) {
-            is Plan -> return visit(term)
+            is VarTerm -> return visitAnnotations(term)
+            is Trigger -> return visit(term.literal as Any?)
+            is Rule -> visit(term.body as Any?)
             is PlanBody -> {
                 visit(term.bodyTerm as Any?)
                 visit(term.bodyNext as Any?)
             }
-            is InternalActionLiteral -> term.setIA(watched(term.functor, term.getIA(ts.ag).also(::requireKnown)))
+            is InternalActionLiteral -> actionOf(term)?.let { term.setIA(watched(term.functor, it.also(::requireKnown))) }
             is ArithFunctionTerm -> (functionOf.get(term) as? ArithFunction)?.let { functionOf.set(term, watched(it.also(::requireKnown))) }
         }
         if (term is ListTerm) term.asList.forEach { visit(it as Any?) }
         else if (term is Structure) term.terms?.forEach { visit(it as Any?) }
-        if (term is Literal && term.hasAnnot()) term.annots.forEach { visit(it as Any?) }
+        if (term is Literal) visitAnnotations(term)
+    }
+
+    private fun visitAnnotations(literal: Literal) {
+        if (literal.hasAnnot()) literal.annots.forEach { visit(it as Any?) }
+    }
+
+    /** The action that [term] calls; null: there is none, of which Jason tells when it is called. */
+    private fun actionOf(term: InternalActionLiteral): InternalAction? = try {
+        term.getIA(ts.ag)
+    } catch (_: ReflectiveOperationException) {
+        null
+    } catch (_: LinkageError) {
+        null
+    } catch (_: ClassCastException) { // of a class that is no action
+        null
     }
 
     private fun requireKnown(code: Any) {
-        if (JasonCode.isUnknown(code)) throw UnknownCodeException(JasonCode.nameOf(code))
-    }
-
-    /** What is not known is, too, so that no replay carries it out. */
-    private fun isWatched(code: Any) = when {
-        !JasonCode.isOwn(code.javaClass) -> true
-        else -> JasonCode.natureOf(code.javaClass.name)?.let(JasonCode::isRecorded) ?: JasonCode.isUnknown(code)
+        val own = if (code is WatchedAction) code.action else if (code is WatchedFunction) code.function else code
+        if (JasonCode.isUnknown(own)) throw UnknownCodeException(JasonCode.nameOf(own))
     }
 
     /** Written as the action that it watches: a program may write its plans. */
-    private class WatchedAction(val name: String, private val action: InternalAction, private val watch: CallWatch) :
+    private class WatchedAction(val name: String, val action: InternalAction, private val watch: CallWatch) :
         InternalAction by action, Serializable {
         private val isOfProject = !JasonCode.isOwn(action.javaClass)
 
@@ -168,7 +190,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         }
     }
 
-    private class WatchedFunction(private val function: ArithFunction, private val watch: CallWatch) :
+    private class WatchedFunction(val function: ArithFunction, private val watch: CallWatch) :
         ArithFunction by function, Serializable {
         private val isOfProject = !JasonCode.isOwn(function.javaClass)
 
@@ -178,13 +200,31 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
             current(watch).evaluate(function.name, args, isOfProject) { function.evaluate(ts, args) }
     }
 
-    private companion object {
-        const val MAX_ARITY = 9
+    companion object {
+        private const val MAX_ARITY = 9
 
         /** `.set_random_seed` wants Jason's own object; that of the program's terms is watched. */
-        val RANDOM = random::class.java.name
+        private val RANDOM = random::class.java.name
+
+        /** [action], which the program calls [name]; if it is to be watched [watch] is asked about its calls. */
+        fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction =
+            if (isPlain(action)) WatchedAction(calledName(name, action), action, watch) else action
+
+        /** [function]; if it is to be watched [watch] is asked about it. */
+        fun watched(function: ArithFunction, watch: CallWatch): ArithFunction =
+            if (isPlain(function)) WatchedFunction(function, watch) else function
+
+        private fun calledName(name: String, action: InternalAction) =
+            if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
+
+        /** Whether [code] is to be watched and is not yet. What is not known is, too, so that no replay carries it out. */
+        private fun isPlain(code: Any) = when {
+            code is WatchedAction || code is WatchedFunction -> false
+            !JasonCode.isOwn(code.javaClass) -> true
+            else -> JasonCode.natureOf(code.javaClass.name)?.let(JasonCode::isRecorded) ?: JasonCode.isUnknown(code)
+        }
 
         /** Who watches the agent that calls: a plan that one agent tells another comes with the code of the first. */
-        fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
+        private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
     }
 }

@@ -90,13 +90,13 @@ internal class Recorder(
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
-        if (isRefused) return
+        leaveCycle()
         val agent = running ?: begin(ts) ?: return
-        inCycle = Thread.currentThread()
-        KeptInclude.current = this
-        agent.code.watchAdded()
+        if (isRefused || !isKnown(agent)) return carryOutEnds(agent)
         agent.now = CycleNotes(this.agent.nanos())
         agent.overlap = Overlaps.begin()
+        inCycle = Thread.currentThread()
+        KeptInclude.current = this
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
         if (agent.events >= 0 && ts.c.events.size > agent.events) {
             agent.now.events = ts.c.events.drop(agent.events).map { triggerText(it.trigger) }
@@ -108,19 +108,41 @@ internal class Recorder(
         Keeper.begin(this, ts)
     }
 
+    /** Jason did not finish the cycle that was begun: it ends here. */
+    private fun leaveCycle() {
+        if (inCycle == null) return
+        inCycle = null
+        Keeper.current = null
+        KeptInclude.current = null
+        running?.let { Overlaps.end(it.overlap) }
+    }
+
+    /** Whether all code that has been added can be watched; otherwise the recording of the agent ends, which itself goes on. */
+    private fun isKnown(agent: Running): Boolean = try {
+        agent.code.watchAdded()
+        true
+    } catch (unknown: UnknownCodeException) {
+        refused("${unknown.message}")
+        track.close()
+        false
+    }
+
     /** Before Jason begins the cycle: an intention that this resumes goes on in it, as it would without a recording. */
     private fun carryOutEnds(agent: Running) {
         if (inbox.isEmpty()) return
         Keeper.within(this) {
             for (arrived in inbox.takeAll()) {
-                agent.now.ends += arrived.end
-                agent.keyFrames.ended(arrived.end.number)
+                if (!isRefused) {
+                    agent.now.ends += arrived.end
+                    agent.keyFrames.ended(arrived.end.number)
+                }
                 arrived.work?.run() ?: begun.carryOut(arrived.end)
             }
         }
     }
 
     private fun begin(ts: TransitionSystem): Running? {
+        if (isRefused) return null
         refusal(ts)?.let { return refused(it) }
         val code = try {
             watch(ts)
@@ -131,13 +153,16 @@ internal class Recorder(
     }
 
     private fun refused(why: String): Running? {
-        log.severe("argo_record: $why; the agent runs without a recording")
+        log.severe("argo_record: $why; the agent runs without a recording from now on")
         isRefused = true
         return null
     }
 
     override fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent? {
-        current()?.let { program.include(KeptInclude.fileOf(directive), outer.aslSrc, KeptInclude.placeOf(outer, it.ts.ag)) }
+        current()?.let {
+            program.include(KeptInclude.fileOf(directive), outer.aslSrc, KeptInclude.placeOf(outer, it.ts.ag))
+            it.code.included()
+        }
         return live()
     }
 

@@ -1,26 +1,50 @@
 package argo.recording.replay
 
+import argo.recording.agent.CallWatch
 import argo.recording.agent.WatchedCode
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
 import jason.asSemantics.InternalAction
 
 /**
- * The agent of a replay, which Jason makes. What it looks up while it runs, as for a term that it has made of a text, is watched as the
- * code of its program is, and no class is touched that is no internal action.
+ * The agent of a replay, or a file that it includes, which Jason makes. [watch] is asked about the calls of all that it looks up, as Jason
+ * reads it and while it runs, as for a term that it has made of a text, and no class is touched that is no internal action.
  */
-internal class GuardedAgent : Agent() {
-    /** Its code; null: it is being read. */
-    var code: WatchedCode? = null
+internal class GuardedAgent(private val watch: LateWatch) : Agent() {
+    private var code: WatchedCode? = null // null: it is being read
+
+    /** It has been read, and [asked] is asked about its [code] from now on. */
+    fun begin(code: WatchedCode, asked: CallWatch) {
+        this.code = code
+        watch.watch = asked
+    }
+
+    /** In the place of Jason 3.3's, which would begin a server; Jason 3.2 has none. */
+    @Suppress("unused")
+    fun addToMindInspectorWeb() = Unit
 
     override fun getIA(name: String): InternalAction {
         requireCode(if (name.startsWith('.')) "jason.stdlib$name" else name)
-        return super.getIA(name).let { code?.watched(name, it) ?: it }
+        val action = super.getIA(name)
+        return if (name == RANDOM) action else WatchedCode.watched(name, action, watch)
     }
 
-    override fun getFunction(name: String, arity: Int): ArithFunction? = super.getFunction(name, arity)?.let { code?.watched(it) ?: it }
+    override fun getFunction(name: String, arity: Int): ArithFunction? =
+        super.getFunction(name, arity)?.let { WatchedCode.watched(it, watch) }
+
+    /** Blocks of what it includes are read by agents of Jason's own. */
+    override fun importComponents(included: Agent) {
+        super.importComponents(included)
+        code?.run {
+            included()
+            watchAdded()
+        }
+    }
 
     companion object {
+        /** As `.set_random_seed` asks for it, which wants Jason's own object; it touches nothing. */
+        private const val RANDOM = ".random"
+
         /**
          * Refuses the class [name] if it is something else than an internal action or a function; where there is none, Jason says so.
          * @throws RecordingException if it is

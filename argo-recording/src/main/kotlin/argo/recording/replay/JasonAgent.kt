@@ -31,18 +31,17 @@ import java.nio.file.Path
  * @throws RecordingException if a class of it is missing, or is none that a replay makes, or Jason cannot read it
  */
 internal fun jasonAgent(recorded: RecordedAgent, source: Path, includes: RecordedIncludes, boundary: Boundary): TransitionSystem {
-    Config.get().putAll(recorded.config) // before Jason reads them, once in a program
     requireJasons(recorded, recorded.agentClass, Agent::class.java.name)
     requireJasons(recorded, recorded.beliefBase, DefaultBeliefBase::class.java.name)
     val archType = archType(recorded)
     val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options.filterKeys(::isOfAgent))) }
     val infra = Infra(recorded)
     val address = recorded.address.takeIf { includes.isOfRecordedProgram }
-    recorded.firstLabel?.let(Counters::nameFrom)
-    KeptInclude.install()
     load(recorded) {
-        ofJasonsConfiguration {
-            KeptInclude.within(includes) { create(infra, settings) { it.read(source, address) } }
+        ofConfiguration(recorded) {
+            recorded.firstLabel?.let(Counters::nameFrom)
+            KeptInclude.install()
+            KeptInclude.within(includes) { create(GuardedAgent(includes.watch), infra, settings) { it.read(source, address) } }
         }
     }
     val ts = infra.ts
@@ -57,8 +56,7 @@ internal fun jasonAgent(recorded: RecordedAgent, source: Path, includes: Recorde
 }
 
 /** As [Agent.create], which reads a program only where it lies. */
-private fun create(infra: AgArch, settings: Settings, read: (Agent) -> Unit) {
-    val agent = GuardedAgent()
+private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent) -> Unit) {
     TransitionSystem(agent, null, settings, infra)
     agent.bb = DefaultBeliefBase()
     agent.initAg()
@@ -124,10 +122,13 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
     throw RecordingException("Jason cannot read the program of agent ${recorded.name}: $why")
 }
 
-/** Without Jason's server that shows agents, which [create] would start, and with its own plans for messages. */
-private fun ofJasonsConfiguration(create: () -> Unit) {
+/**
+ * With the settings of [recorded], which Jason reads as it makes the agent, or once in a program with its first term; without its server that
+ * shows agents, which [create] would start, and with its own plans for messages.
+ */
+private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) {
     val config = Config.get()
-    val wanted = mapOf(Config.START_WEB_MI to "false", Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans)
+    val wanted = recorded.config + mapOf(Config.START_WEB_MI to "false", Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans)
     val before: Map<String, Any?> = wanted.mapValues { (name, value) -> config.setProperty(name, value) }
     try {
         create()

@@ -11,6 +11,7 @@ import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 import jason.asSyntax.parser.as2j
 import java.nio.file.Files
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
@@ -24,17 +25,39 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
     /** Whether the program is the recorded one. */
     val isOfRecordedProgram: Boolean get() = beside == null
 
+    /** Who is asked about the code of the program and of what it includes. */
+    val watch = LateWatch(isCarryingOut = !isOfRecordedProgram)
+
     /** The agent that runs; null: it is being read. */
     var running: Agent? = null
 
+    private var isInRecorded = false // whether a recorded file is being read
+
     override fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent? {
         val name = KeptInclude.fileOf(directive)
-        val file = ownFile(name) ?: recorded(name, KeptInclude.placeOf(outer, running))
-        return file.text?.let { read(it, file.address, namespaceOf(directive)) }
+        val own = ownFile(name)
+        val file = own ?: recorded(name, KeptInclude.placeOf(outer, running))
+        val around = isInRecorded
+        isInRecorded = own == null
+        try {
+            return file.text?.let { read(it, file.address, namespaceOf(directive)) }
+        } finally {
+            isInRecorded = around
+        }
     }
 
+    /**
+     * The file [name] of the user, if the user's own program includes it: a recorded file has none of them. While the agent runs a recorded
+     * plan may ask, so only files in the folder of the program are taken then.
+     */
     private fun ownFile(name: String): Recording.Include? {
-        val file = beside?.resolveSibling(name)?.takeIf(Files::isRegularFile) ?: return null
+        if (beside == null || isInRecorded) return null
+        val file = try {
+            beside.resolveSibling(name).normalize()
+        } catch (_: InvalidPathException) {
+            return null
+        }
+        if (running != null && !file.startsWith(beside.normalize().parent) || !Files.isRegularFile(file)) return null
         return Recording.Include("", name, "file:$file", Files.readAllBytes(file))
     }
 
@@ -47,7 +70,7 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
 
     /** As Jason's `include` reads one; of a file that cannot be read it takes nothing, and goes on. */
     private fun read(text: ByteArray, address: String, namespace: Atom): Agent? = try {
-        GuardedAgent().apply {
+        GuardedAgent(watch).apply {
             initAg()
             aslSrc = address
             val parser = as2j(text.inputStream())

@@ -178,3 +178,10 @@ class Recording(private val file: Path) : AutoCloseable {
 
 /** A recording cannot be replayed; [message] has what was found and what to do. */
 class RecordingException(message: String) : IOException(message)
+
+/** What is thrown where a replay ends with [failed]: of a text that is none, or of a term too deep, a refusal; else [failed] itself. */
+internal fun refusalOf(failed: Throwable): Throwable = when (failed) {
+    is IllegalArgumentException -> RecordingException("a text of the recording cannot be read: ${failed.message}")
+    is StackOverflowError -> RecordingException("a term or a rule of the recording is nested too deeply")
+    else -> failed
+}

@@ -58,9 +58,9 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     private fun create() = try {
         val inputsOf = { found: DifferenceSink -> ReplayedInputs(found, isChecking) }
         recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found, inputsOf) }
-    } catch (refused: RecordingException) {
+    } catch (failed: Throwable) {
         programs.close()
-        throw refused
+        throw refusalOf(failed)
     }
 
     private fun runCycle(agent: String, cycle: Cycle) {
@@ -69,6 +69,8 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
             agents.getValue(agent).run(cycle)
         } catch (_: StackOverflowError) {
             throw RecordingException("a term or a rule is nested too deeply in cycle ${cycle.number} of agent $agent")
+        } catch (broken: IllegalArgumentException) {
+            throw refusalOf(broken)
         }
         cyclesRun++
         lastNs = cycle.ns

@@ -98,7 +98,7 @@ internal open class ReplayedInputs(
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts(ts.ag)
-        code = guarded(ts) { watch(ts) }
+        code = guarded(ts, this) { watch(ts) }
         if (start == null) return
         val timers = Restoration(start, ts, program, code, course).restore()
         percepts = start.perceived.map(::perceptOf)
@@ -121,7 +121,7 @@ internal open class ReplayedInputs(
 
     override fun cycleStarting(ts: TransitionSystem) {
         course.begin()
-        code.watchAdded()
+        guarded(ts, this) { code.apply { watchAdded() } }
         Keeper.within(this) { carryOut(cycle.input.ends) }
         Keeper.begin(this, ts)
     }
@@ -360,9 +360,12 @@ internal fun bind(call: InternalCall, un: Unifier, answer: Map<Int, String>) = a
     call.args.getOrNull(place)?.let { un.unifies(it, termOf(text)) }
 }
 
-/** Watches the code of the agent of [ts], which [watch] does, also what it looks up later. */
-internal fun guarded(ts: TransitionSystem, watch: () -> WatchedCode): WatchedCode = try {
-    watch().also { (ts.ag as GuardedAgent).code = it }
+/**
+ * Has [asked] asked about the code of the agent of [ts], which [watch] does, also what it looks up later.
+ * @throws RecordingException if it has code that cannot be watched
+ */
+internal fun guarded(ts: TransitionSystem, asked: CallWatch, watch: () -> WatchedCode): WatchedCode = try {
+    watch().also { (ts.ag as GuardedAgent).begin(it, asked) }
 } catch (unknown: UnknownCodeException) {
     throw RecordingException("the recording of agent ${ts.agArch.agName} cannot be replayed: ${unknown.message}")
 }

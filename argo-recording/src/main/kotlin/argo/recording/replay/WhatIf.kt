@@ -71,9 +71,9 @@ class WhatIf(
             if (start == null && program == null) recorded.beginning?.restoreIn(ts)
             if (start == null || program == null) inputs.begin(ts, start) else beginChanged(ts, start)
         }
-    } catch (refused: RecordingException) {
+    } catch (failed: Throwable) {
         files.close()
-        throw refused
+        throw refusalOf(failed)
     }
 
     /** With the beliefs that were recorded, and what was under way, of the plans of then. */
@@ -112,12 +112,16 @@ class WhatIf(
         }
     }
 
-    private fun run(cycle: Cycle?, ns: Long) {
+    private fun run(cycle: Cycle?, ns: Long): Unit = try {
         if (cycle != null && number > 0) ts.rest(cycle.number - number - 1)
         inputs.next(cycle, ns)
         number = maxOf(number + 1, cycle?.number ?: 0)
         ts.cycle(number, recorded.isConditional, includes)
         inputs.end()
+    } catch (broken: IllegalArgumentException) {
+        throw refusalOf(broken)
+    } catch (deep: StackOverflowError) {
+        throw refusalOf(deep)
     }
 
     /**

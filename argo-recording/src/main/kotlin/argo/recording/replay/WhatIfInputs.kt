@@ -16,6 +16,7 @@ import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
 import argo.recording.agent.ProgramParts
+import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
 import argo.recording.agent.complete
 import argo.recording.agent.contentOf
@@ -72,6 +73,7 @@ internal class WhatIfInputs(
     private var isCommand = false
     private lateinit var ts: TransitionSystem
     private lateinit var course: CourseWatch
+    private lateinit var code: WatchedCode
 
     /** The time, in ns of the recorded agent's clock. */
     var ns = 0L
@@ -96,8 +98,8 @@ internal class WhatIfInputs(
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts((recorded ?: ts).ag)
-        val code = guarded(ts) { watch(ts) }
-        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions that are under way are of its plans
+        code = guarded(ts, this) { watch(ts) }
+        if (recorded != null) guarded(recorded, this) { watch(recorded) } // the intentions that are under way are of its plans
         if (start != null) beginAt(start, Restoration(start, ts, program, code, course, isProgram = recorded == null).restore())
     }
 
@@ -139,6 +141,7 @@ internal class WhatIfInputs(
 
     override fun cycleStarting(ts: TransitionSystem) {
         course.begin()
+        guarded(ts, this) { code.apply { watchAdded() } }
         Keeper.within(this) {
             while (true) due.peek()?.takeIf(::isDue)?.let { due.remove().carryOut() } ?: break
             while (true) left.poll()?.run() ?: break
