@@ -12,6 +12,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.architecture.MindInspectorWeb
 import java.nio.file.Path
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
@@ -76,6 +77,11 @@ class IncludedFilesSpec : FunSpec({
         shouldReplay("facts.asl" to "speed(3).") {
             """!work. +!work <- .include("$it/facts.asl"); .wait(20); planted.dice(X); +had(X); .print(X)."""
         }
+    }
+
+    test("as it runs, without Jason's server that shows agents") {
+        shouldReplay("more.asl" to "more(1).") { """!work. +!work <- .include("$it/more.asl"); .wait(20); +after.""" }
+        MindInspectorWeb.isRunning() shouldBe false
     }
 
     test("from a jar") {

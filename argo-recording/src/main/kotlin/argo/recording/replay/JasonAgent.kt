@@ -123,12 +123,12 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
 }
 
 /**
- * With the settings of [recorded], which Jason reads as it makes the agent, or once in a program with its first term; without its server that
- * shows agents, which [create] would start, and with its own plans for messages.
+ * With the settings of [recorded], which Jason reads as it makes the agent, or once in a program with its first term, and with Jason's own
+ * plans for messages.
  */
 private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) {
     val config = Config.get()
-    val wanted = recorded.config + mapOf(Config.START_WEB_MI to "false", Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans)
+    val wanted = recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans)
     val before: Map<String, Any?> = wanted.mapValues { (name, value) -> config.setProperty(name, value) }
     try {
         create()
