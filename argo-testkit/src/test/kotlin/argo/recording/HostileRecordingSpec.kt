@@ -101,7 +101,8 @@ class HostileRecordingSpec : FunSpec({
     }
 
     for (program in listOf(
-        "b({ SAVE }). !start. +!start <- ?b(X); X.", "b(SAVE). !start. +!start <- ?b(X); X.", "b(SAVE). !start. +!start <- ?b(X); .eval(Y,X).",
+        "b({ SAVE }). !start. +!start <- ?b(X); X.", "b(SAVE). !start. +!start <- ?b(X); X.",
+        "b(SAVE). !start. +!start <- ?b(X); .eval(Y,X).",
         "b(SAVE). !start. +!start : b(X) & X <- .print(a).", "b({ SAVE }) :- true. !start. +!start <- ?b(X); X.",
         "b[x({ SAVE })]. !start. +!start <- ?b[x(X)]; X.", "!start. +!start <- !x(Y); Y. +!x({ SAVE }).",
         "{ begin namespace(n) } b({ SAVE }). { end } !start. +!start <- ?n::b(X); X.",

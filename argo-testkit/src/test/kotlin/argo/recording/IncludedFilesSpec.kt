@@ -115,7 +115,8 @@ class IncludedFilesSpec : FunSpec({
     test("a recorded file that another program includes takes none of the user's") {
         val folder = tempdir().toPath().toRealPath()
         folder.resolve("facts.asl").writeText("speed(3).")
-        folder.resolve("lib.asl").writeText("""{ include("$folder/facts.asl") } { begin namespace(n) } { include("$folder/facts.asl") } { end }""")
+        val facts = """{ include("$folder/facts.asl") }"""
+        folder.resolve("lib.asl").writeText("$facts { begin namespace(n) } $facts { end }")
         val program = """{ include("$folder/lib.asl") } !work. +!work : speed(S) & n::speed(N) <- +had(S,N)."""
         val file = recorded(program) { after(300.milliseconds) }
         folder.resolve("lib.asl").deleteExisting()

@@ -93,7 +93,8 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
      */
     fun watchAdded() {
         val now = Plans.of(ts.ag).all
-        if (!isStale && now.size == plans.size && now.lastOrNull() === plans.lastOrNull() && now.firstOrNull() === plans.firstOrNull()) return
+        val isSame = now.size == plans.size && now.lastOrNull() === plans.lastOrNull() && now.firstOrNull() === plans.firstOrNull()
+        if (isSame && !isStale) return
         seen.clear()
         visitAll()
     }
