@@ -18,9 +18,6 @@ import javino.wire.FrameKind
 import javino.wire.Welcome
 import javino.wire.WireDecoder
 import javino.wire.WireFrame
-import java.util.logging.Handler
-import java.util.logging.LogRecord
-import java.util.logging.Logger
 
 private const val REQUEST = "getPercepts"
 
@@ -81,28 +78,6 @@ private fun newerRevision(welcome: WireFrame) =
     WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().replaceRange(4, 5, "${(Welcome.REVISION + 1).toChar()}"))
 
 private fun actionsLost(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().dropLast(1) + '3')
-
-/** What the logger of this name warns of while [work] is done. */
-private fun warningsOf(name: String, work: () -> Unit): List<String> {
-    val warnings = mutableListOf<String>()
-    val logger = Logger.getLogger(name)
-    val handler = object : Handler() {
-        override fun publish(record: LogRecord) {
-            warnings += record.message
-        }
-
-        override fun flush() = Unit
-
-        override fun close() = Unit
-    }
-    logger.addHandler(handler)
-    try {
-        work()
-    } finally {
-        logger.removeHandler(handler)
-    }
-    return warnings
-}
 
 class LinkVersionSpec : FunSpec({
     test("a version 2 board that runs is asked in version 2 from the beginning") {
@@ -429,7 +404,7 @@ class LinkVersionSpec : FunSpec({
 
     test("a board of an older draft of version 2 is spoken to in version 1, and the log says what to do") {
         val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) olderDraft(it) else it) } }
-        val warnings = warningsOf("javino.SessionLine") {
+        val warnings = logged("javino.SessionLine") {
             bench(board, LinkSettings.defaults().withBootMillis(0)).use { bench ->
                 bench.link.request(REQUEST, 500).text() shouldBe "1;"
                 bench.link.protocol() shouldBe Protocol.V1
@@ -470,7 +445,7 @@ class LinkVersionSpec : FunSpec({
 
     test("actions that found no room on a board are told once, however many sessions there are") {
         val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) actionsLost(it) else it) } }
-        val warnings = warningsOf("javino.SessionLine") {
+        val warnings = logged("javino.SessionLine") {
             bench(board).use { bench ->
                 bench.link.actionsLost() shouldBe 0
                 repeat(3) {

@@ -5,10 +5,10 @@ import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** What the javino loggers report meanwhile. */
-internal fun logged(work: () -> Unit): List<String> {
+/** What the logger [name], and those below it, report while [work] is done. */
+internal fun logged(name: String = "javino", work: () -> Unit): List<String> {
     val messages = CopyOnWriteArrayList<String>()
-    val logger = Logger.getLogger("javino")
+    val logger = Logger.getLogger(name)
     val handler = object : Handler() {
         override fun publish(record: LogRecord) {
             messages += record.message
