@@ -52,7 +52,7 @@ class LinkThreadsSpec : FunSpec({
     for (protocol in listOf(Protocol.V1, Protocol.V2)) {
         test("each command has an outcome, whenever the link is closed: $protocol").config(timeout = 60.seconds, blockingTest = true) {
             FakeBoard.plugIn("threads${boards.incrementAndGet()}").version2().lenient().use { board ->
-                repeat(200) {
+                repeat(60) {
                     Link.open(board.port(), Bench.FAST.withProtocol(protocol), "the test").use { link ->
                         val writer = async { runCatching { link.writeCommandsUntilClosed() } }
                         val outcomes = CopyOnWriteArrayList<CompletableFuture<Void>>()

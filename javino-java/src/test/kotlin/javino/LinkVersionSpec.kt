@@ -2,6 +2,7 @@ package javino
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -216,7 +217,7 @@ class LinkVersionSpec : FunSpec({
         }
     }
 
-    test("a request of version 1 whose turn comes when WELCOME has just come costs no command") {
+    test("a request of version 1 whose turn comes when WELCOME has just come costs no command").config(tags = thorough) {
         for (starts in 300..1_500 step 40) for (takes in 480..600 step 5) {
             val board = VirtualBoard2(starts.toDouble()).apply { this.takes = takes / 10.0 }
             bench(board).use { bench ->
@@ -485,3 +486,5 @@ class LinkVersionSpec : FunSpec({
         first.handled shouldContainExactly listOf("1:$REQUEST")
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

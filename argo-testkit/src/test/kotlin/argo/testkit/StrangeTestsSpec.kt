@@ -1,6 +1,7 @@
 package argo.testkit
 
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -173,10 +174,12 @@ class StrangeTestsSpec : FunSpec({
         threads().shouldBeEmpty()
     }
 
-    test("two hundred agents leave no thread and no handler behind, and neither does one whose set-up fails") {
+    test("two hundred agents leave no thread and no handler behind, and neither does one whose set-up fails").config(tags = thorough) {
         repeat(200) { agent("robot.asl").use { it.perceives("dist(front,90)").shouldSend("front") } }
         shouldThrow<IllegalStateException> { agent("robot.asl") { error("no such board here") } }.message shouldNotContain "closed"
         threads().shouldBeEmpty()
         handlers() shouldBe 0
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -1,5 +1,6 @@
 package samples.experiment
 
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.engine.spec.tempfile
@@ -21,7 +22,7 @@ class ExperimentSpec : FunSpec({
     fun arguments(out: Path, vararg more: String) =
         arrayOf("experiment", "--smoke", "--condition", "b", "--slowdown", "1", "--jobs", "6", "--out", "$out", *more)
 
-    test("an experiment that is interrupted keeps whole lines, and goes on with the same command") {
+    test("an experiment that is interrupted keeps whole lines, and goes on with the same command").config(tags = thorough) {
         val out = tempdir().toPath().resolve("results")
         Program.samples(*arguments(out, "--seed", "5")).use { program ->
             program.awaitLine("run 0 of 12")
@@ -77,3 +78,5 @@ class ExperimentSpec : FunSpec({
         }
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -1,5 +1,6 @@
 package samples.fleet
 
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
@@ -19,7 +20,7 @@ private const val LIMIT_S = 300L
 private const val CONNECT_LIMIT_MS = 2_000
 
 class FleetSpec : FunSpec({
-    test("when the process of one robot is killed, the others go on and one of them gets its places") {
+    test("when the process of one robot is killed, the others go on and one of them gets its places").config(tags = thorough) {
         val lines = Lines()
         Fleet.start(lines::add).use { fleet ->
             lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
@@ -49,7 +50,7 @@ class FleetSpec : FunSpec({
         listOf("main", "scout1", "scout2").filter(fleet::isAlive).shouldBeEmpty()
     }
 
-    test("the command shows it and ends") {
+    test("the command shows it and ends").config(tags = thorough) {
         Program.samples("fleet", "--seconds", "5").use { program ->
             listOf("has visited", "scout2 has been killed", "scout2 is lost", "scout1 watches", "scout1 has visited")
                 .forEach(program::awaitLine)
@@ -105,3 +106,5 @@ private class Lines {
         val LOST = Regex("""\[coordinator] (\w+) is lost""")
     }
 }
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -96,7 +96,7 @@ class ExploreCommandSpec : FunSpec({
         }
     }
 
-    test("boards and rules in Kotlin") {
+    test("boards and rules in Kotlin").config(tags = thorough) {
         robot(isMended = false)
         folder.resolve("boards.kt").writeText(
             """
