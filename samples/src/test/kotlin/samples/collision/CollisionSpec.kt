@@ -42,7 +42,10 @@ class CollisionSpec : FunSpec({
         status shouldBe 0
     }
 
-    test("a terminal shows the robot on its way to the wall, and a dumb one plain lines").config(tags = thorough, enabledOrReasonIf = pairs) {
+    test("a terminal shows the robot on its way to the wall, and a dumb one plain lines").config(
+        tags = thorough,
+        enabledOrReasonIf = pairs,
+    ) {
         fun printed(term: String) = Program.inTerminal(term, "collision", "--limit", "190").use { it.awaitEnd().second }
         with(printed("xterm")) {
             Regex("""___?o=o>_*\|  distance 1\d\d\.\d cm""").containsMatchIn(this) shouldBe true
