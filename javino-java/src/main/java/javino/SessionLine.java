@@ -458,12 +458,20 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                         port,
                         "port " + port + " did not say that it acted on \"" + text
                                 + "\"; it may have, or the board does not run any more");
-            case TOO_LONG ->
-                new ActionRefusedException(
-                        port,
-                        "the board at port " + port + " takes no command of " + text.length() + " bytes, in version 2 "
-                                + CommandItem.MAX_TEXT + " at most: " + Frame.quoted(text));
+            case TOO_LONG -> new ActionRefusedException(port, tooLong(command));
         };
+    }
+
+    private String tooLong(Command command) {
+        boolean isRule = command.rule() != null;
+        String sent = isRule ? command.rule().text() : command.text();
+        int most = session.longestText(isRule);
+        return "the board at port " + transport.name() + " takes no " + (isRule ? "rule" : "command") + " of "
+                + sent.length() + " bytes, " + most + " at most"
+                + (most < CommandItem.MAX_TEXT
+                        ? ", as much as its memory holds: give the board more, as JavinoSized<600> javino; does"
+                        : "")
+                + ": " + (isRule ? command.text() : Frame.quoted(sent));
     }
 
     @Override
