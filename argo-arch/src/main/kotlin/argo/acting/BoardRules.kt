@@ -14,6 +14,9 @@ import kotlin.concurrent.withLock
  * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change a reflex may be
  * carried out twice, by the board and by the computer, but no percept is missed by both.
  *
+ * Commands that wait on the line stay there when the board starts anew, and reach its next session. So what is sent in a session after
+ * another begins with the removal of all rules: whatever goes out late stands in front of that.
+ *
  * @param wanted the critical rules that the agent wants to be watched now; evaluated under the lock of this object, by any thread
  * @param submit queues a command to the board; called outside of the lock; calls its last argument once with the outcome, on any thread
  */
@@ -37,6 +40,7 @@ internal class BoardRules(
     private var lastNumber = 0
     private val unsent = ArrayDeque<Message>()
     private var isSending = false
+    private var hasSent = false
 
     /** Whether the board has been sent rules that it may report. */
     val isEmpty: Boolean get() = lock.withLock { held.isEmpty() }
@@ -47,6 +51,7 @@ internal class BoardRules(
         held.clear()
         refused.clear()
         unsent.clear()
+        if (hasSent && room > 0) unsent += Message(BoardRule.removal(ALL))
         adjust()
     }
 
@@ -67,7 +72,11 @@ internal class BoardRules(
 
     /** The message that this thread is to send; null: there is none, or another thread sends, so that they go out in their order. */
     private fun nextToSend(): Message? = lock.withLock {
-        if (isSending) null else unsent.removeFirstOrNull().also { isSending = it != null }
+        if (isSending) return null
+        unsent.removeFirstOrNull()?.also {
+            isSending = true
+            hasSent = true
+        }
     }
 
     private fun submit(message: Message) {
