@@ -25,7 +25,9 @@ class PomsSpec : FunSpec({
 
     fun tree(vararg module: String): Path = tempdir().toPath().apply {
         resolve("pom.xml").writeText(PARENT)
-        module.forEachIndexed { at, text -> resolve("m$at").createDirectories().resolve("pom.xml").writeText("<project><parent/>$text</project>") }
+        module.forEachIndexed { at, text ->
+            resolve("m$at").createDirectories().resolve("pom.xml").writeText("<project><parent/>$text</project>")
+        }
     }
 
     fun dependency(text: String) = read(tree("<dependencies><dependency>$text</dependency></dependencies>", "")).joinToString("\n")
@@ -50,7 +52,8 @@ class PomsSpec : FunSpec({
     }
 
     test("a managed library has its version and exclusions from the parent, unless the module names a version") {
-        dependency("<groupId>g</groupId><artifactId>managed</artifactId>") shouldContain "name=managed, version=2.0, isModule=false, excluded=[x:y]"
+        dependency("<groupId>g</groupId><artifactId>managed</artifactId>") shouldContain
+            "name=managed, version=2.0, isModule=false, excluded=[x:y]"
         dependency("<groupId>g</groupId><artifactId>managed</artifactId><version>3</version>") shouldContain
             "name=managed, version=3, isModule=false, excluded=[x:y]"
     }
@@ -82,14 +85,14 @@ class PomsSpec : FunSpec({
             "</executions></plugin></plugins></build>"
         val read = read(tree(build, "")).joinToString("\n")
         read shouldContain "sources=[src/more/kotlin], testSources=[../m1/src/shared], " +
-            "resources=[Resource[folder=./demo, target=demo], Resource[folder=rules, target=filters]]"
+            "resources=[Resource[folder=demo, target=demo], Resource[folder=rules, target=filters]]"
     }
 
     mapOf(
-        "<groupId>g</groupId><artifactId>a</artifactId><version>1</version><classifier>c</classifier>" to "<classifier> of the dependency g:a",
-        "<groupId>g</groupId><artifactId>a</artifactId><version>1</version><scope>system</scope>" to "the scope system of the dependency g:a",
+        "<groupId>g</groupId><artifactId>a</artifactId><version>1</version><type>zip</type>" to "<type>zip for the dependency a",
+        "<groupId>g</groupId><artifactId>a</artifactId><version>1</version><scope>system</scope>" to "<scope>system for the dependency a",
         "<groupId>g</groupId><artifactId>a</artifactId>" to "g:a has no version",
-        "<groupId>g</groupId><artifactId>a</artifactId><version>\${none}</version>" to "has no property none",
+        "<groupId>g</groupId><artifactId>a</artifactId><version>\${none}</version>" to "there is no property none",
     ).forEach { (text, reason) ->
         test("it is not left out in silence, but refused with its file: $reason") {
             val said = dependency(text)
@@ -100,7 +103,8 @@ class PomsSpec : FunSpec({
     }
 
     test("the settings of this build find the modules and Kotlin's version where the POM has them") {
-        val patterns = Regex("Regex\\(\"(.+?)\"\\)").findAll(root.resolve("settings.gradle.kts").readText()).map { it.groupValues[1] }.toList()
+        val settings = root.resolve("settings.gradle.kts").readText()
+        val patterns = Regex("Regex\\(\"(.+?)\"\\)").findAll(settings).map { it.groupValues[1] }.toList()
         val pom = root.resolve("pom.xml").readText()
         patterns.associateWith { pattern -> Regex(pattern).findAll(pom).count() } shouldBe
             mapOf("<kotlin.version>(.+)</kotlin.version>" to 1, "<module>(.+)</module>" to read(root).size - 1)
@@ -108,8 +112,9 @@ class PomsSpec : FunSpec({
 
     test("a new project's Gradle build fetches its plugins from where this one does") {
         val repositories = Regex("pluginManagement \\{\\s+repositories \\{ (.+?) }")
-        fun repositories(file: String) = checkNotNull(repositories.find(root.resolve(file).readText())) { "no pluginManagement in $file" }.groupValues[1]
-        repositories("argo-tools/src/main/resources/argo/tools/project/settings.gradle") shouldBe repositories("settings.gradle.kts")
+        fun repositories(file: String) = repositories.find(root.resolve(file).readText())?.groupValues?.get(1)
+        repositories("settings.gradle.kts") shouldBe "mavenCentral()"
+        repositories("argo-tools/src/main/resources/argo/tools/project/settings.gradle") shouldBe "mavenCentral()"
     }
 })
 

@@ -4,42 +4,43 @@ import java.io.File;
 import java.io.FileInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.xpath.XPath;
+import javax.xml.xpath.XPathExpressionException;
+import javax.xml.xpath.XPathFactory;
+import javax.xml.xpath.XPathNodes;
 import org.w3c.dom.Element;
-import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
 
 /**
- * What Maven's POMs declare, for the Gradle build, which has no modules, versions and dependencies of its own. It reads the elements that
- * ARGO's POMs use, and fails on others that matter, since Gradle would build without them.
+ * What Maven's POMs declare, for the Gradle build, which has no modules, versions and dependencies of its own. It fails on an element that
+ * it does not know, since Gradle would build without it.
  */
 public final class Poms {
     /** Prints what Gradle reads of each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
     public static void main(String[] arguments) {
         Map<String, String> given = new HashMap<>();
-        Stream.of(arguments).skip(1).map(it -> it.split("=", 2)).forEach(it -> given.put(it[0], it[1]));
+        Arrays.stream(arguments).skip(1).map(it -> it.split("=", 2)).forEach(it -> given.put(it[0], it[1]));
         Poms poms = new Poms(new File(arguments[0]), given);
         System.out.println(poms.group() + " " + poms.version());
-        poms.modules().forEach(System.out::println);
+        poms.modules().forEach(it -> System.out.println(poms.module(it)));
     }
 
     /**
-     * A module, or another folder with a POM.
+     * A module, or another folder with a POM. Sources and resources are the folders besides the usual ones, relative to the module's.
      *
      * @param isLibrary whether it is published
      * @param isSerialized whether it is compiled with Kotlin's plugin for serialization
      * @param processors the coordinates of Java's annotation processors
-     * @param sources the folders of Kotlin sources besides the usual ones, relative to the module's
      */
     public record Module(
             String name,
@@ -53,29 +54,33 @@ public final class Poms {
             List<Resource> testResources) {}
 
     /**
-     * A dependency of a module.
+     * A dependency, in the configurations of Gradle that mean its scope.
      *
-     * @param configurations the names of Gradle's configurations that mean its scope
-     * @param isModule whether it is one of this build
      * @param excluded the libraries that it does not bring, as {@code group:name}
      */
     public record Dependency(
-            List<String> configurations, String group, String name, String version, boolean isModule, List<String> excluded) {
+            List<String> configurations,
+            String group,
+            String name,
+            String version,
+            boolean isModule,
+            List<String> excluded) {
         public String coordinates() {
             return group + ":" + name + ":" + version;
         }
     }
 
-    /** A folder of resources besides the usual one, and the folder on the class path that they are put into, empty for its top. */
+    /** A folder of resources, and the folder on the class path that they are put into, empty for its top. */
     public record Resource(String folder, String target) {}
 
-    private static final Set<String> OF_A_DEPENDENCY = Set.of("groupId", "artifactId", "version", "scope", "type", "exclusions");
+    private static final XPath XPATH = XPathFactory.newDefaultInstance().newXPath();
+    // of type pom: no library, but a module that is built before
+    private static final String DEPENDENCIES = "dependencies/dependency[not(type='pom')]|profiles/profile/dependencies/dependency[not(type='pom')]";
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
     private final File root;
     private final Map<String, String> given;
     private final Element parent;
-    private final Map<String, Element> managed = new HashMap<>();
 
     /**
      * Reads the POM in the folder {@code root}.
@@ -86,20 +91,19 @@ public final class Poms {
         this.root = root;
         this.given = given;
         this.parent = pom(root);
-        at(parent, "dependencyManagement", "dependencies", "dependency").forEach(it -> managed.put(key(it, parent), it));
     }
 
     public String group() {
-        return text(parent, "groupId", parent);
+        return text("groupId");
     }
 
     public String version() {
-        return text(parent, "version", parent);
+        return text("version");
     }
 
-    /** The text of an element of the parent, given by its path: {@code text("licenses", "license", "name")}. */
-    public String text(String... path) {
-        return resolved(only(parent, path).getTextContent(), parent);
+    /** The text of an element of the parent, which a path leads to, such as {@code licenses/license/name}. */
+    public String text(String path) {
+        return text(parent, path, parent);
     }
 
     /** The value of a property of the parent, such as {@code jason.version}. */
@@ -108,108 +112,102 @@ public final class Poms {
     }
 
     /** The modules in the order of the parent. */
-    public List<Module> modules() {
-        return names().stream().map(this::module).toList();
+    public List<String> modules() {
+        return at(parent, "modules/module").map(Element::getTextContent).toList();
     }
 
     /** The module of the folder {@code name}, or what else has a POM there. */
     public Module module(String name) {
         Element pom = pom(new File(root, name));
-        List<Dependency> dependencies = new ArrayList<>();
-        for (Element from : at(pom, "parent").isEmpty() ? List.of(pom) : List.of(parent, pom)) {
-            Stream.concat(at(from, "dependencies", "dependency").stream(), at(from, "profiles", "profile", "dependencies", "dependency").stream())
-                    .filter(it -> at(it, "type").isEmpty()) // of type pom: no library, but a module that is built before
-                    .forEach(it -> dependencies.add(dependency(it, pom)));
-        }
+        Stream<Element> poms = at(pom, "parent").findAny().isEmpty() ? Stream.of(pom) : Stream.of(parent, pom);
+        refuse(pom, "a compiler's plugin", "//compilerPlugins/plugin[.!='kotlinx-serialization']");
         return new Module(
                 name,
-                !properties(pom).containsKey("maven.install.skip"),
-                isSerialized(pom),
-                dependencies,
-                all(pom, "annotationProcessorPaths").stream()
-                        .flatMap(it -> at(it, "path").stream())
+                at(pom, "properties/maven.install.skip").findAny().isEmpty(),
+                at(pom, "//compilerPlugins/plugin").findAny().isPresent(),
+                poms.flatMap(it -> at(it, DEPENDENCIES)).map(it -> dependency(it, pom)).toList(),
+                at(pom, "//annotationProcessorPaths/path")
                         .map(it -> dependency(it, pom).coordinates())
                         .toList(),
                 sources(pom, "compile", "src/main/"),
                 sources(pom, "test-compile", "src/test/"),
-                resources(pom, "src/main/resources", "build", "resources", "resource"),
-                resources(pom, "src/test/resources", "build", "testResources", "testResource"));
-    }
-
-    private List<String> names() {
-        return at(parent, "modules", "module").stream().map(Element::getTextContent).toList();
+                resources(pom, "build/resources/resource", "src/main/resources"),
+                resources(pom, "build/testResources/testResource", "src/test/resources"));
     }
 
     private Dependency dependency(Element it, Element pom) {
-        at(it, "*").stream().filter(part -> !OF_A_DEPENDENCY.contains(part.getTagName())).findFirst().ifPresent(part -> {
-            throw unknown("<" + part.getTagName() + "> of the dependency " + key(it, pom), pom);
-        });
-        Element from = managed.get(key(it, pom));
-        if (at(it, "version").isEmpty() && from == null) {
-            throw new IllegalStateException(key(it, pom) + " has no version in " + pom.getBaseURI() + " and in its parent");
-        }
-        String version = at(it, "version").isEmpty() ? text(from, "version", parent) : text(it, "version", pom);
-        String scope = at(it, "scope").isEmpty() ? "compile" : text(it, "scope", pom);
-        List<String> configurations = switch (scope) {
-            case "compile" -> List.of("api"); // as Maven does: what a library's users compile with, too
-            case "provided" -> List.of("compileOnly", "testImplementation");
-            case "runtime" -> List.of("runtimeOnly");
-            case "test" -> List.of("testImplementation");
-            default -> throw unknown("the scope " + scope + " of the dependency " + key(it, pom), pom);
-        };
-        List<String> excluded = Stream.of(it, from == null ? it : from)
-                .flatMap(each -> at(each, "exclusions", "exclusion").stream())
-                .map(each -> key(each, pom))
-                .distinct()
-                .toList();
         String group = text(it, "groupId", pom);
         String name = text(it, "artifactId", pom);
-        return new Dependency(configurations, group, name, version, group.equals(group()) && names().contains(name), excluded);
-    }
-
-    private boolean isSerialized(Element pom) {
-        List<String> plugins = all(pom, "compilerPlugins").stream().flatMap(it -> at(it, "plugin").stream()).map(Element::getTextContent).toList();
-        if (!List.of("kotlinx-serialization").containsAll(plugins)) {
-            throw unknown("the compiler's plugins " + plugins, pom);
-        }
-        return !plugins.isEmpty();
+        refuse(
+                it,
+                "for the dependency " + name,
+                "*[not(self::groupId|self::artifactId|self::version|self::scope|self::exclusions)]");
+        refuse(
+                it,
+                "for the dependency " + name,
+                "scope[.!='compile' and .!='provided' and .!='runtime' and .!='test']");
+        List<Element> declared = Stream.concat(
+                        Stream.of(it),
+                        at(parent, "dependencyManagement/dependencies/dependency")
+                                .filter(each -> text(each, "groupId", parent).equals(group)
+                                        && text(each, "artifactId", parent).equals(name)))
+                .toList();
+        String scope = at(it, "scope").map(Element::getTextContent).findAny().orElse("compile");
+        return new Dependency(
+                switch (scope) {
+                    case "provided" -> List.of("compileOnly", "testImplementation");
+                    case "runtime" -> List.of("runtimeOnly");
+                    case "test" -> List.of("testImplementation");
+                    default -> List.of("api"); // as Maven does: what a library's users compile with, too
+                },
+                group,
+                name,
+                declared.stream()
+                        .flatMap(each -> at(each, "version"))
+                        .findFirst()
+                        .map(each -> resolved(each.getTextContent(), pom))
+                        .orElseThrow(() ->
+                                new IllegalStateException(group + ":" + name + " has no version in " + place(pom))),
+                group.equals(group()) && modules().contains(name),
+                declared.stream()
+                        .flatMap(each -> at(each, "exclusions/exclusion"))
+                        .map(each -> text(each, "groupId", pom) + ":" + text(each, "artifactId", pom))
+                        .toList());
     }
 
     /** What an execution of Kotlin's compiler has besides the usual folders. */
     private List<String> sources(Element pom, String execution, String usual) {
-        return all(pom, "execution").stream()
-                .filter(it -> at(it, "id").stream().anyMatch(id -> id.getTextContent().equals(execution)))
-                .flatMap(it -> at(it, "configuration", "sourceDirs", "sourceDir").stream())
+        return at(
+                        pom,
+                        "//execution[id='" + execution + "']/configuration/sourceDirs/sourceDir[not(starts-with(.,'"
+                                + usual + "'))]")
                 .map(it -> resolved(it.getTextContent(), pom))
-                .filter(it -> !it.startsWith(usual))
                 .toList();
     }
 
-    private List<Resource> resources(Element pom, String usual, String... path) {
-        List<Resource> resources = new ArrayList<>();
-        for (Element it : at(pom, path)) {
-            String folder = text(it, "directory", pom);
-            for (Element pattern : at(it, "includes", "include")) {
-                String name = pattern.getTextContent();
-                if (!name.endsWith("/**") || name.indexOf('*') < name.length() - 2) {
-                    throw unknown("the pattern " + name + ", which is not a folder's", pom);
-                }
-                String part = name.substring(0, name.length() - "/**".length());
-                resources.add(new Resource(folder + "/" + part, part));
-            }
-            if (at(it, "includes").isEmpty() && !folder.equals(usual)) {
-                resources.add(new Resource(folder, at(it, "targetPath").isEmpty() ? "" : text(it, "targetPath", pom)));
-            }
-        }
-        return resources;
+    /** The folders of resources but the usual one. Of patterns a whole folder of the module is known, {@code name/**}. */
+    private List<Resource> resources(Element pom, String path, String usual) {
+        refuse(pom, "with patterns", path + "[includes]/directory[.!='${project.basedir}']");
+        refuse(pom, "that is not a folder", path + "/includes/include[substring-before(.,'/**')='']");
+        Stream<Resource> parts = at(pom, path + "/includes/include")
+                .map(it -> it.getTextContent().replace("/**", ""))
+                .map(part -> new Resource(part, part));
+        Stream<Resource> folders = at(pom, path + "[not(includes) and directory!='" + usual + "']")
+                .map(it -> {
+                    Stream<Element> target = at(it, "targetPath");
+                    return new Resource(
+                            text(it, "directory", pom),
+                            target.map(Element::getTextContent).findAny().orElse(""));
+                });
+        return Stream.concat(parts, folders).toList();
     }
 
-    private String key(Element it, Element pom) {
-        return text(it, "groupId", pom) + ":" + text(it, "artifactId", pom);
-    }
-
-    private String text(Element it, String tag, Element pom) {
-        return resolved(only(it, tag).getTextContent(), pom);
+    private String text(Element it, String path, Element pom) {
+        return at(it, path)
+                .findFirst()
+                .map(each -> resolved(each.getTextContent(), pom))
+                .orElseThrow(() -> new IllegalStateException(
+                        "there is no " + path + " in a <" + it.getTagName() + "> of " + place(pom)));
     }
 
     private String resolved(String text, Element pom) {
@@ -217,69 +215,49 @@ public final class Poms {
     }
 
     private String value(String name, Element pom) {
-        if (name.equals("project.basedir")) {
-            return ".";
+        if (name.startsWith("project.")) {
+            return text(name.substring("project.".length()));
         }
-        if (name.equals("project.version")) {
-            return version();
-        }
-        if (name.equals("project.groupId")) {
-            return group();
-        }
-        String value = Stream.of(given, properties(pom), properties(parent))
-                .map(it -> it.get(name))
-                .filter(it -> it != null)
+        return Stream.concat(
+                        Stream.ofNullable(given.get(name)),
+                        Stream.of(pom, parent)
+                                .flatMap(it -> at(it, "properties/" + name))
+                                .map(Element::getTextContent))
                 .findFirst()
-                .orElseThrow(() -> new IllegalStateException(pom.getBaseURI() + " has no property " + name + ", nor has its parent"));
-        return resolved(value, pom);
+                .map(it -> resolved(it, pom))
+                .orElseThrow(() -> new IllegalStateException("there is no property " + name + " for " + place(pom)));
     }
 
-    private static Map<String, String> properties(Element pom) {
-        Map<String, String> properties = new HashMap<>();
-        at(pom, "properties", "*").forEach(it -> properties.put(it.getTagName(), it.getTextContent()));
-        return properties;
+    private static void refuse(Element it, String thing, String path) {
+        at(it, path).findFirst().ifPresent(found -> {
+            throw new IllegalStateException(
+                    "the Gradle build does not know <" + found.getTagName() + ">" + found.getTextContent() + " " + thing
+                            + " in " + place(it) + "; buildSrc/src/main/java/argo/build/Poms.java reads it");
+        });
     }
 
     private static Element pom(File folder) {
         File file = new File(folder, "pom.xml");
         try (InputStream bytes = new FileInputStream(file)) {
-            return DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(bytes, file.getPath()).getDocumentElement();
+            return DocumentBuilderFactory.newDefaultInstance()
+                    .newDocumentBuilder()
+                    .parse(bytes, file.getPath())
+                    .getDocumentElement();
         } catch (IOException | SAXException | ParserConfigurationException reason) {
             throw new IllegalStateException(file + " cannot be read: " + reason.getMessage(), reason);
         }
     }
 
-    private static Element only(Element it, String... path) {
-        List<Element> found = at(it, path);
-        if (found.size() != 1) {
-            throw new IllegalStateException("not one but " + found.size() + " of <" + String.join("> <", path) + "> in <" + it.getTagName() + ">: "
-                    + it.getTextContent().strip());
+    private static String place(Element it) {
+        return it.getOwnerDocument().getDocumentURI();
+    }
+
+    private static Stream<Element> at(Element it, String path) {
+        try {
+            XPathNodes found = XPATH.evaluateExpression(path, it, XPathNodes.class);
+            return StreamSupport.stream(found.spliterator(), false).map(Element.class::cast);
+        } catch (XPathExpressionException reason) {
+            throw new IllegalArgumentException(path, reason);
         }
-        return found.get(0);
-    }
-
-    /** The elements below {@code it} that a path of tags leads to; {@code *} is any tag. */
-    private static List<Element> at(Element it, String... path) {
-        List<Element> found = List.of(it);
-        for (String tag : path) {
-            found = found.stream()
-                    .flatMap(each -> elements(each.getChildNodes()))
-                    .filter(each -> tag.equals("*") || each.getTagName().equals(tag))
-                    .toList();
-        }
-        return found;
-    }
-
-    private static List<Element> all(Element it, String tag) {
-        return elements(it.getElementsByTagName(tag)).toList();
-    }
-
-    private static Stream<Element> elements(NodeList nodes) {
-        return IntStream.range(0, nodes.getLength()).mapToObj(nodes::item).filter(Element.class::isInstance).map(Element.class::cast);
-    }
-
-    private static IllegalStateException unknown(String thing, Element pom) {
-        return new IllegalStateException(
-                "the Gradle build does not know " + thing + " in " + pom.getBaseURI() + "; buildSrc/src/main/java/argo/build/Poms.java reads the POMs");
     }
 }
