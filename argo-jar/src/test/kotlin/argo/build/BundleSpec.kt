@@ -46,7 +46,9 @@ class BundleSpec : FunSpec({
             .flatMap { file -> listOf("", ".md5", ".sha1", ".asc").map { "$FOLDER/one-1.0$file$it" } }
     }
 
-    mapOf("<name>one</name>" to "has no name", "<connection>scm:git:x</connection>" to "has no scm/connection").forEach { (element, reason) ->
+    mapOf(
+        "<name>one</name>" to "has no name", "<connection>scm:git:x</connection>" to "has no scm/connection",
+    ).forEach { (element, reason) ->
         test("there is no bundle of a POM that $reason").config(enabled = IS_GPG_THERE) {
             val tree = tree()
             library(tree, POM.replace(element, ""))

@@ -75,7 +75,8 @@ public final class Poms {
 
     private static final XPath XPATH = XPathFactory.newDefaultInstance().newXPath();
     // of type pom: no library, but a module that is built before
-    private static final String DEPENDENCIES = "dependencies/dependency[not(type='pom')]|profiles/profile/dependencies/dependency[not(type='pom')]";
+    private static final String DEPENDENCIES =
+            "dependencies/dependency[not(type='pom')]|profiles/profile/dependencies/dependency[not(type='pom')]";
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
     private final File root;

@@ -93,8 +93,7 @@ class DocumentsSpec : FunSpec({
     test("the coordinates of ARGO's libraries are those that ./argo install gives them") {
         val pom = root.resolve("pom.xml").readText()
         val version = Regex("<artifactId>argo</artifactId>\\s*<version>(.+?)</version>").find(pom)!!.groupValues[1]
-        val libraries = Regex("<module>(.+?)</module>").findAll(pom).map { it.groupValues[1] }
-            .filterNot { "<maven.install.skip>true" in root.resolve("$it/pom.xml").readText() }.toSet()
+        val libraries = libraries(root)
         val inXml = Regex("<groupId>argo</groupId><artifactId>(.+?)</artifactId><version>(.+?)</version>")
         val shown = (written("xml").flatMap { inXml.findAll(it.text) } + written("kts").flatMap { GRADLE.findAll(it.text) })
             .map { it.groupValues[1] to it.groupValues[2] }
