@@ -1,12 +1,16 @@
 package argo.build
 
+import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
 import java.nio.file.Path
+import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
@@ -74,6 +78,30 @@ class PomsSpec : FunSpec({
         val tree = tree("", "<dependencies><dependency><groupId>g</groupId><artifactId>managed</artifactId></dependency></dependencies>")
         read(tree, "managed.version=7").joinToString() shouldContain "name=managed, version=7"
     }
+
+    test("the group of the libraries is one property for Gradle") {
+        val read = read(root, "argo.group=org.example.robots")
+        read.first() shouldStartWith "org.example.robots "
+        read.joinToString("\n") shouldNotContain "group=argo,"
+        read.joinToString("\n") shouldContain "group=org.example.robots, name=argo-arch, version"
+    }
+
+    test("the group of the libraries is one property for Maven, and the POMs that others get have neither it nor a parent")
+        .config(tags = setOf(NamedTag("Thorough"))) {
+            val tree = tempdir().toPath()
+            val modules = Regex("<module>(.+)</module>").findAll(root.resolve("pom.xml").readText()).map { it.groupValues[1] }
+            (modules + "").forEach { root.resolve(it).resolve("pom.xml").copyTo(tree.resolve(it).createDirectories().resolve("pom.xml")) }
+            val maven = listOf(
+                "mvn", "-o", "-q", "-B", "-f", "$tree/pom.xml", "verify", "-pl", "argo-arch", "-am",
+                "-Dmaven.test.skip=true", "-Dargo.group=org.example.robots",
+            )
+            val process = ProcessBuilder(maven).redirectErrorStream(true).start()
+            val said = process.inputStream.readBytes().decodeToString()
+            withClue(said) { process.waitFor() shouldBe 0 }
+            val pom = tree.resolve("argo-arch/target/flattened-pom.xml").readText()
+            pom shouldContain "<groupId>org.example.robots</groupId>\n      <artifactId>javino-java</artifactId>\n      <version>"
+            listOf("\${", "<parent>", "<scope>test</scope>").forEach { pom shouldNotContain it }
+        }
 
     test("folders of sources and resources besides the usual ones are read") {
         fun execution(id: String, vararg folders: String) = "<execution><id>$id</id><configuration><sourceDirs>" +
