@@ -126,7 +126,9 @@ public final class Poms {
                 name,
                 at(pom, "properties/maven.install.skip").findAny().isEmpty(),
                 at(pom, "//compilerPlugins/plugin").findAny().isPresent(),
-                poms.flatMap(it -> at(it, DEPENDENCIES)).map(it -> dependency(it, pom)).toList(),
+                poms.flatMap(it -> at(it, DEPENDENCIES))
+                        .map(it -> dependency(it, pom))
+                        .toList(),
                 at(pom, "//annotationProcessorPaths/path")
                         .map(it -> dependency(it, pom).coordinates())
                         .toList(),
