@@ -22,8 +22,9 @@ import org.w3c.dom.Element;
 import org.xml.sax.SAXException;
 
 /**
- * What Maven's POMs declare, for the Gradle build, which has no modules, versions and dependencies of its own. It fails on an element that
- * it does not know, since Gradle would build without it.
+ * What Maven's POMs declare, for the Gradle build, which has no modules, versions and dependencies of its own. It fails on a dependency, a
+ * plugin of the compiler or a pattern of resources that it does not know, since Gradle would build without it. Plugins of Maven are not
+ * read: a build.gradle.kts does what they do.
  */
 public final class Poms {
     /** Prints what Gradle reads of each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
@@ -77,6 +78,9 @@ public final class Poms {
     // of type pom: no library, but a module that is built before
     private static final String DEPENDENCIES =
             "dependencies/dependency[not(type='pom')]|profiles/profile/dependencies/dependency[not(type='pom')]";
+    private static final String UNKNOWN =
+            "*[not(self::groupId|self::artifactId|self::version|self::scope|self::exclusions)]"
+                    + "|scope[.!='compile' and .!='provided' and .!='runtime' and .!='test']";
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
     private final File root;
@@ -141,14 +145,7 @@ public final class Poms {
     private Dependency dependency(Element it, Element pom) {
         String group = text(it, "groupId", pom);
         String name = text(it, "artifactId", pom);
-        refuse(
-                it,
-                "for the dependency " + name,
-                "*[not(self::groupId|self::artifactId|self::version|self::scope|self::exclusions)]");
-        refuse(
-                it,
-                "for the dependency " + name,
-                "scope[.!='compile' and .!='provided' and .!='runtime' and .!='test']");
+        refuse(it, "for the dependency " + name, UNKNOWN);
         List<Element> declared = Stream.concat(
                         Stream.of(it),
                         at(parent, "dependencyManagement/dependencies/dependency")
