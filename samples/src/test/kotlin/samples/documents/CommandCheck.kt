@@ -54,6 +54,7 @@ class CommandCheck(private val root: Path) {
             "bench" -> rest.firstOrNull { !Regex("""\b$it \(""").containsMatchIn(usage) }?.let { "./argo bench has no $it" }
             "board" -> if (rest.isEmpty() || rest.any { it.endsWith(".ino") }) null else "./argo board takes a sketch"
             "test" -> if (rest.isEmpty() || rest == listOf("--all")) null else "./argo test takes --all or nothing"
+            "dist" -> if (rest.isEmpty() || rest == listOf("--bundle")) null else "./argo dist takes --bundle or nothing"
             "format" -> rest.firstOrNull { it !in usage }?.let { "./argo format knows nothing of $it" }
             else -> if (rest.isEmpty()) null else "./argo $verb takes no arguments"
         }
@@ -83,6 +84,7 @@ class CommandCheck(private val root: Path) {
             options.any { it != "--enable-native-access=ALL-UNNAMED" } -> "an option for Java that is none: $options"
             rest.isEmpty() -> null
             rest[0] == "-jar" -> if (Path.of(rest[1]).name == "argo.jar") tool(rest.drop(2)) else "there is no ${rest[1]}"
+            rest[0].endsWith(".java") -> missing(root.resolve(rest[0]).takeIf { it.exists() }, rest[0])
             rest[0] == "-cp" -> missing(runCatching { Class.forName(rest[2], false, javaClass.classLoader) }.getOrNull(), rest[2])
             else -> "Java is not told what to run"
         }
@@ -113,6 +115,9 @@ class CommandCheck(private val root: Path) {
             if (it.isEmpty()) root.resolve("build.gradle.kts") else root.resolve("$it/build.gradle.kts")
         }
         when {
+            word.startsWith("-P") -> word.removePrefix("-P").substringBefore('=').let { property ->
+                missing(property.takeIf { "<$it>" in root.resolve("pom.xml").readText() }, "a property of $word")
+            }
             word.startsWith("--args=") -> sample(word.removePrefix("--args=").split(" "))
             !build.exists() -> "there is no project for $word"
             task == "build" || task == "test" -> null
