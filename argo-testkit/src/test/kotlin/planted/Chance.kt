@@ -2,7 +2,9 @@
 
 package planted
 
+import argo.Arch
 import argo.platform.Plans
+import argo.platform.Platform
 import jason.asSemantics.Agent
 import jason.asSemantics.DefaultArithFunction
 import jason.asSemantics.DefaultInternalAction
@@ -104,6 +106,17 @@ class Moody : Agent()
 
 /** A belief base of a project. */
 class Shuffled : DefaultBeliefBase()
+
+/** An architecture of a project, that counts how often it is made. */
+class Counted(platform: Platform) : Arch(platform) {
+    init {
+        made++
+    }
+
+    companion object {
+        var made = 0
+    }
+}
 
 /** A class that nobody is to make. */
 class Bomb : java.io.Serializable {

@@ -103,7 +103,7 @@ class ExactReplaySpec : FunSpec({
         val file = recordedBy { ts -> ts.settings.isSync = true }
         Recording(file).use { it.cycles("agent").mapNotNull { cycle -> cycle.course.event }.toList() }.first { "hello" in it } shouldContain
             "kqml_received"
-        shouldReplay(file)
+        shouldReplay(file, isChecking = true) // its architecture is of the project
     }
 
     test("beliefs and goals whose values are drawn when Jason reads the program") {
@@ -259,7 +259,7 @@ private fun recordedBy(live: (jason.asSemantics.TransitionSystem) -> Unit) = try
 }
 
 /** What [work] returns, and what has been logged about agents meanwhile. */
-private fun <T> logged(work: () -> T): Pair<T, List<String>> {
+internal fun <T> logged(work: () -> T): Pair<T, List<String>> {
     val texts = CopyOnWriteArrayList<String>()
     val handler = object : Handler() {
         override fun publish(record: LogRecord) {

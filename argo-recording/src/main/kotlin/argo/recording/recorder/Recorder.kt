@@ -85,15 +85,17 @@ internal class Recorder(
         var events = -1
         var beliefs = -1
         var cycles = 0L
+        var number = 0 // Jason's, of the cycle that runs
         var overlap = 0L
         lateinit var now: CycleNotes // of the cycle that runs
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
-        leaveCycle()
         val agent = running ?: begin(ts) ?: return
+        if (inCycle != null) endOpenCycle(agent)
         if (isRefused || !isKnown(agent)) return carryOutEnds(agent)
         agent.now = CycleNotes(this.agent.nanos())
+        agent.number = ts.agArch.cycleNumber
         agent.overlap = Overlaps.begin()
         inCycle = Thread.currentThread()
         KeptInclude.current = this
@@ -108,13 +110,12 @@ internal class Recorder(
         Keeper.begin(this, ts)
     }
 
-    /** Jason did not finish the cycle that was begun: it ends here. */
-    private fun leaveCycle() {
-        if (inCycle == null) return
-        inCycle = null
-        Keeper.current = null
-        KeptInclude.current = null
-        running?.let { Overlaps.end(it.overlap) }
+    /** An error ended the cycle that was begun, and what else came of it is not known: with it ends the recording of the agent. */
+    private fun endOpenCycle(agent: Running) {
+        finishCycle(agent, isEnding = true)
+        log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
+        isRefused = true
+        track.close()
     }
 
     /** Whether all code that has been added can be watched; otherwise the recording of the agent ends, which itself goes on. */
@@ -184,7 +185,12 @@ internal class Recorder(
         val agent = current() ?: return live()
         val before = agent.ts.c.mailBox.size
         live()
-        if (agent.ts.c.mailBox.size > before) agent.ts.c.mailBox.drop(before).mapTo(agent.now.mail) { mailOf(it) }
+        if (agent.ts.c.mailBox.size > before) {
+            for (message in agent.ts.c.mailBox.drop(before)) {
+                agent.now.mail += mailOf(message)
+                agent.code.received(message.propCont)
+            }
+        }
         Keeper.current = this
     }
 
@@ -283,7 +289,10 @@ internal class Recorder(
     }
 
     override fun cycleFinished() {
-        val agent = current() ?: return
+        current()?.let { finishCycle(it, isEnding = !it.ts.agArch.isRunning) }
+    }
+
+    private fun finishCycle(agent: Running, isEnding: Boolean) {
         inCycle = null
         Keeper.current = null
         KeptInclude.current = null
@@ -297,10 +306,9 @@ internal class Recorder(
         agent.counters = whereLeft(agent, isAlone, isRecorded)
         if (!isRecorded) return
         now.end()
-        val arch = agent.ts.agArch
-        val cycle = CycleNote(++agent.cycles, arch.cycleNumber, now, course, !arch.isRunning, agent.course.missesPrints)
+        val cycle = CycleNote(++agent.cycles, agent.number, now, course, isEnding, agent.course.missesPrints)
         track.cycle(cycle)
-        takeKeyFrame(agent, cycle)
+        if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
     /** Where a replay has the counters behind this cycle; empty: it will be told before the next one. */
@@ -372,6 +380,7 @@ internal class Recorder(
     }
 
     override fun close() {
+        if (inCycle?.isAlive == false) running?.let(::endOpenCycle) // the error ended the agent's thread, too
         running?.course?.close()
         track.close()
     }

@@ -15,6 +15,7 @@ import jason.asSemantics.TransitionSystem
  * @param found takes what differs from the recording
  * @param inputsOf makes what gives it the recorded inputs
  * @param boundaryOf what stands around these inputs: themselves, or who watches
+ * @param isChecking whether code of the project is carried out
  */
 internal class ReplayedAgent(
     private val recording: Recording,
@@ -23,10 +24,11 @@ internal class ReplayedAgent(
     private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit = { _, _, _, _, _ -> },
     inputsOf: (DifferenceSink) -> ReplayedInputs = ::ReplayedInputs,
     boundaryOf: (ReplayedInputs) -> Boundary = { it },
+    isChecking: Boolean = false,
 ) : AutoCloseable {
     private val inputs: ReplayedInputs = inputsOf { what, before, now, cause -> report(what, before, now, cause) }
     private val includes = RecordedIncludes(recording, recorded.name)
-    val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs))
+    val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs), isChecking)
     private val start = recording.start(recorded.name)
     private val seen = LinkedHashSet<String>() // threads of the project, so far
     private var lastIndex = start?.index ?: 0L

@@ -78,7 +78,7 @@ class WhatIf(
 
     /** With the beliefs that were recorded, and what was under way, of the plans of then. */
     private fun beginChanged(ts: TransitionSystem, start: KeyFrame) {
-        val before = jasonAgent(recorded, files.of(recorded.name), RecordedIncludes(recording, recorded.name), inputs)
+        val before = jasonAgent(recorded, files.of(recorded.name), RecordedIncludes(recording, recorded.name), inputs, isCarryingOut = true)
         inputs.begin(ts, start, before)
         before.ag.stopAg()
     }
