@@ -148,8 +148,9 @@ class RealTimeReplaySpec : FunSpec({
 
     test("an agent whose thread an error ends in the middle of a cycle: the recording has what entered that cycle, and the log tells") {
         val file = recordingFile()
+        val mas = LiveMas(file) // which takes the handlers of all loggers away
         val log = logged {
-            LiveMas(file).use { mas ->
+            mas.use {
                 mas.agent("robot", "loop :- loop. !start. +!start <- +begun; !go. +!go : loop <- .print(never).")
                 runBlocking { mas.awaitDeath("robot") }
             }
