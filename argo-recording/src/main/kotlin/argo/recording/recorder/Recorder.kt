@@ -26,6 +26,7 @@ import argo.recording.agent.Includes
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
 import argo.recording.agent.KeptInclude
+import argo.recording.agent.RecordedFailure
 import argo.recording.agent.UnknownCodeException
 import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
@@ -392,12 +393,6 @@ internal class Recorder(
         const val THREAD = "thread"
         const val EVERYBODY = "everybody"
     }
-}
-
-/** A failure as it was recorded. */
-internal class RecordedFailure(failure: CallFailure) : CommandFailure {
-    override val error = failure.error
-    override val cause = failure.message
 }
 
 /** How [now] differs from [before]. */

@@ -57,8 +57,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     }
 
     private fun create() = try {
-        val inputsOf = { found: DifferenceSink -> ReplayedInputs(found, isChecking) }
-        recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found, inputsOf, isChecking = isChecking) }
+        recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found, isChecking) }
     } catch (failed: Throwable) {
         programs.close()
         throw refusalOf(failed)

@@ -25,10 +25,7 @@ import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.util.Base64
 import java.util.concurrent.Callable
-import java.util.concurrent.Delayed
-import java.util.concurrent.FutureTask
 import java.util.concurrent.ScheduledFuture
-import java.util.concurrent.TimeUnit
 import java.util.zip.InflaterInputStream
 
 /**
@@ -140,12 +137,6 @@ internal class Restoration(
             override fun left(work: RunnableSerializable) = Unit
         }
         return Keeper.within(keeper, make)
-    }
-
-    private class Unscheduled<V>(work: Callable<V>) : FutureTask<V>(work), ScheduledFuture<V> {
-        override fun getDelay(unit: TimeUnit) = Long.MAX_VALUE
-
-        override fun compareTo(other: Delayed) = 0
     }
 
     private companion object {

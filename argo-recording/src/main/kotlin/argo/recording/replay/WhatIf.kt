@@ -41,9 +41,8 @@ class WhatIf(
 ) : AutoCloseable {
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-    private val inputs = WhatIfInputs(
-        RecordedCalls(recording.replayable(agent)), filter?.let(::FilteredSenses) ?: RecordedSenses(), isCarryingOut = program != null,
-    )
+    private val answers = WhatIfAnswers(RecordedCalls(recording.replayable(agent)), isCarryingOut = program != null)
+    private val inputs = ReplayedInputs(answers, filter?.let(::FilteredSenses) ?: RecordedSenses())
     private val files = ProgramFiles(recording)
     private val includes = RecordedIncludes(recording, agent, program?.toAbsolutePath())
     private val ts: TransitionSystem = create(program)
@@ -54,7 +53,7 @@ class WhatIf(
     val commands: List<SentCommand> get() = before
 
     /** The commands that the agent has sent now. */
-    val commandsNow: List<SentCommand> get() = inputs.sent
+    val commandsNow: List<SentCommand> get() = answers.sent
 
     /** When the first recorded cycle of any agent began, in ns of the agents' clock, from which times count; null: none has been run. */
     var firstNs: Long? = null
@@ -92,32 +91,33 @@ class WhatIf(
         firstNs = recording.firstNs
         for (cycle in recording.replayable(recorded.name)) {
             recording.requireNext(recorded.name, cycle, last?.index ?: recording.start(recorded.name)?.index ?: 0)
-            if (last != null && !inputs.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
+            if (last != null && !answers.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             val sent = cycle.sent()
             if (cycle.isEnding && sent.isEmpty()) break // the agent might have gone on
             before += sent
-            run(cycle, cycle.ns)
+            run(cycle)
             last = cycle
             endNs = cycle.ns
         }
-        if (!inputs.isAsRecorded) runBetween(endNs + AFTER_NS)
+        if (!answers.isAsRecorded) runBetween(endNs + AFTER_NS)
     }
 
     /** Where the recorded agent slept, until [ns]: the cycles for what the agent has to do, and for what ends meanwhile. */
     private fun runBetween(ns: Long) {
         while (true) {
-            val at = if (!ts.canSleep()) inputs.ns + CYCLE_NS else inputs.nextDueNs ?: return
+            val nowNs = inputs.cycle.ns
+            val at = if (!ts.canSleep()) nowNs + CYCLE_NS else answers.nextDueNs ?: return
             if (at >= ns) return
-            run(null, maxOf(at, inputs.ns))
+            run(Cycle(WhatIfAnswers.BETWEEN, number + 1, maxOf(at, nowNs)))
         }
     }
 
-    private fun run(cycle: Cycle?, ns: Long): Unit = try {
-        if (cycle != null && number > 0) ts.rest(cycle.number - number - 1)
-        inputs.next(cycle, ns)
-        number = maxOf(number + 1, cycle?.number ?: 0)
+    private fun run(cycle: Cycle): Unit = try {
+        if (number > 0) ts.rest(cycle.number - number - 1)
+        inputs.next(cycle)
+        number = maxOf(number + 1, cycle.number)
         ts.cycle(number, recorded.isConditional, includes)
-        inputs.end()
+        answers.ended(inputs.end())
     } catch (broken: IllegalArgumentException) {
         throw refusalOf(broken)
     } catch (deep: StackOverflowError) {
@@ -135,7 +135,7 @@ class WhatIf(
     val beliefs: List<String> get() = shownBeliefs(ts.ag.bb)
 
     override fun close() {
-        inputs.close()
+        inputs.course.close()
         ts.end()
         files.close()
     }

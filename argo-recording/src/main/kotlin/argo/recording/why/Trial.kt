@@ -4,6 +4,7 @@ import argo.recording.Cycle
 import argo.recording.Input
 import argo.recording.RecordedAgent
 import argo.recording.replay.ProgramFiles
+import argo.recording.replay.RecordedAnswers
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 import argo.recording.replay.ReplayedAgent
@@ -24,9 +25,9 @@ internal class Trial(
      * that, and what the agent has begun outside of its thread.
      * @throws RecordingException if it does something else than it did
      */
-    fun asRecorded(last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs) -> Trace): Pair<Trace, List<Beginning>> {
+    fun asRecorded(last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs, RecordedAnswers) -> Trace): Pair<Trace, List<Beginning>> {
         lateinit var trace: Trace
-        lateinit var inputs: NotingInputs
+        lateinit var noting: NotingAnswers
         var differing: String? = null
         ReplayedAgent(
             recording, agent, programs,
@@ -35,8 +36,8 @@ internal class Trial(
                     differing = "cycle ${cycle.number}, $what: recorded ${recorded ?: "nothing"}, now ${now ?: "nothing"}; $cause"
                 }
             },
-            inputsOf = { found -> NotingInputs(found).also { inputs = it } },
-            boundaryOf = { traceOf(it).also { made -> trace = begun(made) } },
+            answersOf = { recorded -> NotingAnswers(recorded).also { noting = it } },
+            boundaryOf = { inputs, answers -> traceOf(inputs, answers).also { made -> trace = begun(made) } },
         ).use { replayed ->
             for (cycle in cycles.takeWhile { it.index <= last }) {
                 replayed.run(cycle)
@@ -44,7 +45,7 @@ internal class Trial(
                 differing?.let { throw RecordingException("the replay of agent ${agent.name} differs from the recording at $it") }
             }
         }
-        return trace to inputs.begun
+        return trace to noting.begun
     }
 
     private fun begun(trace: Trace) = trace.apply { recording.start(agent.name)?.let(::beginAt) }
@@ -52,14 +53,15 @@ internal class Trial(
     /** Runs it up to the cycle [last] with percepts [changed] from the cycle [from] on, and returns the commands since then. */
     fun changed(begun: List<Beginning>, from: Long, last: Long, changed: (List<Literal>) -> List<Literal>): List<Trace.Issued> {
         lateinit var trace: Trace
-        lateinit var inputs: AlteredInputs
+        lateinit var altered: AlteredAnswers
         var isChanging = false
-        val altered = { _: Any ->
-            val before = recording.start(agent.name)?.begun ?: 0
-            AlteredInputs(begun, before, { if (isChanging) changed(it) else it }) { trace.issue(null, it) }.also { inputs = it }
-        }
-        val watched = { inputs: ReplayedInputs -> begun(Trace(inputs, clock)).also { trace = it } }
-        ReplayedAgent(recording, agent, programs, inputsOf = altered, boundaryOf = watched).use { replayed ->
+        val before = recording.start(agent.name)?.begun ?: 0
+        ReplayedAgent(
+            recording, agent, programs,
+            senses = AlteredSenses { if (isChanging) changed(it) else it },
+            answersOf = { recorded -> AlteredAnswers(recorded, begun, before) { trace.issue(null, it) }.also { altered = it } },
+            boundaryOf = { inputs, answers -> begun(Trace(inputs, answers, clock)).also { trace = it } },
+        ).use { replayed ->
             var earlier = 0
             val wanted = cycles.takeWhile { it.index <= last }
             for ((place, cycle) in wanted.withIndex()) {
@@ -68,7 +70,7 @@ internal class Trial(
                     earlier = trace.issued.size
                 }
                 replayed.run(cycle)
-                if (isChanging) between(replayed, inputs, cycle, wanted.getOrNull(place + 1)?.ns)
+                if (isChanging) between(replayed, altered, cycle, wanted.getOrNull(place + 1)?.ns)
             }
             return trace.issued.drop(earlier)
         }
@@ -78,14 +80,14 @@ internal class Trial(
      * Runs the cycles that the changed agent needs between [cycle] and the one at [untilNs], in which the recorded one slept; behind the
      * last one, null, no time passes.
      */
-    private fun between(replayed: ReplayedAgent, inputs: AlteredInputs, cycle: Cycle, untilNs: Long?) {
+    private fun between(replayed: ReplayedAgent, altered: AlteredAnswers, cycle: Cycle, untilNs: Long?) {
         val gapNs = if (untilNs == null) 0 else untilNs - cycle.ns
         val most = if (untilNs == null) MAX_BETWEEN else minOf(gapNs / CYCLE_NS, MAX_BETWEEN)
         var now = cycle.ns
         repeat(most.toInt()) {
             val c = replayed.ts.c
             val isBusy = c.hasEvent() || c.hasRunningIntention()
-            val due = inputs.dueNs?.let { maxOf(it, now) }
+            val due = altered.dueNs?.let { maxOf(it, now) }
             if (!isBusy) now = due?.takeIf { it < (untilNs ?: (cycle.ns + 1)) } ?: return
             replayed.runBetween(Cycle(cycle.index, cycle.number, now, null, Input()))
         }

@@ -74,8 +74,8 @@ class Why(private val recording: Recording) : AutoCloseable {
         val filters = filtersOf(agent)
         val unchosen = Unchosen(question) { port, text -> filters.explain(port, text)?.toString() }
         lateinit var trace: Trace
-        trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs ->
-            Trace(inputs, clock, filters, unchosen::taken).also { trace = it }
+        trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs, answers ->
+            Trace(inputs, answers, clock, filters, unchosen::taken).also { trace = it }
         }
         return NotAnswer(agent, question.text, clock.seconds(last.ns), unchosen.plans(trace))
     }
@@ -84,7 +84,9 @@ class Why(private val recording: Recording) : AutoCloseable {
         val cycles = cyclesOf(command.agent)
         requireReplayed(command.agent, command.index)
         val filters = filtersOf(command.agent)
-        val (trace, begun) = trial(command.agent, cycles).asRecorded(command.index) { Trace(it, clock, filters) }
+        val (trace, begun) = trial(command.agent, cycles).asRecorded(command.index) { inputs, answers ->
+            Trace(inputs, answers, clock, filters)
+        }
         return trace.issued.getOrNull(replayedBefore(command))?.cause to begun
     }
 
