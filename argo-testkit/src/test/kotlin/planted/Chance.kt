@@ -92,6 +92,11 @@ class believes : DefaultInternalAction() {
         ts.ag.addBel(ASSyntax.createLiteral("drawn", ASSyntax.createString("${System.nanoTime()}")))
 }
 
+/** Prints the time, as a plan prints. */
+class prints : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also { ts.logger.info("${System.nanoTime()}") }
+}
+
 /** A function that drifts. */
 class drift : DefaultArithFunction() {
     override fun getName() = "planted.drift"

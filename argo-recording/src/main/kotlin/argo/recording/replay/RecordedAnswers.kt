@@ -42,9 +42,6 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     /** Calls of the project's own actions and functions so far, for the likely cause of a difference. */
     val projectCalls = LinkedHashSet<String>()
 
-    /** What a call of Jason's or ARGO's gives that was not recorded. */
-    var unrecorded: (InternalCall) -> Any = { false }
-
     override val suspending: String get() = underWay?.let(::described).orEmpty()
 
     override fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>) {
@@ -60,8 +57,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
 
     override fun carryOut(cycle: Cycle) = cycle.input.ends.forEach(::carryOut)
 
-    /** Carries [end] out, of what the agent had begun, or of work that a thread had left. */
-    fun carryOut(end: End) {
+    private fun carryOut(end: End) {
         if (end.number != 0) {
             if (!open.carryOut(end)) found("end of a ${end.kind}", "number ${end.number}", null, null)
             return
@@ -77,7 +73,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
         val recorded = take(call.name, call.args)
         if (recorded == null) {
             foundCall(normal("$call"))
-            return if (code == WatchedKind.OUTSIDE || !isChecking) unrecorded(call) else live(call.un)
+            return if (code == WatchedKind.OUTSIDE || !isChecking) false else live(call.un)
         }
         if (code != WatchedKind.OUTSIDE) projectCalls += call.name
         if (code == WatchedKind.SUSPENDING) return if (isChecking) live(call.un) else unresumed(call)

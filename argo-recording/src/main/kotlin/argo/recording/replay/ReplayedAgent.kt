@@ -14,8 +14,6 @@ import jason.asSemantics.TransitionSystem
  * @param programs where its program stands, whose code has been checked
  * @param found takes what differs from the recording
  * @param isChecking whether code of the project is carried out
- * @param senses what it perceives
- * @param answersOf what answers it: what was recorded, or who watches that
  * @param boundaryOf what stands around its inputs: themselves, or who watches
  */
 internal class ReplayedAgent(
@@ -23,13 +21,11 @@ internal class ReplayedAgent(
     val recorded: RecordedAgent,
     programs: ProgramFiles,
     private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit = { _, _, _, _, _ -> },
-    isChecking: Boolean = false,
-    senses: Senses = RecordedSenses(),
-    answersOf: (RecordedAnswers) -> Answers = { it },
+    private val isChecking: Boolean = false,
     boundaryOf: (ReplayedInputs, RecordedAnswers) -> Boundary = { inputs, _ -> inputs },
 ) : AutoCloseable {
     private val answers = RecordedAnswers(isChecking) { what, before, now, cause -> report(what, before, now, cause) }
-    private val inputs = ReplayedInputs(answersOf(answers), senses)
+    private val inputs = ReplayedInputs(answers)
     private val includes = RecordedIncludes(recording, recorded.name)
     val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking)
     private val start = recording.start(recorded.name)
@@ -48,21 +44,11 @@ internal class ReplayedAgent(
         lastIndex = cycle.index
         lastNumber?.let { ts.rest(cycle.number - it - 1) }
         lastNumber = cycle.number
-        reason(cycle)
-        val now = inputs.end().asFarAs(cycle)
-        difference(cycle.course, now)?.let { (what, before, after) -> report(what, before, after, null) }
-    }
-
-    /** Runs [cycle], which is not of the recording. */
-    fun runBetween(cycle: Cycle) {
-        reason(cycle)
-        inputs.end()
-    }
-
-    private fun reason(cycle: Cycle) {
         seen += threadsIn(cycle)
         inputs.next(cycle)
         ts.cycle(cycle.number, recorded.isConditional, includes)
+        val now = inputs.end().asFarAs(cycle, isChecking)
+        difference(cycle.course, now)?.let { (what, before, after) -> report(what, before, after, null) }
     }
 
     private fun report(what: String, before: String?, now: String?, cause: String?): Unit =

@@ -30,19 +30,26 @@ import java.time.Duration
  *
  * @param agent the agent's name
  * @param program its program; null: the recorded one
- * @param filter what it perceives its boards through all the time; null: the recorded filters
+ * @param senses what it perceives
+ * @param cycles its recorded cycles, from [Recording.start] on
+ * @param usualNs how long a command takes that was not recorded, in ns; null: as those that were
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
  */
-class WhatIf(
+class WhatIf internal constructor(
     private val recording: Recording,
     agent: String,
-    program: Path? = null,
-    filter: PerceptionFilter? = null,
+    program: Path?,
+    senses: Senses,
+    private val cycles: Sequence<Cycle>,
+    usualNs: Long?,
 ) : AutoCloseable {
+    constructor(recording: Recording, agent: String, program: Path? = null, filter: PerceptionFilter? = null) :
+        this(recording, agent, program, filter?.let(::FilteredSenses) ?: RecordedSenses(), recording.replayable(agent), null)
+
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-    private val answers = WhatIfAnswers(RecordedCalls(recording.replayable(agent)), isCarryingOut = program != null)
-    private val inputs = ReplayedInputs(answers, filter?.let(::FilteredSenses) ?: RecordedSenses())
+    private val answers = WhatIfAnswers(RecordedCalls(cycles), isCarryingOut = program != null, usualNs)
+    private val inputs = ReplayedInputs(answers, senses)
     private val files = ProgramFiles(recording)
     private val includes = RecordedIncludes(recording, agent, program?.toAbsolutePath())
     private val ts: TransitionSystem = create(program)
@@ -87,9 +94,25 @@ class WhatIf(
      * @throws RecordingException if some are missing; the commands before are there then
      */
     fun run(): WhatIf = apply {
+        runRecorded()
+        if (!answers.isAsRecorded) runBetween(endNs + AFTER_NS)
+    }
+
+    /**
+     * As [run], but ends in the last recorded cycle, where no more time passes: with what the agent has to do there. Returns the commands,
+     * to boards and to the environment, that it sends from [fromNs] on.
+     */
+    internal fun commandsFrom(fromNs: Long): List<String> {
+        runRecorded()
+        var left = MOST_AT_END
+        while (left-- > 0 && (!ts.canSleep() || (answers.nextDueNs ?: Long.MAX_VALUE) <= endNs)) runOwn(endNs)
+        return (answers.sent + answers.acted).filter { it.ns >= fromNs }.sortedBy { it.ns }.map { it.text }
+    }
+
+    private fun runRecorded() {
         var last: Cycle? = null
         firstNs = recording.firstNs
-        for (cycle in recording.replayable(recorded.name)) {
+        for (cycle in cycles) {
             recording.requireNext(recorded.name, cycle, last?.index ?: recording.start(recorded.name)?.index ?: 0)
             if (last != null && !answers.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             val sent = cycle.sent()
@@ -99,7 +122,6 @@ class WhatIf(
             last = cycle
             endNs = cycle.ns
         }
-        if (!answers.isAsRecorded) runBetween(endNs + AFTER_NS)
     }
 
     /** Where the recorded agent slept, until [ns]: the cycles for what the agent has to do, and for what ends meanwhile. */
@@ -108,9 +130,12 @@ class WhatIf(
             val nowNs = inputs.cycle.ns
             val at = if (!ts.canSleep()) nowNs + CYCLE_NS else answers.nextDueNs ?: return
             if (at >= ns) return
-            run(Cycle(WhatIfAnswers.BETWEEN, number + 1, maxOf(at, nowNs)))
+            runOwn(maxOf(at, nowNs))
         }
     }
+
+    /** A cycle that was not recorded. */
+    private fun runOwn(ns: Long) = run(Cycle(WhatIfAnswers.BETWEEN, number + 1, ns))
 
     private fun run(cycle: Cycle): Unit = try {
         if (number > 0) ts.rest(cycle.number - number - 1)
@@ -146,6 +171,9 @@ class WhatIf(
 
         /** How long an agent runs on behind the recording, since it may be slower than the recorded one, in ns. */
         const val AFTER_NS = 1_000_000_000L
+
+        /** How many cycles it has in the last recorded one. */
+        const val MOST_AT_END = 500
     }
 }
 

@@ -26,8 +26,9 @@ import kotlin.random.Random
  * What the agent asks for is answered as the recording answered the same near that time: see [WhatIf].
  *
  * @param isCarryingOut whether the project's own actions and functions are carried out; otherwise they give what they gave
+ * @param usualNs how long a command takes that was not recorded, in ns; null: as those that were
  */
-internal class WhatIfAnswers(private val recorded: RecordedCalls, private val isCarryingOut: Boolean) : Answers {
+internal class WhatIfAnswers(private val recorded: RecordedCalls, private val isCarryingOut: Boolean, usualNs: Long?) : Answers {
     private class Due(val ns: Long, val index: Long?, val order: Int, val carryOut: () -> Unit)
 
     private val due = PriorityQueue(compareBy<Due>({ it.ns }, { it.index ?: 0 }, { it.order }))
@@ -35,14 +36,18 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
     private val unanswered = ArrayList<Mail>() // recorded ones that it has not sent yet
     private val boards = HashMap<String, String>()
     private val random = Random(0)
+    private val usualNs = usualNs ?: recorded.usualNs
     private var begun = 0
     private var underWay: RecordedCalls.Made? = null
     private var isCommand = false
     private lateinit var inputs: ReplayedInputs
     private lateinit var cycle: Cycle
 
-    /** The commands that the agent has sent. */
+    /** The commands to boards that the agent has sent. */
     val sent = ArrayList<SentCommand>()
+
+    /** Its actions of the environment. */
+    val acted = ArrayList<SentCommand>()
 
     override var isAsRecorded = true
         private set
@@ -107,7 +112,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         val commands = before?.call?.commands.orEmpty().map { it.port to it.text }.ifEmpty {
             if (before?.call?.failure == null) listOf(portIn(call) to textOfCommand(call.args[0])) else emptyList()
         }
-        commands.forEach { (port, text) -> sent += SentCommand(inputs.ts.agArch.cycleNumber, cycle.ns, port, text, place()) }
+        commands.forEach { (port, text) -> sent += command(port, text) }
         isCommand = true
         try {
             if (before != null) return answer(before, call)
@@ -117,6 +122,8 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
             isCommand = false
         }
     }
+
+    private fun command(port: String?, text: String) = SentCommand(inputs.ts.agArch.cycleNumber, cycle.ns, port, text, place())
 
     private fun portIn(call: InternalCall) = (call.args.getOrNull(1) as? ListTerm)?.filterIsInstance<Literal>()
         ?.find { it.functor == "port" && it.arity == 1 }?.getTerm(0)?.let { if (it is StringTerm) it.string else "$it" }
@@ -152,8 +159,9 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
             "call" -> suspended(carryOut)
             "timer" -> timer(work.delayNs, carryOut)
             else -> {
+                acted += command(null, normal(work.what))
                 val end = if (isAsRecorded && cycle.course.action == work.what) recorded.endOf(number) else null
-                if (end != null) endWith(end, carryOut) else endIn(recorded.usualNs, carryOut)
+                if (end != null) endWith(end, carryOut) else endIn(usualNs, carryOut)
             }
         }
     }
@@ -162,7 +170,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         val before = underWay
         val end = before?.call?.number?.let(recorded::endOf)
         when {
-            before == null -> endIn(if (isCommand) recorded.usualNs else 0, carryOut)
+            before == null -> endIn(if (isCommand) usualNs else 0, carryOut)
             end == null -> Unit // it did not end before the recording did
             before.index == cycle.index -> endWith(end, carryOut)
             else -> endIn(end.ns - before.ns) { carryOut(end.end.failure) }

@@ -159,8 +159,7 @@ internal class Trace(
         inputs.cycleFinished()
     }
 
-    /** The agent issues a command that is not in the recording. */
-    fun issue(port: String?, text: String) {
+    private fun issue(port: String?, text: String) {
         issued += Issued(cycle, port, text, step)
     }
 
