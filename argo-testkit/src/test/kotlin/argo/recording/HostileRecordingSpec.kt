@@ -157,7 +157,7 @@ class HostileRecordingSpec : FunSpec({
     }
 
     test("files inside that would stand elsewhere") {
-        for (name in listOf("program/../../escaped.asl", "program/bob/../../../escaped.asl", "program/\u0000")) {
+        for (name in listOf("program/../../escaped.asl", "program/bob/../../../escaped.asl", "program/bob/\u0000")) {
             shouldDoNothing(made("!start.", files = mapOf(name to "x"))) shouldContain "has a file outside of its programs"
         }
         shouldDoNothing(made("!start.", mapOf("source" to "../notes.asl"), mapOf("../notes.asl" to "x"))) shouldContain
@@ -177,6 +177,12 @@ class HostileRecordingSpec : FunSpec({
         shouldDoNothing(made("!start.", mapOf("archClass" to wanted))) shouldContain "agent bob had the architecture $wanted"
         shouldThrow<RecordingException> { replayOf(made("!start.", mapOf("archClass" to wanted)), isChecking = true) }.message shouldContain
             "which is not argo.Arch"
+        planted.Bomb.explosions shouldBe 0
+    }
+
+    test("classes that the .mas2j names are not made, and refuse no recording") {
+        val mas2j = "MAS x { agents: eve beliefBaseClass ${planted.Bomb::class.java.name}(7); bob; }"
+        replayOf(made("!start. +!start <- .print(a).", files = mapOf("program/x.mas2j" to mas2j))).differences.shouldBeEmpty()
         planted.Bomb.explosions shouldBe 0
     }
 

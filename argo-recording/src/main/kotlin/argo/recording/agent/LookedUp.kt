@@ -1,9 +1,8 @@
 package argo.recording.agent
 
+import argo.insides.Insides
 import jason.asSemantics.Agent
-import jason.asSemantics.ArithFunction
 import jason.asSemantics.InternalAction
-import jason.asSyntax.directives.FunctionRegister
 
 /**
  * The actions that an agent has looked up, by their classes, in the place of Jason's table: [found] says what each name stands for from
@@ -31,13 +30,10 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
     private fun writeReplace(): Any = HashMap(this)
 
     companion object {
-        private val field = Agent::class.java.getDeclaredField("internalActions").apply { isAccessible = true }
-
         /** Has [found] asked about what [agent] has looked up, and what it will. */
         fun install(agent: Agent, found: (String, InternalAction) -> InternalAction) {
-            @Suppress("UNCHECKED_CAST")
-            val before = field.get(agent) as Map<String, InternalAction>
-            field.set(agent, WatchedActions(agent, found).apply { before.forEach { (name, action) -> put(name, action) } })
+            val before = Insides.actions[agent]
+            Insides.actions[agent] = WatchedActions(agent, found).apply { before.forEach { (name, action) -> put(name, action) } }
         }
     }
 }
@@ -46,10 +42,5 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 internal object WatchedFunctions {
     /** Has the agent's watch asked about those that draw or read a clock, for the whole program. */
     @Synchronized
-    fun install() {
-        @Suppress("UNCHECKED_CAST")
-        val all = FunctionRegister::class.java.getDeclaredField("functions").apply { isAccessible = true }.get(null)
-            as MutableMap<String, ArithFunction>
-        all.replaceAll { _, function -> WatchedCode.watched(function, NobodyWatches) }
-    }
+    fun install() = Insides.functions[null].replaceAll { _, function -> WatchedCode.watched(function, NobodyWatches) }
 }

@@ -1,6 +1,7 @@
 package argo.recording.agent
 
 import argo.boundary.InternalCall
+import argo.insides.Insides
 import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
@@ -70,7 +71,6 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private var plans: List<Plan> = emptyList() // those that have been visited
     private var isStale = false
     private var unknown: UnknownCodeException? = null // what it has looked up since
-    private val functionOf = ArithFunctionTerm::class.java.getDeclaredField("function").apply { isAccessible = true }
 
     /** The agent whose code it is. */
     val agent: Agent get() = ts.ag
@@ -163,7 +163,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
                 visit(term.bodyNext as Any?)
             }
             is InternalActionLiteral -> actionOf(term)?.let { term.setIA(watched(term.functor, it.also(::requireKnown))) }
-            is ArithFunctionTerm -> (functionOf.get(term) as? ArithFunction)?.let { functionOf.set(term, watched(it.also(::requireKnown))) }
+            is ArithFunctionTerm -> function[term]?.let { function[term] = watched(it.also(::requireKnown)) }
         }
         if (term is ListTerm) term.asList.forEach { visit(it as Any?) }
         else if (term is Structure) term.terms?.forEach { visit(it as Any?) }
@@ -192,6 +192,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
     companion object {
         private const val MAX_ARITY = 9
+        private val function = Insides.functionOfTerm
 
         private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 

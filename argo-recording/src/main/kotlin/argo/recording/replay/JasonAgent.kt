@@ -2,10 +2,10 @@ package argo.recording.replay
 
 import argo.Arch
 import argo.boundary.Boundary
+import argo.insides.Insides
 import argo.platform.Platform
 import argo.recording.RecordedAgent
 import argo.recording.agent.Counters
-import argo.recording.agent.Insides
 import argo.recording.agent.KeptInclude
 import jason.architecture.AgArch
 import jason.asSemantics.Agent
@@ -91,8 +91,8 @@ internal fun TransitionSystem.rest(cycles: Int) {
     c.resetDeliberate()
     c.resetAct()
     repeat(cycles) {
-        val unperceived = Insides.cyclesUnperceived.getInt(this)
-        Insides.cyclesUnperceived.setInt(this, if (unperceived >= settings.nrcbp()) 1 else unperceived + 1)
+        val unperceived = Insides.cyclesUnperceived[this]
+        Insides.cyclesUnperceived[this] = if (unperceived >= settings.nrcbp()) 1 else unperceived + 1
         if (settings.nrcbp() <= 1) return
     }
 }
