@@ -97,6 +97,13 @@ class prints : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also { ts.logger.info("${System.nanoTime()}") }
 }
 
+/** Has another thread put an event into the agent's queue, while the cycle goes on. */
+class rings : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
+        thread { ts.c.addExternalEv(ASSyntax.parseTrigger("+ring(1)")) }.join()
+    }
+}
+
 /** A function that drifts. */
 class drift : DefaultArithFunction() {
     override fun getName() = "planted.drift"

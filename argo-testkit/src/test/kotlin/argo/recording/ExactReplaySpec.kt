@@ -181,6 +181,14 @@ class ExactReplaySpec : FunSpec({
         )
     }
 
+    test("events that another thread puts into the queue in the middle of a cycle") {
+        val file = recorded("!start. +!start : planted.rings <- !more; planted.rings; !more. +!more <- +more. +ring(N) <- .print(N).") {
+            after(1.seconds)
+        }
+        Recording(file).use { it.cycles("agent").flatMap { cycle -> cycle.input.events }.toList() } shouldBe listOf("+ring(1)", "+ring(1)")
+        shouldReplay(file)
+    }
+
     test("plans that are added while the agent runs, with chance and functions in them") {
         shouldReplay(
             recorded(

@@ -42,6 +42,7 @@ import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Agent
+import jason.asSemantics.Event
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
@@ -83,7 +84,7 @@ internal class Recorder(
         val keyFrames = KeyFrames(ts, course)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
-        var events = -1
+        val events = ForeignEvents { inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
         var beliefs = -1
         var cycles = 0L
         var number = 0 // Jason's, of the cycle that runs
@@ -101,14 +102,20 @@ internal class Recorder(
         inCycle = Thread.currentThread()
         KeptInclude.current = this
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
-        if (agent.events >= 0 && ts.c.events.size > agent.events) {
-            agent.now.events = ts.c.events.drop(agent.events).map { triggerText(it.trigger) }
-        }
+        noteEvents(agent.now, agent.events.take(), ts)
         agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent() || ts.c.hasMsg() || ts.c.hasFeedbackAction()
         agent.course.begin()
         carryOutEnds(agent)
         Keeper.begin(this, ts)
+    }
+
+    private fun noteEvents(now: CycleNotes, events: List<Event>, ts: TransitionSystem) {
+        if (events.isEmpty()) return
+        val queue = ts.c.events.toList()
+        now.events = events.map { triggerText(it.trigger) }
+        now.eventPlaces = events.indices.associateWith { number -> queue.indexOfFirst { it === events[number] } }
+            .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
     /** An error ended the cycle that was begun, and what else came of it is not known: with it ends the recording of the agent. */
@@ -299,7 +306,7 @@ internal class Recorder(
         KeptInclude.current = null
         val course = agent.course.end()
         val now = agent.now
-        agent.events = agent.ts.c.events.size
+        agent.ts.c.selectedEvent?.takeIf(agent.events::take)?.let { now.events += triggerText(it.trigger) }
         agent.beliefs = agent.ts.ag.bb.size()
         val isAlone = Overlaps.end(agent.overlap)
         if (!isAlone) noteCounters(agent, course.firstMessage)
@@ -330,6 +337,7 @@ internal class Recorder(
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
+        if (!agent.events.isEmpty()) return // one that waits is of the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
         if (note.isThere) agent.counters = emptyList() // the next cycle has them, for who begins here

@@ -33,6 +33,7 @@ import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
+import jason.asSyntax.Trigger
 import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
@@ -89,7 +90,19 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have been replayed since
         sleep = ArrayDeque(if (answers.isAsRecorded) cycle.input.sleep.toList() else emptyList())
         answers.next(cycle)
-        cycle.input.events.forEach { text -> reading("events") { triggerOf(text) }?.let(ts.c::addExternalEv) }
+        cycle.input.events.forEachIndexed { number, text ->
+            reading("events") { triggerOf(text) }?.let { addEvent(it, cycle.input.eventPlaces[number]) }
+        }
+    }
+
+    /** Puts an event into the agent's queue, at [place]; null: at its end. */
+    private fun addEvent(trigger: Trigger, place: Int?) {
+        ts.c.addExternalEv(trigger)
+        if (place == null) return
+        val queue = ts.c.events.toMutableList()
+        queue.add(place.coerceIn(queue.indices), queue.removeAt(queue.lastIndex))
+        ts.c.events.clear()
+        ts.c.events.addAll(queue)
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
