@@ -1,5 +1,6 @@
 package argo.platform
 
+import argo.insides.Insides
 import jason.asSemantics.Agent
 import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledExecutorService
@@ -57,9 +58,8 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
             val all = (installed + Installed(kind, place, make)).sortedBy { it.place }
             val top = all.fold(machine()) { below, layer -> layer.make(below) }
             try {
-                // Jason has no other way to give it one
-                Agent::class.java.getDeclaredField("scheduler").apply { isAccessible = true }.set(null, top)
-            } catch (other: ReflectiveOperationException) {
+                Insides.scheduler[null] = top
+            } catch (other: LinkageError) {
                 throw IllegalStateException("this version of Jason keeps its scheduler elsewhere, so .wait cannot be followed", other)
             }
             installed = all

@@ -34,7 +34,8 @@ class LayersSpec : FunSpec({
         "argo.observing" to emptyList(),
         "argo.links" to emptyList(),
         "argo.boundary" to listOf("argo.observing"),
-        "argo.platform" to listOf("argo.links", "argo.boundary"),
+        "argo.insides" to emptyList(),
+        "argo.platform" to listOf("argo.links", "argo.boundary", "argo.insides"),
         "argo.calls" to listOf("argo.observing", "argo.links"),
         "argo.connecting" to listOf("argo.calls", "argo.platform", "argo.links"),
         "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.links", "argo.observing"),
@@ -92,6 +93,12 @@ class LayersSpec : FunSpec({
                 noClasses().that().resideInAPackage(name).should()
                     .dependOnClassesThat(productBut(name, "argo.filters..", "javino", "javino.wire", *below.toTypedArray())).check(product)
             }
+        }
+        test("reaches private members of Jason in argo.insides only") {
+            noClasses().that().resideOutsideOfPackages("argo.insides", "javino..").should()
+                .callMethodWhere(
+                    DescribedPredicate.describe("makes a private member accessible") { it.target.name in setOf("setAccessible", "trySetAccessible") },
+                ).check(product)
         }
         test("does not know how bytes move") {
             noClasses().that().resideInAnyPackage("argo", *order.keys.toTypedArray())

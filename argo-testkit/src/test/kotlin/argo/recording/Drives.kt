@@ -44,9 +44,9 @@ internal fun recordedMas(vararg agents: Pair<String, String>, drive: TestMas.() 
     return file
 }
 
-/** All of [file] is replayed, and does what was recorded. */
-internal fun shouldReplay(file: Path) {
-    val outcome = replayOf(file)
+/** All of [file] is replayed, and does what was recorded; [isChecking] as of [replayOf]. */
+internal fun shouldReplay(file: Path, isChecking: Boolean = false) {
+    val outcome = replayOf(file, isChecking)
     withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }
     outcome.cycles shouldBe outcome.recorded.toLong()
     outcome.cycles shouldBeGreaterThan 0L
@@ -55,7 +55,7 @@ internal fun shouldReplay(file: Path) {
 /** What came of a replay: how many cycles were run, how many were recorded, and what differs. */
 internal class Outcome(val cycles: Long, val recorded: Int, val differences: List<Difference>)
 
-/** Replays the recording [file] as a whole; [isChecking] carries the actions of these tests out again. */
+/** Replays the recording [file] as a whole; [isChecking] carries the code of these tests out again. */
 internal fun replayOf(file: Path, isChecking: Boolean = false): Outcome = Recording(file).use { recording ->
     Replay(recording, isChecking).use { replay ->
         replay.run()

@@ -103,7 +103,7 @@ class ExactReplaySpec : FunSpec({
         val file = recordedBy { ts -> ts.settings.isSync = true }
         Recording(file).use { it.cycles("agent").mapNotNull { cycle -> cycle.course.event }.toList() }.first { "hello" in it } shouldContain
             "kqml_received"
-        shouldReplay(file)
+        shouldReplay(file, isChecking = true) // its architecture is of the project
     }
 
     test("beliefs and goals whose values are drawn when Jason reads the program") {
@@ -179,6 +179,14 @@ class ExactReplaySpec : FunSpec({
                 """.trimIndent(),
             ) { after(3.seconds) },
         )
+    }
+
+    test("events that another thread puts into the queue in the middle of a cycle") {
+        val file = recorded("!start. +!start : planted.rings <- !more; planted.rings; !more. +!more <- +more. +ring(N) <- .print(N).") {
+            after(1.seconds)
+        }
+        Recording(file).use { it.cycles("agent").flatMap { cycle -> cycle.input.events }.toList() } shouldBe listOf("+ring(1)", "+ring(1)")
+        shouldReplay(file)
     }
 
     test("plans that are added while the agent runs, with chance and functions in them") {
@@ -259,7 +267,7 @@ private fun recordedBy(live: (jason.asSemantics.TransitionSystem) -> Unit) = try
 }
 
 /** What [work] returns, and what has been logged about agents meanwhile. */
-private fun <T> logged(work: () -> T): Pair<T, List<String>> {
+internal fun <T> logged(work: () -> T): Pair<T, List<String>> {
     val texts = CopyOnWriteArrayList<String>()
     val handler = object : Handler() {
         override fun publish(record: LogRecord) {

@@ -54,6 +54,9 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
     /** Returns when agent [name] runs no longer. */
     suspend fun awaitEnd(name: String) = eventually(LIMIT) { (mas.getAg(name)?.isRunning ?: false) shouldBe false }
 
+    /** Returns when the thread of agent [name] has ended. */
+    suspend fun awaitDeath(name: String) = eventually(LIMIT) { Thread.getAllStackTraces().keys.count { it.name == name } shouldBe 0 }
+
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own
         try {

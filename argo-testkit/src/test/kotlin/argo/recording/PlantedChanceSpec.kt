@@ -63,6 +63,12 @@ class PlantedChanceSpec : FunSpec({
         planted.calls.CALLS.get() shouldBe before
     }
 
+    test("lines that an internal action prints are not missed without --check, and compared with it; those of plans always are") {
+        val file = recorded("!start. +!start : planted.prints & .print(a) <- .print(done).") { after(300.milliseconds) }
+        replayOf(file).differences.shouldBeEmpty()
+        replayOf(file, isChecking = true).differences.first().what shouldBe "printed lines"
+    }
+
     test("but nothing in a program without chance") {
         differences("!start. +!start <- .wait(20); +a; .random(X); .print(X).").shouldBeEmpty()
     }
