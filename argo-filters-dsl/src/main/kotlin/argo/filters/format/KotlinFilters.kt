@@ -8,7 +8,7 @@ import argo.filters.Rule
 import argo.filters.TermTest
 import argo.filters.usableName
 
-/** Filters as Kotlin source. They are written only: reading one means compiling it. */
+/** Writes filters as Kotlin source. Reading such a filter means compiling it. */
 object KotlinFilters {
     /**
      * The filter as a Kotlin file with LF line ends: a property that holds an equal filter of the same name.

@@ -18,7 +18,7 @@ internal class XmlElement(val name: String, val position: Position, attributes: 
     val children = ArrayList<XmlElement>()
     val texts = ArrayList<XmlText>()
 
-    /** Whether its end tag has been read. */
+    /** True if its end tag has been read. */
     var isClosed = false
 
     /** The text directly in the element, blanks around it aside. */
@@ -56,7 +56,7 @@ internal class XmlTree(private val document: String, private val source: String)
     var root: XmlElement? = null
         private set
 
-    /** Why reading ended early; null if it did not. */
+    /** The problem that ended reading early; null if there was none. */
     val problem: Problem? = try {
         read(xmlInputFactory().createXMLStreamReader(StringReader(document)))
     } catch (e: XMLStreamException) {
