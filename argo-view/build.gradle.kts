@@ -6,8 +6,8 @@ plugins {
 dependencies {
     compileOnly(libs.jason) // the user's project brings Jason
     api(project(":argo-arch"))
-    implementation(libs.serialization.json) // what the page is sent
-    compileOnly(project(":argo-tools")) // the tool view, of recordings; argo.jar has the tools and recordings, other projects need them not
+    implementation(libs.serialization.json) // writes the states that the page is sent
+    compileOnly(project(":argo-tools")) // the tool view, which shows recordings; other projects do not need them
     compileOnly(project(":argo-recording"))
     compileOnly(libs.picocli)
     testImplementation(libs.jason)
