@@ -3,10 +3,10 @@ plugins { `java-library` }
 dependencies {
     compileOnly(libs.jason) // the user's project brings Jason
     api(project(":argo-arch"))
-    implementation(libs.serialization.json) // what a bridge is sent and sends
-    implementation(libs.java.websocket) // what ROS clients connect to
-    runtimeOnly(libs.slf4j.jdk14) // where it logs to
-    compileOnly(project(":argo-tools")) // the tool ros-serve; argo.jar has the tools, other projects need them not
+    implementation(libs.serialization.json) // JSON, the messages from and to a bridge
+    implementation(libs.java.websocket) // the WebSocket server for ROS clients
+    runtimeOnly(libs.slf4j.jdk14) // the log of that server
+    compileOnly(project(":argo-tools")) // the tool ros-serve; argo.jar has the tools, other projects do not need them
     compileOnly(libs.picocli)
     testImplementation(libs.jason)
     testImplementation(project(":argo-tools"))
