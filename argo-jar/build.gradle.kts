@@ -1,14 +1,14 @@
 dependencies {
-    // what is packed, with all that it needs but Jason
+    // packed into the jar, with all that they need but Jason
     runtimeOnly(project(":argo-arch"))
     runtimeOnly(project(":argo-view"))
     runtimeOnly(project(":argo-ros"))
     runtimeOnly(project(":argo-recording"))
     runtimeOnly(project(":argo-tools"))
-    // what packs
+    // the packer
     compileOnly(libs.asm.commons)
     testImplementation(libs.asm.commons)
-    testImplementation(libs.archunit) // which package may know which
+    testImplementation(libs.archunit) // the specs on which package may know which
 }
 
 // Java-WebSocket asks for another version than slf4j-jdk14

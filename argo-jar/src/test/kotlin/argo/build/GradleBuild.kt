@@ -25,7 +25,7 @@ data class Build(
  */
 data class Dependency(val scope: String, val coordinates: String, val version: String)
 
-/** Reads what the Gradle build under [root] declares, in the idioms that it uses; fails on one that it does not know. */
+/** Reads the declarations of the Gradle build under [root], in the idioms that it uses; fails on an unknown one. */
 fun gradleBuild(root: Path): Build {
     val script = root.resolve("build.gradle.kts").readText()
     val catalog = Catalog(root.resolve("gradle/libs.versions.toml").readText(), script.value("""version = "(.+)""""))
@@ -54,7 +54,7 @@ private val SCOPES = mapOf(
     "testImplementation" to "test", "annotationProcessor" to "processor",
 )
 
-/** `compileOnly` and `testImplementation` of one library are what Maven calls `provided`. */
+/** Merges `compileOnly` and `testImplementation` of one library: Maven calls both `provided`. */
 private fun merged(dependencies: Set<Dependency>): Set<Dependency> = dependencies.filterNot {
     it.scope == "test" && it.copy(scope = "provided") in dependencies
 }.toSet()
@@ -75,7 +75,7 @@ private class Catalog(text: String, private val argo: String) {
         alias to (module.removeSuffix("-jvm") to versions.getValue(version))
     }
 
-    /** What a script depends on. */
+    /** Returns the dependencies of a script. */
     fun dependencies(script: String): Set<Dependency> =
         Regex("""^\s*"?(${SCOPES.keys.joinToString("|")})"?\((.+)\)""", RegexOption.MULTILINE).findAll(script).map { match ->
             val (configuration, notation) = match.destructured

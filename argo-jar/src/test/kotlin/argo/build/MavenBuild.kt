@@ -4,7 +4,7 @@ import org.w3c.dom.Element
 import java.nio.file.Path
 import javax.xml.parsers.DocumentBuilderFactory
 
-/** Reads what the Maven build under [root] declares. */
+/** Reads the declarations of the Maven build under [root]. */
 fun mavenBuild(root: Path): Build {
     val parent = pom(root)
     val properties = parent.properties() + ("project.version" to parent.value("version"))

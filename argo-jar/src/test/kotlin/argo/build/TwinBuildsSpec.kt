@@ -59,6 +59,6 @@ class TwinBuildsSpec : FunSpec({
     }
 })
 
-/** What the group of [pattern] matches in [text], all of it; fails when nothing does, since then nothing would be compared. */
+/** Returns all matches of the group of [pattern] in [text]; fails if there are none, since then the spec would compare nothing. */
 private fun values(text: String, pattern: String): Set<String> =
     Regex(pattern).findAll(text).map { it.groupValues[1] }.toSet().also { check(it.isNotEmpty()) { "no $pattern in\n$text" } }
