@@ -18,7 +18,7 @@ dependencies {
     implementation(libs.jmh.core)
     implementation(libs.lets.plot.kotlin)
     implementation(libs.lets.plot.awt)
-    implementation(libs.slf4j.jdk14) // where Lets-Plot logs to
+    implementation(libs.slf4j.jdk14) // the log of Lets-Plot
     annotationProcessor(libs.jmh.processor)
 }
 
