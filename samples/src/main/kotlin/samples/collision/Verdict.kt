@@ -4,9 +4,9 @@ import samples.cm
 import samples.seconds
 
 /**
- * How a run of the collision experiment ended.
+ * The end of a run of the collision experiment.
  *
- * @property sentence what is printed
+ * @property sentence the sentence that is printed
  * @property exitStatus the program's: 0 if the robot was stopped
  */
 internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
