@@ -11,7 +11,7 @@ class LineGone(OSError):
 
 
 def open_line(line, baud=None):
-    """The line that a name, an open port or nothing stands for; see `Board`, and `hosts.open_named` for the names."""
+    """Returns the line for a name, an open port or None; see `Board`, and `hosts.open_named` for the names."""
     if line is not None and not isinstance(line, str):
         return line if hasattr(line, "wait") else Port(line)
     if IS_COMPUTER:
@@ -32,7 +32,7 @@ def _sleep_ms(ms):
 
 
 class Port:
-    """An open port: `machine.UART`, `busio.UART`, a pyserial port, or whatever has `read` and `write` like these."""
+    """An open port: `machine.UART`, `busio.UART`, a pyserial port, or any object with `read` and `write` like these."""
 
     def __init__(self, port):
         self._port = port
