@@ -26,7 +26,7 @@ internal class LostPorts(
     private val lock = ReentrantLock()
     private val lost = ArrayList<LostPort>()
 
-    /** How many there are. */
+    /** The number of lost ports. */
     val size: Int get() = lock.withLock { lost.size }
 
     operator fun contains(port: LostPort): Boolean = lock.withLock { port in lost }
@@ -47,7 +47,7 @@ internal class LostPorts(
     /** Forgets all of them. */
     fun clear() = lock.withLock { lost.clear() }
 
-    /** Closes those that have the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
+    /** Closes the ports with the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
     fun close(key: String) = lock.withLock { lost.map { it.port to it.name } }
         .filter { (_, name) -> runCatching { Transports.canonicalName(name) }.getOrDefault(name) == key }
         .forEach { (port, _) -> port.close() }
@@ -68,7 +68,7 @@ internal class LostPorts(
     private fun look(port: LostPort) {
         var isPresent = false
         val unknown = troubleOf {
-            port.port.close() // at the first look: who finds that it is lost may be a thread that must not wait
+            port.port.close() // at the first look: the thread that finds it lost may be one that must not wait
             isPresent = port in this && platform.isPresent(port.name)
         }
         if (port !in this) return
@@ -77,7 +77,9 @@ internal class LostPorts(
     }
 }
 
-/** What [work] fails with, whatever that is: a plan that waits for its port must go on, and so must the search for one that is lost. */
+/**
+ * Does [work] and returns any exception that it throws: a plan that waits for its port must go on, and so must the search for a lost one.
+ */
 internal fun troubleOf(work: () -> Unit): Throwable? = try {
     work()
     null

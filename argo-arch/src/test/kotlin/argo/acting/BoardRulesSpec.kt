@@ -16,7 +16,7 @@ import javino.wire.CommandItem
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 
-/** A board of the test's, which answers commands when it is told to. */
+/** A board whose answers to commands the test decides. */
 private class RulesBench {
     var wanted = emptyList<CriticalRule>()
     val sent = ArrayList<String>()
@@ -32,12 +32,12 @@ private class RulesBench {
         this.rules.renew()
     }
 
-    /** The outcome of the oldest command that waits. */
+    /** Ends the oldest waiting command, with [error] if it is given. */
     fun ends(error: String? = null) = waiting.removeFirst()(error?.let { Failure(it, it) })
 
     fun endsAll() = repeat(waiting.size) { ends() }
 
-    /** The commands since the last call. */
+    /** Returns the commands since the last call. */
     fun news(): List<String> = sent.toList().also { sent.clear() }
 
     private fun words(change: CommandItem.Rule): String {

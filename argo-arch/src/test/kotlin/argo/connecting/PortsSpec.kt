@@ -49,7 +49,7 @@ private class PortsBench : AutoCloseable {
     val time = TestTime()
     val closers = ConcurrentLinkedQueue<String>()
 
-    /** How many threads more the machine has none for. */
+    /** The number of next threads that the machine refuses. */
     @Volatile
     var missingThreads = 0
     private val platform = object : Platform by time {
