@@ -55,8 +55,8 @@ inline JavinoQuoted quoted(const char *text) {
 class JavinoBoard;
 
 /**
- * The counters of a board, see JavinoBoard::countInto(). The sketch may read, reset and show them: `board.percept("line", counters.frames,
- * counters.damaged, counters.overruns, counters.longestLoop)`.
+ * The counters of a board, see JavinoBoard::countInto(). The sketch may read, reset and show them:
+ * `board.percept("line", counters.frames, counters.damaged, counters.overruns, counters.longestLoop)`.
  */
 class JavinoCounters {
 public:

@@ -84,8 +84,8 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /**
      * Its sensors show the percepts that [sensors] returns, from now on. The board's thread calls [sensors] for each request, with the time
-     * since the test began: a robot that drives at 10 cm/s towards a wall, `shows { listOf("dist(front,${90 - it.inWholeMilliseconds /
-     * 100})") }`. Percepts that an agent would leave out fail the test.
+     * since the test began: a robot that drives at 10 cm/s towards a wall,
+     * `shows { listOf("dist(front,${90 - it.inWholeMilliseconds / 100})") }`. Percepts that an agent would leave out fail the test.
      */
     fun shows(sensors: (Duration) -> List<String>): Board = answers { functors ->
         val percepts = sensors(now).also { shown = it }

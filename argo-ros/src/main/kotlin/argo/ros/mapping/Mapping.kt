@@ -14,8 +14,8 @@ internal class Mapping(val source: String, val percepts: List<PerceptRule>, val 
 internal data class Place(val line: Int, val column: Int)
 
 /**
- * A rule that makes a percept of a topic's messages: `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500
- * ms`.
+ * A rule that makes a percept of a topic's messages:
+ * `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
  *
  * @property topic its name
  * @property type the type of its messages, as written
@@ -33,8 +33,8 @@ internal class PerceptRule(
 )
 
 /**
- * A command, and the message, request or goal that a robot gets for it: `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z
- * = W)`.
+ * A command, and the message, request or goal that a robot gets for it:
+ * `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
  *
  * @property name its functor
  * @property parameters the variables for its arguments
