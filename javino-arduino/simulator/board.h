@@ -94,7 +94,7 @@ pin_state board_state(const board *board, int pin);
 /** Watches a pin. */
 void board_watch(board *board, int pin);
 
-/** @return the line of simavr that carries the level of a pin, whoever drives it */
+/** @return the line of simavr that carries the level of a pin, driven by the board or from outside */
 avr_irq_t *board_irq(const board *board, int pin);
 
 /** @return true if a pin that is an input is high */

@@ -18,7 +18,7 @@ static bool fail(const char *what)
     return false;
 }
 
-/* Whether the link is there and leads to this pseudo-terminal. */
+/* True if the link is there and leads to this pseudo-terminal. */
 static bool leads_to(const char *link, const char *path)
 {
     char target[sizeof((line *)0)->path];

@@ -71,7 +71,7 @@ public:
 private:
   friend class JavinoBoard;
   void (*hook_)(JavinoBoard &); /* The board's, which is called behind counting. */
-  unsigned long look_ms_;                    /* When it looked for messages the last time. */
+  unsigned long look_ms_;                    /* The time of its last look for messages. */
   uint8_t frames_;                           /* As the core counts them. */
   uint8_t damaged_;
 };

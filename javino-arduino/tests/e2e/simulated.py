@@ -322,7 +322,7 @@ def two_computers_have_a_conversation_each():
             equal(driver.ask(), "motor(0);")
         driver.send("speed(200)")
         board.await_pin(5, "pwm 200")
-        # The watcher alone does not keep the motor going.
+        # The watcher by itself does not keep the motor going.
         board.await_pin(5, "low")
         equal(watcher.ask("(motor)"), "motor(0);")
 

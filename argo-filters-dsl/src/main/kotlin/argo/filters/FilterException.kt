@@ -6,7 +6,7 @@ package argo.filters
  * @property source the file or other place the text came from
  * @property line counted from 1
  * @property column counted from 1, in characters
- * @property message what was found and what is expected
+ * @property message the finding and the expectation
  */
 data class Problem(val source: String, val line: Int, val column: Int, val message: String) {
     /** `file:line:column: message`. */
