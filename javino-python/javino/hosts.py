@@ -92,7 +92,7 @@ class Descriptor:
         return data
 
     def write(self, data):
-        """Writes all of it, unless the far end takes nothing for a second: then the rest is lost."""
+        """Writes all bytes, unless the far end takes none for a second: then the rest is lost."""
         end = time.monotonic() + _PATIENCE
         while data:
             try:
@@ -178,7 +178,7 @@ class Listener:
         return data
 
     def write(self, data):
-        """Writes all of it, unless the far end has gone or takes nothing for a second."""
+        """Writes all bytes, unless the far end has gone or takes none for a second."""
         end = time.monotonic() + _PATIENCE
         while data and self._connection:
             try:

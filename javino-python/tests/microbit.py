@@ -18,7 +18,7 @@ sys.path.insert(0, str(HERE.parent.parent / "javino-arduino" / "tests" / "e2e"))
 from board import PATIENCE, FarEnd, frame1  # noqa: E402
 from cases import check, damage_one_in_200, equal, texts  # noqa: E402
 
-# At most what its receive buffer of 64 bytes holds, with what ends a line.
+# At most as many bytes as its receive buffer of 64 holds, with the end of a line.
 PIECE = 24
 
 FILES = ("javtext.py", "javframe.py", "javino.py")

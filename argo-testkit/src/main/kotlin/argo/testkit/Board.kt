@@ -184,8 +184,9 @@ class Board internal constructor(private val time: VirtualTime) {
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
     /**
-     * It has room for [count] critical rules, which it watches itself: it compares them every 5 ms with what its sensors [show][shows], and
-     * carries out their reflexes, which count as [commands] that arrived. In version 2; to be called before the port is opened.
+     * It has room for [count] critical rules, which it watches itself: it compares them every 5 ms with the percepts that its sensors
+     * [show][shows], and carries out their reflexes, which count as [commands] that arrived. In version 2; to be called before the port is
+     * opened.
      */
     fun holdsRules(count: Int): Board = apply { fake.holdsRules(count) }
 

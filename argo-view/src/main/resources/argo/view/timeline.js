@@ -17,7 +17,7 @@ const canvas = $('lanes');
 let recording = null;
 let from = 0, until = 1;   // the part in view, in seconds
 let parts = [];            // of the lanes, as they were sent
-let chosen = null;         // an item with what it is linked with
+let chosen = null;         // an item with its links
 let lit = new Set();       // the ids of these
 let asked = 0;             // counts requests for parts, since an answer may be overtaken
 

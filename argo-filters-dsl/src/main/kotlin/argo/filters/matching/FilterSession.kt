@@ -23,9 +23,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     /**
      * Makes [filter] the active one from the next perception on; null: none.
      *
-     * A freezing filter keeps those percepts of the last perception that it hides: they are delivered with every perception until
-     * another change, or until a percept that differs from them in numbers only is let through. Percepts that rates held back are
-     * forgotten.
+     * A freezing filter keeps those percepts of the last perception that it hides: they are delivered with every perception until another
+     * change, or until a percept that differs from them only in numbers is let through. Percepts that rates held back are forgotten.
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.matcher()

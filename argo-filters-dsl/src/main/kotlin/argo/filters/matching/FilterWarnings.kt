@@ -32,7 +32,7 @@ private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List
     if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
 }
 
-/** A rule of a filter called [name], with what its conditions allow. */
+/** A rule of a filter called [name], with the percepts that its conditions allow. */
 private class ReviewedRule(private val name: String, private val rule: Rule, private val critical: CriticalRule? = null) {
     private val allowed = AllowedPercepts(rule.conditions)
 

@@ -20,7 +20,7 @@ class PerceptMatcher internal constructor(
     private val drops = filter.mode == Mode.DROP
 
     /**
-     * Returns true if the filter drops the percept that [percept] holds from [start] to [end], as it came off the line: `dist(f,123)`.
+     * Returns true if the filter drops the percept in [percept] from [start] to [end], as it came off the line: `dist(f,123)`.
      *
      * Text that is not a percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates
      * nothing as long as the percept has no namespace and conditions are on arguments that are plain atoms or numbers.

@@ -11,10 +11,10 @@ import java.net.URLDecoder
 /**
  * Responds to the requests of the page of [timeline].
  *
- * @param name of the recording, or of the agent that runs
+ * @param name the name of the recording, or of the running agent
  * @param problems the parts of the recording that cannot be read
  * @param why explains why a command was sent
- * @property number of the timeline among those of an agent that runs; 0: it is of a file
+ * @property number the number of the timeline among those of a running agent; 0: it is of a file
  */
 internal class TimelineRoutes(
     private val timeline: Timeline,
