@@ -41,7 +41,7 @@ void JavinoActions::FlashPlace::operator()() const {
   Place(actions_, name)();
 }
 
-/** Whether a name begins with this text, in which any byte may stand. */
+/** Returns true if a name begins with this text, which may hold any bytes. */
 static bool begins(const char *name, const char *text, uint8_t length) {
   for (; length > 0; length--)
     if (!*name || *name++ != *text++)
@@ -49,7 +49,7 @@ static bool begins(const char *name, const char *text, uint8_t length) {
   return true;
 }
 
-/** Carries an action out, unless it is not certain that the text is whole and more of it could follow. */
+/** Carries an action out, unless the text may be cut short and a longer action begins with it. */
 JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length, bool certain) const {
   const Action *found = NULL;
   const Action *action = newest();

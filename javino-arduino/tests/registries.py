@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the Arduino Library Manager, PlatformIO and the ESP component registry read of this folder, by their rules."""
+"""Checks the files that the Arduino Library Manager, PlatformIO and the ESP component registry read of this folder, by their rules."""
 import json
 import pathlib
 import re
@@ -123,7 +123,7 @@ def public_members(source):
 def keywords_are_those_of_the_headers():
     members, types = set(), set()
     for header in ("JavinoBoard.h", "Javino.h", "JavinoNetwork.h", "JavinoActions.h", "JavinoArguments.h"):
-        # What no sketch names is left out.
+        # Names that no sketch uses are left out.
         found = public_members(re.sub(r"class JavinoGathering\b.*?^};", "", text(f"src/{header}"), flags=re.S | re.M))
         members |= found[0]
         types |= found[1]

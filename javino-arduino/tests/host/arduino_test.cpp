@@ -51,7 +51,7 @@ struct Board {
   /** Begins a session and forgets the answer. */
   void begin(unsigned nonce = 7) { run(hello(nonce)); }
 
-  /** The text of the answer to a request, known as far as what was answered before. */
+  /** Returns the text of the answer to a request, read with the shapes of earlier answers. */
   std::string percepts(unsigned request, const std::string &functors = "") {
     return percepts_.read(run(ask(request, percepts_.known(), functors)), request);
   }
@@ -845,7 +845,7 @@ namespace {
 
 std::mt19937 chance(6);
 
-/** Damages one byte in 200. @return whether any was */
+/** Damages one byte in 200. @return true if any was */
 bool damage(std::string &bytes) {
   bool damaged = false;
   for (char &c : bytes)

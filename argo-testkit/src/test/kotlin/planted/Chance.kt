@@ -38,7 +38,7 @@ class dice : SourceOfChance(Math::random)
 /** Makes a name that nobody else has. */
 class name : SourceOfChance(UUID::randomUUID)
 
-/** Takes the order of a set of objects without a hash of their own. */
+/** Takes the order of a set of objects that have no hash of their own. */
 class order : SourceOfChance({
     List(8) { Any() to it }.associate { it }.keys.toHashSet().joinToString { "${System.identityHashCode(it)}" }
 })
@@ -146,7 +146,7 @@ class Bomb : java.io.Serializable {
     }
 }
 
-/** Writes the agent's plans and what it is to do, as a project that keeps its agents does. */
+/** Writes the agent's plans and intentions, as a project that keeps its agents does. */
 class writes : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         val bytes = ByteArrayOutputStream()

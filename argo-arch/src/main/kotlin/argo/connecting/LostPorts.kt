@@ -27,7 +27,7 @@ internal class LostPorts(
     private val lost = ArrayList<LostPort>()
     private val closing = LinkedHashMap<OpenPort, Set<String>>() // what was lost and is not closed yet, with its names
 
-    /** How many there are. */
+    /** The number of lost ports. */
     val size: Int get() = lock.withLock { lost.size }
 
     operator fun contains(port: LostPort): Boolean = lock.withLock { port in lost }
@@ -49,7 +49,7 @@ internal class LostPorts(
     /** Forgets all of them; what is being closed still is. */
     fun clear() = lock.withLock { lost.clear() }
 
-    /** Closes those that have the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
+    /** Closes the ports with the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
     fun close(key: String) = lock.withLock { closing.toMap() }
         .filterValues { names -> names.any { runCatching { Transports.canonicalName(it) }.getOrDefault(it) == key } }
         .keys.forEach(::close)
@@ -78,7 +78,7 @@ internal class LostPorts(
     private fun look(port: LostPort) {
         var isPresent = false
         val unknown = troubleOf {
-            close(port.port) // at the first look: who finds that it is lost may be a thread that must not wait
+            close(port.port) // at the first look: the thread that finds it lost may be one that must not wait
             isPresent = port in this && platform.isPresent(port.name)
         }
         if (port !in this) return
@@ -87,7 +87,9 @@ internal class LostPorts(
     }
 }
 
-/** What [work] fails with, whatever that is: a plan that waits for its port must go on, and so must the search for one that is lost. */
+/**
+ * Does [work] and returns any exception that it throws: a plan that waits for its port must go on, and so must the search for a lost one.
+ */
 internal fun troubleOf(work: () -> Unit): Throwable? = try {
     work()
     null

@@ -8,8 +8,8 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * A scheduler in the place of Jason's, which `.wait`, `.at` and others use. Several may stand one upon the other, in the order of their
- * [Place], whichever was installed first; [below] is the next.
+ * A scheduler in the place of Jason's, which `.wait`, `.at` and others use. Several layers may be stacked in the order of their [Place],
+ * whichever was installed first; [below] is the next.
  */
 abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : ScheduledExecutorService by below {
     /** Does [work] in [delay] of [unit]. */
@@ -29,12 +29,12 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     final override fun submit(task: Runnable) = schedule(task, 0, TimeUnit.NANOSECONDS)
 
-    /** Where a layer stands. */
+    /** The place of a layer. */
     enum class Place {
-        /** It says when a timer ends, and stands on Jason's scheduler alone. */
+        /** It decides when a timer ends, and is directly on Jason's scheduler. */
         TIME,
 
-        /** It sees each timer of an agent, whoever says when it ends. */
+        /** It sees each timer of an agent, whichever layer decides when it ends. */
         AGENT,
     }
 
@@ -48,8 +48,8 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
         private var installed = listOf<Installed>()
 
         /**
-         * Puts what [make] returns for the scheduler below it at its [place] in Jason's scheduler, for all agents of this program, unless a
-         * layer of [kind] is there. A layer keeps nothing: it may be made again for another scheduler below.
+         * Puts the layer that [make] returns for the scheduler below it at its [place] in Jason's scheduler, for all agents of this
+         * program, unless a layer of [kind] is there. A layer keeps nothing: it may be made again for another scheduler below.
          * @throws IllegalStateException if this version of Jason keeps its scheduler elsewhere
          */
         @Synchronized

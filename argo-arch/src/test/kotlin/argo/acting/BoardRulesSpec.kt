@@ -19,7 +19,7 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
-/** A board of the test's, which answers commands when it is told to. */
+/** A board whose answers to commands the test decides. */
 private class RulesBench {
     var wanted = emptyList<CriticalRule>()
     val sent = ArrayList<String>()
@@ -55,7 +55,7 @@ private class RulesBench {
 
     fun endsAll() = repeat(waiting.size) { ends() }
 
-    /** The commands since the last call. */
+    /** Returns the commands since the last call. */
     fun news(): List<String> = sent.toList().also { sent.clear() }
 
     private fun words(change: CommandItem.Rule): String {

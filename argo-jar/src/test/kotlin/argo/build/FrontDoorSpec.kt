@@ -20,7 +20,7 @@ import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** What `./argo` prints itself. */
+/** The lines that `./argo` itself prints. */
 class FrontDoorSpec : FunSpec({
     fun bash(vararg command: String): Pair<Int, String> {
         val process = ProcessBuilder("bash", *command).redirectErrorStream(true).start()

@@ -13,7 +13,7 @@ import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
 
-/** Which package may know which: the table in CONTRIBUTING.md, and the order of packages in docs/architecture.md. */
+/** Each package knows only those that it may: the table in CONTRIBUTING.md, and the order of packages in docs/architecture.md. */
 class LayersSpec : FunSpec({
     val product = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests()).importPackages("argo", "javino", "jason.stdlib")
         .that(
@@ -24,7 +24,7 @@ class LayersSpec : FunSpec({
 
     fun packages(vararg names: String) = resideInAnyPackage(*names)
 
-    /** Classes of the product that are in none of [allowed]. */
+    /** Selects classes of the product that are in none of [allowed]. */
     fun productBut(vararg allowed: String): DescribedPredicate<JavaClass> =
         packages("argo..", "javino..").and(DescribedPredicate.not(packages(*allowed)))
             .`as`("another package of the product than ${allowed.joinToString()}")

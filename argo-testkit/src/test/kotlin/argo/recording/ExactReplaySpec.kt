@@ -30,7 +30,7 @@ import java.util.logging.Logger
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** Whatever enters an agent, and when, a replay gives it the same. */
+/** A replay gives an agent every input that it had, at the same time. */
 class ExactReplaySpec : FunSpec({
     fun percept(functor: String, vararg terms: Term): Literal = LiteralImpl(functor).addTerms(*terms)
 
@@ -255,7 +255,7 @@ class ExactReplaySpec : FunSpec({
     }
 })
 
-/** Records an agent whose infrastructure does [live] with it, which the infrastructure of a replay does not. */
+/** Records an agent to which its infrastructure does [live]; the infrastructure of a replay does not. */
 private fun recordedBy(live: (jason.asSemantics.TransitionSystem) -> Unit) = try {
     ControlledArch.live = live
     recorded("+hello(N) <- .print(N).", { arch = ::ControlledArch }) {
@@ -266,7 +266,7 @@ private fun recordedBy(live: (jason.asSemantics.TransitionSystem) -> Unit) = try
     ControlledArch.live = {}
 }
 
-/** What [work] returns, and what has been logged about agents meanwhile. */
+/** Returns the result of [work], and the lines logged about agents meanwhile. */
 internal fun <T> logged(work: () -> T): Pair<T, List<String>> {
     val texts = CopyOnWriteArrayList<String>()
     val handler = object : Handler() {
@@ -286,7 +286,7 @@ internal fun <T> logged(work: () -> T): Pair<T, List<String>> {
     }
 }
 
-/** What an infrastructure does with an agent before it runs. */
+/** An architecture to which the infrastructure does [live] before the agent runs. */
 class ControlledArch(platform: Platform) : Arch(platform) {
     override fun init() {
         live(ts)
@@ -294,7 +294,7 @@ class ControlledArch(platform: Platform) : Arch(platform) {
     }
 
     companion object {
-        /** Nothing in a replay. */
+        /** The infrastructure's work; none in a replay. */
         var live: (jason.asSemantics.TransitionSystem) -> Unit = {}
     }
 }

@@ -59,7 +59,7 @@ class HostileRecordingSpec : FunSpec({
         }
     }
 
-    /** The files that the Java machine has written and read while it did [work], and the processes that it has started. */
+    /** Returns the files that the Java machine has written and read during [work], and the processes that it has started. */
     fun watched(work: () -> Unit): List<String> {
         val file = createTempFile("watch", ".jfr")
         val kinds = listOf("jdk.FileWrite", "jdk.FileRead", "jdk.ProcessStart", "jdk.SocketRead", "jdk.SocketWrite")
@@ -85,7 +85,7 @@ class HostileRecordingSpec : FunSpec({
         refused.message
     }
 
-    /** Replays [file], and returns what is said about it. */
+    /** Replays [file], and returns the messages about it. */
     fun shouldDoNothing(file: Path): String {
         var said: String? = null
         val done = watched { said = replayed(file) }
@@ -215,7 +215,7 @@ class HostileRecordingSpec : FunSpec({
         return """{"index":9,"number":9,"ns":9,"parts":PARTS,"mind":"${Base64.getEncoder().encodeToString(bytes.toByteArray())}"}"""
     }
 
-    /** What is said of a recording that begins with [keyFrame]. */
+    /** Returns the messages about a recording that begins with [keyFrame]. */
     fun saidOf(keyFrame: String): String {
         val cycles = listOf("""{"index":10,"number":10,"ns":10}""")
         fun file(parts: String) = made("", keyFrame = keyFrame.replace("PARTS", parts), cycles = cycles)
@@ -236,7 +236,7 @@ class HostileRecordingSpec : FunSpec({
         saidOf(keyFrame { it.write(ByteArray(200_000_000)) }) shouldContain "holds more than"
         val list = ByteArrayOutputStream()
         ObjectOutputStream(list).use { it.writeObject(ArrayList<Any>(0)) }
-        // how many it has, in two places
+        // the number of its objects, in two places
         val claims = list.toByteArray().also { bytes -> listOf(bytes.size - 11, bytes.size - 5).forEach { bytes[it] = 0x7F } }
         saidOf(keyFrame { it.write(claims) }) shouldContain "cannot be read"
         val deep = (1..20_000).fold(ArrayList<Any>()) { inner, _ -> arrayListOf(inner) }

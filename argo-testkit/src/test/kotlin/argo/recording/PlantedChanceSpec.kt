@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlin.time.Duration.Companion.milliseconds
 
-/** What in a program gives another result each time is found by its replay, and named. */
+/** A replay finds and names the parts of a program that give another result each time. */
 class PlantedChanceSpec : FunSpec({
     fun differences(program: String, setUp: AgentSetUp.() -> Unit = {}) =
         replayOf(recorded(program, setUp) { after(300.milliseconds) }, isChecking = true).differences

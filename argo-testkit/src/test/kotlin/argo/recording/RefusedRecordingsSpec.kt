@@ -13,7 +13,7 @@ import jason.util.Config
 import kotlin.io.path.exists
 import kotlin.time.Duration.Companion.milliseconds
 
-/** What a replay could not have is refused, by its name, when a recording begins; the agent runs without one. */
+/** A recording refuses at its beginning, by name, every part that a replay could not have; the agent runs without a recording. */
 class RefusedRecordingsSpec : FunSpec({
     fun shouldBeRefused(why: String, setUp: AgentSetUp.() -> Unit) {
         val file = recordingFile()

@@ -9,7 +9,7 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** What a recorded agent did, it does again when Jason runs it on what was recorded. */
+/** A recorded agent acts again as it did when Jason runs it on its recording. */
 class ReplaySpec : FunSpec({
     test("percepts, events, commands and timers") {
         val file = recorded(

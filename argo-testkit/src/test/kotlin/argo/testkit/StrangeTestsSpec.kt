@@ -17,9 +17,9 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.days
 import kotlin.time.Duration.Companion.seconds
 
-/** What tests do that were not meant to. */
+/** Tests that misuse the test kit. */
 class StrangeTestsSpec : FunSpec({
-    /** Those of agents and boards that have not ended within 20 s. */
+    /** Returns the threads of agents and boards that have not ended within 20 s. */
     fun threads() = Thread.getAllStackTraces().keys.filter { it.name.startsWith("argo-") || it.name.startsWith("board") }
         .onEach { it.join(20_000) }.filter { it.isAlive }
 

@@ -34,7 +34,7 @@ private const val STOPS = 5
 private const val SEED = 1L
 private val FAST = StopCourse(115_200)
 
-/** The longest stop of each course may take so many ms, up to a third more than measured. */
+/** The bounds of the longest stop of each course, in ms: up to a third more than measured. */
 private val LIMITS = mapOf(
     StopCourse(9_600) to 150.0,
     FAST to 40.0,

@@ -65,10 +65,10 @@ class LiveViewSpec : FunSpec({
 
 private fun addressOf(line: String) = URI(checkNotNull(Regex("http://127\\.0\\.0\\.1:\\d+/robot/").find(line)) { line }.value)
 
-/** The filters that a page offers. */
+/** Returns the filters that a page offers. */
 private fun offeredBy(address: URI): String =
     HttpClient.newHttpClient().send(HttpRequest.newBuilder(address.resolve("filters")).build(), HttpResponse.BodyHandlers.ofString()).body()
 
-/** What a page is told, to its end. */
+/** Returns the stream of states that a page is sent, to its end. */
 private fun watch(address: URI): Stream<String> =
     HttpClient.newHttpClient().send(HttpRequest.newBuilder(address.resolve("events")).build(), HttpResponse.BodyHandlers.ofLines()).body()

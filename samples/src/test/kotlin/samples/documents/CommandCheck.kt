@@ -10,16 +10,16 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 
 /**
- * Checks, without running a command, whether the repository at [root] has everything that the command names: programs, their options,
- * tasks, modules, files.
+ * Checks, without running a command, that the repository at [root] has everything that the command names: programs, their options, tasks,
+ * modules, files.
  */
 class CommandCheck(private val root: Path) {
     private val usage = ProcessBuilder("$root/argo").start().inputReader().use { it.readText() }
 
-    /** The words behind `./argo` that its usage shows. */
+    /** The commands of `./argo` that its usage shows. */
     val verbs: Set<String> = Regex("""(?m)^  ([a-z]+)[ \[]""").findAll(usage).map { it.groupValues[1] }.toSet()
 
-    /** What is wrong with [words]; null: nothing. */
+    /** Describes the fault of [words]; null: there is none. */
     fun problem(words: List<String>): String? {
         val rest = words.drop(1).filterNot { it in PLACEHOLDERS }
         return when (words.first()) {
@@ -138,16 +138,16 @@ class CommandCheck(private val root: Path) {
     private fun missing(found: Any?, what: String): String? = if (found == null) "there is no $what" else null
 
     private companion object {
-        /** What a project that `./argo new` makes is made of. */
+        /** The sources of a project that `./argo new` makes. */
         const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
 
-        /** What every Maven does. */
+        /** Goals and phases of every Maven. */
         val GOALS = setOf("clean", "compile", "test", "package", "verify", "install", "dependency:copy-dependencies")
 
         /** Words that stand for any. */
         val PLACEHOLDERS = setOf("COMMAND", "…")
 
-        /** The command line of the tools in argo.jar, which they keep to themselves. */
+        /** The command line of the tools in argo.jar, which is internal to them. */
         val TOOLS: () -> CommandLine = Class.forName("argo.tools.MainKt").getMethod("tools").let { tools ->
             { tools.invoke(null) as CommandLine }
         }

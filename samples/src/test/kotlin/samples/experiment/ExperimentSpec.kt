@@ -17,7 +17,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readLines
 
-/** The experiment as it is run, in real time; the runs are so short that a robot stops after one or two seconds. */
+/** The experiment in real time, as its user runs it; the runs are so short that a robot stops after one or two seconds. */
 class ExperimentSpec : FunSpec({
     fun arguments(out: Path, vararg more: String) =
         arrayOf("experiment", "--smoke", "--condition", "b", "--slowdown", "1", "--jobs", "6", "--out", "$out", *more)

@@ -62,8 +62,8 @@ class FleetSpec : FunSpec({
 })
 
 /**
- * The addresses of this computer beside 127.0.0.1. On Linux all of 127 leads to who listens everywhere, and not to who listens on
- * 127.0.0.1.
+ * Returns the addresses of this computer beside 127.0.0.1. On Linux all of 127 reaches a program that listens everywhere, but not one that
+ * listens on 127.0.0.1.
  */
 private fun otherAddresses(): List<InetAddress> {
     val others = NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }.filterNot { it.isLoopbackAddress }
@@ -77,7 +77,7 @@ private fun isOpen(address: InetAddress, port: Int): Boolean = try {
     false
 }
 
-/** What the containers print, and what of the coordinator's words follows from it. */
+/** The lines that the containers print, and the watches that the coordinator has shared out by them. */
 private class Lines {
     private val unread = LinkedBlockingQueue<String>()
     private val watches = LinkedHashMap<String, String>()
@@ -85,10 +85,10 @@ private class Lines {
 
     fun add(line: String) = unread.put(line)
 
-    /** The places that [scout] watches, as far as has been read. */
+    /** Returns the places that [scout] watches, as far as lines have been read. */
     fun watched(scout: String): List<String> = watches.filterValues { it == scout }.keys.toList()
 
-    /** Reads on until [wanted] is true for a line, and for what has been read up to it. */
+    /** Reads on until [wanted] is true for a line and those before it. */
     fun await(wanted: Lines.(String) -> Boolean) {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_S)
         while (true) {
