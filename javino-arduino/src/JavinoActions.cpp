@@ -20,8 +20,10 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   /* The newest comes first, so it takes the place of an older one of the same name. */
   board_->link.actions = action;
   count_ = ++count;
+#ifndef JAVINO_VERSION_1_ONLY
   if (described_)
     board_->link.action_count = count;
+#endif
   return true;
 }
 
