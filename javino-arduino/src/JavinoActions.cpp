@@ -8,7 +8,8 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   if (!function)
     return false;
   Action *action = static_cast<Action *>(javino_board_take(board_, sizeof(Action)));
-  if (!action) {
+  uint8_t count = count_;
+  if (!action || count == JAVINO_ACTIONS_MAX) {
     board_->link.actions_lost++;
     return false;
   }
@@ -18,8 +19,11 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   action->caller = caller;
   /* The newest comes first, so it takes the place of an older one of the same name. */
   board_->link.actions = action;
-  count_++;
-  board_->link.action_count += described_;
+  count_ = ++count;
+#ifndef JAVINO_VERSION_1_ONLY
+  if (described_)
+    board_->link.action_count = count;
+#endif
   return true;
 }
 

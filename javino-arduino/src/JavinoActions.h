@@ -93,8 +93,8 @@ public:
   uint8_t count() const { return count_; }
 
   /**
-   * Whether an action has been left out because the memory was full, of which JavinoSized has more, or because
-   * percepts had already been written.
+   * Whether an action has been left out because the memory was full, of which JavinoSized has more, because there were
+   * JAVINO_ACTIONS_MAX before it, or because percepts had already been written.
    */
   bool full() const { return board_->link.actions_lost != 0; }
 

@@ -140,7 +140,7 @@ public:
    * @param function   takes the board, the arguments, both in this order, or neither; one that takes no arguments refuses an action that
    *                   has some. It returns `void`; or `bool`, where false refuses the action because of its arguments or otherwise
    * @param arguments  how many it takes: with another number the action is refused and the function not called
-   * @return false if there is no memory left for it
+   * @return false if there is no memory left for it, or there are JAVINO_ACTIONS_MAX before it
    */
   bool onAction(const char *name, void (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
     return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments<void>, arguments);
@@ -362,10 +362,7 @@ protected:
 private:
   JavinoBoard &operator=(const JavinoBoard &);
 
-  /**
-   * For what most sketches are spared the code of. Called before messages are looked for, and with an action in hand: whether it has
-   * handled that.
-   */
+  /** For what most sketches are spared the code of. Called before messages are looked for. */
   typedef void (*Hook)(JavinoBoard &board);
 
   static void write(void *board, uint8_t byte);

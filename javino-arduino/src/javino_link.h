@@ -42,6 +42,9 @@ typedef struct {
 /** The revision of version 2 that this library speaks, as WELCOME says. */
 #define JAVINO_REVISION 1
 
+/** How many actions a board has at most: on the line the next numbers stand for no command and for rules. */
+#define JAVINO_ACTIONS_MAX 126
+
 /** Any number of arguments. */
 #define JAVINO_ANY 0xFF
 
@@ -58,7 +61,7 @@ typedef struct {
     const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
     const void *actions;  /**< A row of javino_action, which are numbered from the last. */
     uint8_t action_size;  /**< Bytes from one to the next. */
-    uint8_t action_count; /**< At most 126. 0, as at first: the actions have no numbers. */
+    uint8_t action_count; /**< At most JAVINO_ACTIONS_MAX. 0, as at first: the actions have no numbers. */
     bool answered;
     bool drained; /* the last poll has read all that there was */
     bool heard;   /* something valid, since javino_link_lost was asked */

@@ -606,6 +606,23 @@ TEST_CASE("actions beyond the memory are reported, and those before them still w
   CHECK(done.size() == 1);
 }
 
+TEST_CASE("of more actions than have numbers the others are left out, and told") {
+  JavinoSized<JAVINO_MEMORY + 130 * 4 * sizeof(void *)> javino;
+  for (int i = 0; i < 126; i++)
+    CHECK(javino.onAction("ledOn", ledOn));
+  CHECK(!javino.act.full());
+  for (int i = 0; i < 3; i++)
+    CHECK(!javino.onAction("more", ledOn));
+  CHECK(javino.act.count() == 126);
+  Serial.in.clear();
+  Serial.sent();
+  Serial.receive(hello(9));
+  javino.run();
+  auto welcome = frames2(Serial.sent());
+  REQUIRE(welcome.size() == 1);
+  CHECK(welcome[0].payload.back() == 3);
+}
+
 TEST_CASE("any size of memory keeps the actions' table aligned") {
   JavinoSized<JAVINO_MEMORY + 255 + 3> javino;
   Serial.in.clear();

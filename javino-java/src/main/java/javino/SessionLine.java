@@ -411,8 +411,10 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             LOG.log(
                     System.Logger.Level.WARNING,
                     "port " + transport.name() + ": " + actionsLost
-                            + " actions of the board's program found no room in its memory, "
-                            + "and it refuses them; give the board more memory, as JavinoSized<600> javino; does, or fewer actions");
+                            + " actions of the board's program found no room, and it refuses them; a board has "
+                            + (CommandItem.MAX_ACTION + 1)
+                            + " at most, and fewer in little memory: give it more memory, as JavinoSized<600> javino; does, "
+                            + "or fewer actions");
         }
         rules = welcome.rules();
         notify(called -> called.sessionBegan(welcome.rules()));

@@ -12,6 +12,7 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import javino.sim.FakeBoard
 import javino.sim.VirtualBoard2
 import javino.virtual.LineEnd
 import javino.wire.FrameKind
@@ -456,6 +457,22 @@ class LinkVersionSpec : FunSpec({
             }
         }
         warnings.single() shouldContain "51 actions of the board's program found no room"
+    }
+
+    test("of a simulated board's actions the first 126 are known, and it is told that there are others") {
+        FakeBoard.plugIn("many").version2().lenient().knows(*Array(130) { "a$it" }).use { board ->
+            val warnings = logged("javino.SessionLine") {
+                Link.open(board.port(), Bench.FAST.withProtocol(Protocol.V2), "the test").use { link ->
+                    link.request(REQUEST, 20_000)
+                    link.sendAndAwait("a125", 20_000)
+                    while (link.vocabulary().isEmpty) link.request(REQUEST, 20_000)
+                    link.vocabulary().get().size shouldBe 126
+                    link.actionsLost() shouldBe 4
+                    shouldThrow<ActionRefusedException> { link.sendAndAwait("a126", 20_000) }
+                }
+            }
+            warnings.single() shouldContain "4 actions of the board's program found no room, and it refuses them; a board has 126 at most"
+        }
     }
 
     test("two boards that are exchanged on their lines carry out no command of the other's") {

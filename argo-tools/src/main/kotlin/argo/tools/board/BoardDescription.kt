@@ -33,7 +33,8 @@ internal class BoardDescription(
             actions == null -> "unknown; the board did not describe them in time"
             actions.isEmpty() -> "unknown; its sketch has no table of actions"
             else -> actions.joinToString()
-        } + if (lost == 0) "" else "; $lost more found no room in its memory and are refused, see \"javino.act.full()\" and JavinoSized",
+        } + if (lost == 0) "" else "; $lost more found no room (126 at most, fewer in little memory) and are refused, " +
+            "see \"javino.act.full()\" and JavinoSized",
         "percepts: " + percepts.joinToString("; ").ifEmpty { "none now" },
         "critical rules: " +
             if (rules == null || rules == 0) "none on the board; the computer watches them" else "up to $rules on the board",

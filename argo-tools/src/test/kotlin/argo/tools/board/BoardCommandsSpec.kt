@@ -242,7 +242,7 @@ class BoardCommandsSpec : FunSpec({
     test("a board's description says how many actions of its sketch found no room") {
         fun actions(lost: Int) = BoardDescription(Protocol.V2, listOf("ledOn", "speed/1"), lost, emptyList(), 0).lines()[1]
         actions(0) shouldBe "actions: ledOn, speed/1"
-        actions(51) shouldContain "ledOn, speed/1; 51 more found no room in its memory and are refused"
+        actions(51) shouldContain "ledOn, speed/1; 51 more found no room (126 at most, fewer in little memory) and are refused"
     }
 
     test("ports tells who holds a port, and does not probe it").config(enabledOrReasonIf = pairs) {
