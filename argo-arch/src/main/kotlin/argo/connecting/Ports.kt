@@ -256,6 +256,7 @@ internal class Ports(
             lock.withLock { open.values.toList().also { open.clear() } }
         }
         ports.forEach(OpenPort::close)
+        lost.closeAll()
     }
 
     /** Closes all ports for good; a port that is being opened now is closed at once. May be called twice. */
