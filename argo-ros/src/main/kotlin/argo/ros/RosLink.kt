@@ -61,7 +61,7 @@ internal class RosLink private constructor(
     private val types = RobotTypes(mapping, api, ::warn, ::tell)
     private val graph = RobotGraph(mapping, api, clock, ::warn)
     private val time = RobotTime(clock, api, ::clockIsThere, ::warn, ::tell)
-    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send)
+    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, ::warn)
 
     private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()

@@ -170,6 +170,16 @@ class RosChecksSpec : FunSpec({
         }
     }
 
+    test("annotations of a command are left out, which is reported once for each command") {
+        open(COMMANDS).use { link ->
+            listOf("say(a)[fast]", "say(b)[source(self),slow]", "level(1)[fast]").forEach { link.outcomeOf(it) shouldBe "done" }
+        }
+        log.messages.filter { "annotations" in it } shouldContainExactly listOf("say/1", "level/1").map {
+            "port robot: the annotations of the command $it are left out, since no message of ROS has any"
+        }
+        eventually(LIMIT) { published() shouldContainExactly listOf("""{"data":"a"}""", """{"data":"b"}""", """{"data":1}""") }
+    }
+
     test("fields and constants of commands, and nested fields of percepts, are refused with line and column when the port is opened") {
         describe()
         fun refusal(mapping: String) = shouldThrow<PortFaultException> { open(mapping) }.message.orEmpty()

@@ -38,6 +38,7 @@ import java.util.concurrent.atomic.AtomicLong
  * @param types what the messages are made of, as far as that is known
  * @param graph who takes them
  * @param send sends a message to the bridge
+ * @param warn takes what of a command is left out
  */
 internal class Commands(
     private val port: String,
@@ -46,6 +47,7 @@ internal class Commands(
     private val graph: RobotGraph,
     private val clock: LineClock,
     private val send: (Outgoing) -> Unit,
+    private val warn: (String) -> Unit,
 ) {
     private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Unit>)
 
@@ -81,6 +83,9 @@ internal class Commands(
             bodyOf(rule, arguments)
         } catch (unfit: Unfit) {
             return refused("$text does not fit the robot: ${unfit.message}")
+        }
+        if (command?.annotations.orEmpty().isNotEmpty()) {
+            warn("the annotations of the command ${rule.name}/${rule.parameters.size} are left out, since no message of ROS has any")
         }
         val id = "$session-${number.incrementAndGet()}"
         val message = Outgoing(messageOf(rule, body, id), options.urgent(), rule.name, options.latest())
