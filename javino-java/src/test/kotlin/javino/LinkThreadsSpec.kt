@@ -15,6 +15,7 @@ import javino.wire.WireDecoder
 import javino.wire.WireFrame
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.CountDownLatch
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
@@ -166,8 +167,14 @@ class LinkThreadsSpec : FunSpec({
                     Link.open(board.port(), Bench.FAST.withProtocol(protocol), "the test").use { link ->
                         val writer = async { runCatching { link.writeCommandsUntilClosed() } }
                         val outcomes = CopyOnWriteArrayList<CompletableFuture<Void>>()
-                        val sender = async { while (link.isOpen) outcomes += link.send("front", SendOptions.defaults()) }
-                        Thread.sleep(1)
+                        val mayClose = CountDownLatch(1 + it % 20) // while others are being sent
+                        val sender = async {
+                            while (link.isOpen && outcomes.size < 500) { // or they would be ever more before it is closed on a busy machine
+                                outcomes += link.send("front", SendOptions.defaults())
+                                mayClose.countDown()
+                            }
+                        }
+                        mayClose.await()
                         link.close()
                         sender.get()
                         writer.get()
