@@ -5,10 +5,7 @@ import java.io.InputStream
 import java.net.InetAddress
 import java.net.ServerSocket
 import java.net.Socket
-import java.nio.file.Files
-import java.nio.file.Path
 import java.security.KeyStore
-import java.security.cert.X509Certificate
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import javax.net.ssl.KeyManagerFactory
@@ -16,36 +13,6 @@ import javax.net.ssl.SSLContext
 import javax.net.ssl.SSLSocket
 import javax.net.ssl.TrustManagerFactory
 import kotlin.concurrent.thread
-import kotlin.io.path.writeText
-
-/** A certificate with its key, which `keytool` makes. It is valid for [days] days from [start] on, counted from now as in `-10d`. */
-internal class TestCertificate(name: String, start: String = "-1d", days: Int = 30, algorithm: String = "EC") {
-    val store: KeyStore = Files.createTempDirectory("argo-tls").resolve("store.p12").let { file ->
-        val keytool = Path.of(System.getProperty("java.home"), "bin", "keytool")
-        val made = ProcessBuilder(
-            "$keytool", "-genkeypair", "-alias", "own", "-keyalg", algorithm, "-dname", "CN=$name", "-startdate", start,
-            "-validity", "$days", "-storetype", "PKCS12", "-keystore", "$file", "-storepass", String(PASSWORD),
-        ).redirectErrorStream(true).start()
-        val said = made.inputReader().readText()
-        check(made.waitFor() == 0) { said }
-        KeyStore.getInstance("PKCS12").apply { Files.newInputStream(file).use { load(it, PASSWORD) } }
-            .also { file.parent.toFile().deleteRecursively() }
-    }
-    val certificate get() = store.getCertificate("own") as X509Certificate
-
-    /** Writes the certificate and, if there is a place for it, the key. */
-    fun write(crt: Path, key: Path? = null) {
-        crt.writeText(TlsFolder.pem("CERTIFICATE", certificate.encoded))
-        key?.writeText(TlsFolder.pem("PRIVATE KEY", store.getKey("own", PASSWORD).encoded))
-    }
-
-    companion object {
-        val PASSWORD = "secret".toCharArray()
-
-        /** One that several tests use. */
-        val BOARD by lazy { TestCertificate("board") }
-    }
-}
 
 /** A board on the loopback address that speaks TLS with the certificate [own], and asks for that of [computer] if there is one. */
 internal class TlsBoard(own: TestCertificate, private val computer: TestCertificate? = null) : AutoCloseable {

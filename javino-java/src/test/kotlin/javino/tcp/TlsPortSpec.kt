@@ -104,12 +104,12 @@ class TlsPortSpec : FunSpec({
     }
 
     test("a certificate that has expired, or is not valid yet, is refused with the dates and what to do") {
-        TlsBoard(TestCertificate("old", "-10d", 5)).use { board ->
+        TlsBoard(TestCertificate("old", startDays = -10, days = 5)).use { board ->
             refusal(board) shouldContain
                 Regex("""expired on \d{4}-\d\d-\d\d, and this computer's clock says .* Put a new one on the board""")
             fileOf(board).exists() shouldBe false
         }
-        TlsBoard(TestCertificate("young", "+5d", 5)).use { refusal(it) shouldContain "Set the clock that is wrong" }
+        TlsBoard(TestCertificate("young", startDays = 5, days = 5)).use { refusal(it) shouldContain "Set the clock that is wrong" }
     }
 
     /** Why the board refuses the computer: it may do so only when the connection is there. */
