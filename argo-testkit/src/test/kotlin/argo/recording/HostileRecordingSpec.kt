@@ -194,7 +194,8 @@ class HostileRecordingSpec : FunSpec({
         Recording(file).use { recording ->
             shouldThrow<RecordingException> { WhatIf(recording, "bob") }.message shouldContain "planted.Counted"
             Why(recording).use { why ->
-                shouldThrow<RecordingException> { why.not("bob", checkNotNull(Question.of("stop"))) }.message shouldContain "planted.Counted"
+                val question = checkNotNull(Question.of("stop"))
+                shouldThrow<RecordingException> { why.not("bob", question) }.message shouldContain "planted.Counted"
             }
         }
         planted.Counted.made shouldBe 0
