@@ -97,7 +97,9 @@ class LayersSpec : FunSpec({
         test("reaches private members of Jason in argo.insides only") {
             noClasses().that().resideOutsideOfPackages("argo.insides", "javino..").should()
                 .callMethodWhere(
-                    DescribedPredicate.describe("makes a private member accessible") { it.target.name in setOf("setAccessible", "trySetAccessible") },
+                    DescribedPredicate.describe("makes a private member accessible") {
+                        it.target.name in setOf("setAccessible", "trySetAccessible")
+                    },
                 ).check(product)
         }
         test("does not know how bytes move") {

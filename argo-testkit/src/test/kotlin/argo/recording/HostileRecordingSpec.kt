@@ -16,6 +16,7 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import jason.architecture.MindInspectorWeb
 import jdk.jfr.consumer.RecordingFile
 import java.io.ByteArrayOutputStream
 import java.io.ObjectOutputStream
@@ -100,6 +101,7 @@ class HostileRecordingSpec : FunSpec({
         notes.readText() shouldBe "mine"
         folder.toFile().list().orEmpty().toList() shouldBe listOf("notes.asl")
         calls.get() shouldBe 0
+        MindInspectorWeb.isRunning() shouldBe false
         return said.shouldNotBeNull()
     }
 
@@ -192,7 +194,8 @@ class HostileRecordingSpec : FunSpec({
         Recording(file).use { recording ->
             shouldThrow<RecordingException> { WhatIf(recording, "bob") }.message shouldContain "planted.Counted"
             Why(recording).use { why ->
-                shouldThrow<RecordingException> { why.not("bob", checkNotNull(Question.of("stop"))) }.message shouldContain "planted.Counted"
+                val question = checkNotNull(Question.of("stop"))
+                shouldThrow<RecordingException> { why.not("bob", question) }.message shouldContain "planted.Counted"
             }
         }
         planted.Counted.made shouldBe 0

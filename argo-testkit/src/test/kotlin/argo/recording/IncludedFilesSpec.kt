@@ -81,7 +81,9 @@ class IncludedFilesSpec : FunSpec({
     }
 
     test("as it runs, without Jason's server that shows agents") {
-        shouldReplay("more.asl" to "more(1).") { """!work. +!work <- .include("$it/more.asl"); .wait(20); +after.""" }
+        shouldReplay("more.asl" to "more(1). { begin namespace(n) } less(1). { end }") {
+            """!work. +!work <- .include("$it/more.asl"); .wait(20); +after."""
+        }
         MindInspectorWeb.isRunning() shouldBe false
     }
 

@@ -69,7 +69,8 @@ class RefusedRecordingsSpec : FunSpec({
             agentOf("!start. +!start <- .wait(50); $steps; .print(X).") { options("argo_record" to "$file") }.use {
                 it.after(300.milliseconds)
                 it.printed shouldContain "7"
-                it.log.single { line -> "runs without a recording" in line } shouldContain "the program uses jason.planted.unheard, of which"
+                it.log.single { line -> "runs without a recording" in line } shouldContain
+                    "the program uses jason.planted.unheard, of which"
             }
         }
     }

@@ -9,8 +9,8 @@ import argo.recording.agent.CourseWatch
 import argo.recording.agent.MAX_MIND_BYTES
 import argo.recording.agent.Mind
 import argo.recording.agent.ProgramParts
-import argo.recording.agent.describe
 import argo.recording.agent.bytesOf
+import argo.recording.agent.describe
 import argo.recording.agent.literalText
 import jason.asSemantics.CircumstanceListener
 import jason.asSemantics.Intention

@@ -27,7 +27,8 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
  */
 internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)
-    !isChecking && cycle.input.calls.any { it.isOfProject } && isWithin(printed, cycle.course.printed) -> copy(printed = cycle.course.printed)
+    !isChecking && cycle.input.calls.any { it.isOfProject } && isWithin(printed, cycle.course.printed) ->
+        copy(printed = cycle.course.printed)
     cycle.missesPrints -> copy(printed = printed.take(cycle.course.printed.size))
     else -> this
 }

@@ -5,7 +5,6 @@ import argo.recording.agent.WatchedCode
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
 import jason.asSemantics.InternalAction
-import jason.util.Config
 
 /**
  * The agent of a replay, or a file that it includes, which Jason makes. [watch] is asked about the calls of all that it looks up, as Jason
@@ -18,17 +17,6 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     fun begin(code: WatchedCode, asked: CallWatch) {
         this.code = code
         watch.watch = asked
-    }
-
-    /** Without Jason's server that shows agents. */
-    override fun initAg() {
-        val config = Config.get()
-        val before: Any? = config.setProperty(Config.START_WEB_MI, "false")
-        try {
-            super.initAg()
-        } finally {
-            if (before == null) config.remove(Config.START_WEB_MI) else config[Config.START_WEB_MI] = before
-        }
     }
 
     override fun getIA(name: String): InternalAction {

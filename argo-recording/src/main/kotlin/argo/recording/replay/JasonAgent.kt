@@ -133,12 +133,16 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
  * With the settings of [recorded], which Jason reads as it makes the agent, or once in a program with its first term, and with Jason's own
  * plans for messages.
  */
-private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) {
+private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) =
+    reading(recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans), create)
+
+/** Has Jason [read] a program with these [settings], and without its server that shows agents: blocks of programs are agents, too. */
+internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () -> T): T {
     val config = Config.get()
-    val wanted = recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans)
+    val wanted = settings + (Config.START_WEB_MI to "false")
     val before: Map<String, Any?> = wanted.mapValues { (name, value) -> config.setProperty(name, value) }
     try {
-        create()
+        return read()
     } finally {
         before.forEach { (name, value) -> if (value == null) config.remove(name) else config[name] = value }
     }

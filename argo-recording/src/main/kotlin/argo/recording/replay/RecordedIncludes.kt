@@ -40,7 +40,7 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
         val around = isInRecorded
         isInRecorded = own == null
         try {
-            return file.text?.let { read(it, file.address, namespaceOf(directive)) }
+            return file.text?.let { text -> reading { read(text, file.address, namespaceOf(directive)) } }
         } finally {
             isInRecorded = around
         }

@@ -57,8 +57,8 @@ internal class ReplayedAgent(
     private fun likelyCause(): String = missingAction()?.let { "the project's class $it is not on the class path; add it" } ?: when {
         seen.isNotEmpty() -> "${seen.joinToString()} works on the agent, and what it does within a cycle is not recorded"
         answers.projectCalls.isNotEmpty() ->
-            "what the project's own ${answers.projectCalls.joinToString()} does besides its result is not recorded, and is carried out by " +
-                "--check only"
+            "what the project's own ${answers.projectCalls.joinToString()} does besides its result is not recorded, and is carried out " +
+                "by --check only"
         else -> "not known; it is the first difference of this agent"
     }
 
