@@ -130,6 +130,12 @@ class PomsSpec : FunSpec({
         }
     }
 
+    test("a folder of sources that only Java's compiler has in Maven is refused") {
+        val said = read(tree("<build><sourceDirectory>src/odd/java</sourceDirectory></build>", "")).joinToString("\n")
+        said shouldContain "<sourceDirectory>src/odd/java beside the sourceDirs of Kotlin in"
+        said shouldNotContain "Module["
+    }
+
     test("the settings of this build find the modules and Kotlin's version where the POM has them") {
         val settings = root.resolve("settings.gradle.kts").readText()
         val patterns = Regex("Regex\\(\"(.+?)\"\\)").findAll(settings).map { it.groupValues[1] }.toList()

@@ -37,7 +37,8 @@ public final class Poms {
     }
 
     /**
-     * A module, or another folder with a POM. Sources and resources are the folders besides the usual ones, relative to the module's.
+     * A module, or another folder with a POM. Sources and resources are the folders besides the usual ones, relative to the module's; those
+     * of Java end in {@code /java}.
      *
      * @param isLibrary whether it is published
      * @param isSerialized whether it is compiled with Kotlin's plugin for serialization
@@ -81,6 +82,8 @@ public final class Poms {
     private static final String UNKNOWN =
             "*[not(self::groupId|self::artifactId|self::version|self::scope|self::exclusions)]"
                     + "|scope[.!='compile' and .!='provided' and .!='runtime' and .!='test']";
+    private static final String FOLDERS =
+            "build/*[self::sourceDirectory|self::testSourceDirectory][not(.=//sourceDirs/sourceDir)]";
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
     private final File root;
@@ -126,6 +129,7 @@ public final class Poms {
         Element pom = pom(new File(root, name));
         Stream<Element> poms = at(pom, "parent").findAny().isEmpty() ? Stream.of(pom) : Stream.of(parent, pom);
         refuse(pom, "a compiler's plugin", "//compilerPlugins/plugin[.!='kotlinx-serialization']");
+        refuse(pom, "beside the sourceDirs of Kotlin", FOLDERS);
         return new Module(
                 name,
                 at(pom, "properties/maven.install.skip").findAny().isEmpty(),
@@ -175,7 +179,7 @@ public final class Poms {
                         .toList());
     }
 
-    /** What an execution of Kotlin's compiler has besides the usual folders. */
+    /** What an execution of Kotlin's compiler has besides the usual folders, Java's too. */
     private List<String> sources(Element pom, String execution, String usual) {
         return at(
                         pom,
