@@ -2,6 +2,9 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinJvmProjectExtension
 
 plugins { `java-library` }
 
+// the board for tests, which those of javino-java and argo-arch compile too
+sourceSets.named("main") { java.srcDir("../javino-java/src/fake/java") }
+
 // agents with faults, for the tests here and for the benchmarks
 configure<KotlinJvmProjectExtension> {
     sourceSets.named("test") { kotlin.srcDir("src/planted/kotlin") }
