@@ -9,16 +9,16 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readText
 
 /**
- * The class path of the samples, which are not in `argo.jar`, since they need Jason: a folder `samples` beside [jar], as in a release, or
- * what Maven has built in the source tree that [jar] was built in.
+ * The class path of [module], the samples or the experiment, which are not in `argo.jar`, since they need Jason: a folder `samples` beside
+ * [jar], as in a release, which holds both, or what Maven has built in the source tree that [jar] was built in.
  *
  * @throws ToolException if there are none
  */
-internal fun samplesClassPath(jar: Path): String {
+internal fun samplesClassPath(jar: Path, module: String): String {
     val file = jar.toAbsolutePath().normalize()
     val release = file.resolveSibling("samples")
     if (release.isDirectory() && release.listDirectoryEntries("*.jar").isNotEmpty()) return "$release${File.separator}*"
-    val built = file.resolve("../../../samples/target").normalize()
+    val built = file.resolve("../../../$module/target").normalize()
     val libraries = built.resolve("run.classpath")
     if (!libraries.exists()) {
         throw ToolException(

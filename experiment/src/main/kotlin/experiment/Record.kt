@@ -1,0 +1,142 @@
+package experiment
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/** A line of a run's record. Times are nanoseconds of a steady clock since the run began, distances cm. */
+@Serializable
+internal sealed interface Entry {
+    /** The first line: which run it is, and what [settings] it was made with. */
+    @Serializable
+    @SerialName("trial")
+    data class Begin(val trial: Trial, val settings: Settings) : Entry
+
+    /** The board began to send its percepts [text]. [distance]: where the robot truly was, null if nobody knows. */
+    @Serializable
+    @SerialName("frame")
+    data class Frame(val nanos: Long, val text: String, val distance: Double?) : Entry
+
+    /** The command [text] took effect on the board. */
+    @Serializable
+    @SerialName("command")
+    data class Command(val nanos: Long, val text: String, val distance: Double?) : Entry
+
+    /** The agent came to believe another front distance; it had [events] events and [intentions] intentions to see to. */
+    @Serializable
+    @SerialName("belief")
+    data class Belief(val nanos: Long, val front: Double?, val events: Int, val intentions: Int) : Entry
+
+    /** The last line. */
+    @Serializable
+    @SerialName("result")
+    data class Result(
+        val outcome: Outcome,
+        /** Where the robot stood at last; 0 when it ran into the wall. */
+        val distance: Double,
+        /** From crossing the limit to stopping, or to running into the wall, in ms; estimated for a real robot, see [Sighting.crossed]. */
+        val sinceLimitMs: Double,
+        /**
+         * From the first reading at or below the limit that the agent believed to the same end, in ms. Negative: the board stopped the
+         * robot before. Null: the agent believed none.
+         */
+        val sincePerceivingMs: Double?,
+        /** Commands that took effect. */
+        val commands: Int,
+        /** Answers of the board. */
+        val frames: Int,
+        /** The most that this machine was late in the run, in ms. */
+        val lateMs: Double,
+        /** Why there is nothing to measure, for [Outcome.IDLE] and [Outcome.FAILED]. */
+        val reason: String? = null,
+    ) : Entry
+}
+
+/** How a run ended. */
+@Serializable
+internal enum class Outcome {
+    /** The robot was stopped. */
+    @SerialName("stopped")
+    STOPPED,
+
+    /** It ran into the wall. */
+    @SerialName("collided")
+    COLLIDED,
+
+    /** It never drove: no command to drive reached its board. */
+    @SerialName("idle")
+    IDLE,
+
+    /** There was nothing to measure: the agent or its board came to an end. */
+    @SerialName("failed")
+    FAILED,
+}
+
+internal val JSON = Json { encodeDefaults = true }
+
+/**
+ * Writes the record of one run to [file], line by line; safe on any thread. What was there is overwritten.
+ *
+ * The writers are an agent and its board in the middle of a run, so a full disk does not throw there: the record ends, and
+ * [requireWhole] reports it.
+ */
+internal class RecordWriter(private val file: Path) : AutoCloseable {
+    private val lock = ReentrantLock()
+    private val out = Files.newOutputStream(file) // not buffered: what a full disk has refused must not come later
+    private var isEnded = false
+    private var trouble: IOException? = null
+
+    /**
+     * Adds [entry] as one whole line; after the result, [close], or a line that could not be written, nothing is added any more: a board
+     * may still be answering when its run is over.
+     */
+    fun write(entry: Entry) = lock.withLock {
+        if (!isEnded && trouble == null) {
+            try {
+                out.write((JSON.encodeToString(Entry.serializer(), entry) + "\n").toByteArray())
+            } catch (full: IOException) {
+                trouble = full
+            }
+        }
+        if (entry is Entry.Result) isEnded = true
+    }
+
+    /**
+     * Does nothing if all lines have been written.
+     *
+     * @throws IOException with the cause of the missing line
+     */
+    fun requireWhole() = lock.withLock { trouble?.let { throw IOException("$file cannot be written: ${it.message}", it) } }
+
+    override fun close() = lock.withLock {
+        isEnded = true
+        out.close()
+    }
+}
+
+/** Reads the record in [file]; null if it is not whole: a line is damaged or missing. */
+internal fun readRecord(file: Path): List<Entry>? {
+    val entries = try {
+        Files.readAllLines(file).map { JSON.decodeFromString(Entry.serializer(), it) }
+    } catch (_: SerializationException) {
+        return null // cut off in the middle, or of another version of this program
+    } catch (_: java.nio.charset.CharacterCodingException) {
+        return null
+    }
+    return entries.takeIf { it.firstOrNull() is Entry.Begin && it.lastOrNull() is Entry.Result }
+}
+
+/** A run that is over. */
+internal data class Finished(val trial: Trial, val result: Entry.Result) {
+    /** Whether there is something to measure. */
+    val isMeasured: Boolean get() = result.outcome == Outcome.STOPPED || result.outcome == Outcome.COLLIDED
+
+    /** Whether this machine was later than its condition allows, see [maxLateMs]. */
+    val isLate: Boolean get() = result.lateMs > maxLateMs(trial.condition)
+}

@@ -1,0 +1,100 @@
+package experiment
+
+import javino.LineSettings
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import samples.collision.Sensors
+
+/**
+ * How agent and board work together in a run.
+ *
+ * @property letter what it is called on the command line and in records
+ * @property title what it is called in the report
+ * @property sensing the agent's sensing policy
+ * @property protocol the version of Javino that the port is opened with, null for the default
+ */
+@Serializable
+internal enum class Condition(val letter: String, val title: String, val sensing: String, val protocol: String?) {
+    /** As published: the line is waited for in each reasoning cycle, commands are written at once, version 1. */
+    @SerialName("a")
+    PUBLISHED("a", "as published", "in_cycle", "1"),
+
+    /** ARGO's defaults, with a board of version 1. */
+    @SerialName("b")
+    DEFAULTS("b", "this project's defaults", "fresh", null),
+
+    /** Version 2, with filters that let the board be asked for what they keep. */
+    @SerialName("c")
+    VERSION_2("c", "version 2 with subscription", "fresh", "2"),
+
+    /** As [VERSION_2], and the board watches a critical rule at the limit, whose reflex stops the robot. */
+    @SerialName("d")
+    REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
+    ;
+
+    /** Whether agent and board speak version 2, so that the board can be asked for what the filter keeps. */
+    val isVersion2: Boolean get() = protocol == "2"
+}
+
+/**
+ * What the agent perceives.
+ *
+ * @property word what it is called on the command line and in records
+ */
+@Serializable
+internal enum class View(val word: String) {
+    /** All sensors. */
+    @SerialName("none")
+    NONE("none"),
+
+    /** The front sensors of the three kinds. */
+    @SerialName("frontSide")
+    FRONT_SIDE("frontSide"),
+
+    /** The front distance sensor. */
+    @SerialName("frontDistance")
+    FRONT_DISTANCE("frontDistance"),
+    ;
+
+    /** The functors of what is kept, which a board of version 2 is asked for; null: all are. */
+    val functors: List<String>?
+        get() = when (this) {
+            NONE -> null
+            FRONT_SIDE -> listOf("dist", "light", "temp")
+            FRONT_DISTANCE -> listOf("dist")
+        }
+
+    /** The agent's filter under [condition], to stop at [limit] cm: with version 2 a keep filter, which the board can be asked for. */
+    fun filter(condition: Condition, limit: Int): String = when {
+        condition == Condition.REFLEX -> reflexFilter(this, limit).name
+        this == NONE -> "none"
+        condition == Condition.VERSION_2 -> "keep" + word.replaceFirstChar(Char::uppercase)
+        else -> word
+    }
+}
+
+/**
+ * One run: a cell of the experiment and which of its replications.
+ *
+ * @property limit the front distance at which the agent stops, in cm
+ * @property interval the sensing interval in ms
+ * @property replication from 1
+ * @property baud the line's rate
+ * @property sensors how many sensors the robot has, a multiple of twelve
+ */
+@Serializable
+internal data class Trial(
+    val condition: Condition,
+    val view: View,
+    val limit: Int,
+    val interval: Int,
+    val replication: Int,
+    val baud: Int = LineSettings.DEFAULT_BAUD,
+    val sensors: Int = Sensors.PER_SET,
+) {
+    /** What the run's record and board are named by; no two runs of an experiment share it. */
+    val id: String get() = "${condition.letter}-${view.word}-$limit-$interval-$replication" + if (isScaled) "-$sensors-$baud" else ""
+
+    /** Whether it is beyond the published design. */
+    val isScaled: Boolean get() = baud != LineSettings.DEFAULT_BAUD || sensors != Sensors.PER_SET
+}
