@@ -10,7 +10,7 @@ import java.util.logging.Logger
  * @param look what is seen; called by the agent's thread only
  * @param nanos a clock in ns that never goes back
  */
-internal class MindWatch(private val look: () -> Mind, private val log: Logger, private val nanos: () -> Long) {
+internal class MindWatch(private val look: () -> MindState, private val log: Logger, private val nanos: () -> Long) {
     /** Whether somebody watches. */
     @Volatile
     var isWatched = false
@@ -57,7 +57,7 @@ internal class MindWatch(private val look: () -> Mind, private val log: Logger, 
     }
 
     /** What was seen of an agent's mind at [nanos]. */
-    class Seen(val nanos: Long, val mind: Mind)
+    class Seen(val nanos: Long, val mind: MindState)
 
     companion object {
         /** The least time between two looks, in ns. */

@@ -11,7 +11,7 @@ import jason.bb.BeliefBase
  * @property believed how many beliefs there are in all, without those that Jason hides itself
  * @property intended how many intentions there are in all
  */
-internal class Mind(
+internal class MindState(
     val believed: Int,
     val beliefs: List<Belief>,
     val intended: Int = 0,
@@ -23,21 +23,21 @@ internal class Mind(
         private const val MAX_INTENTIONS = 30
 
         /** The mind of [agent]. For the agent's thread only. */
-        fun of(agent: ObservedAgent): Mind {
+        fun of(agent: ObservedAgent): MindState {
             val believed = of(agent.beliefs)
             val circumstance = agent.circumstance
             val intentions = circumstance.allIntentions.asSequence().take(MAX_LOOKED_AT).filterNot { it.isFinished }.distinctBy { it.id }
                 .sortedBy { it.id }.toList()
             val shown = intentions.take(MAX_INTENTIONS).map { intentionState(it, circumstance.getPendingIntentionKey(it)) }
-            return Mind(believed.believed, believed.beliefs, intentions.size, shown)
+            return MindState(believed.believed, believed.beliefs, intentions.size, shown)
         }
 
         /** What is in [base] alone. */
-        fun of(base: BeliefBase): Mind {
+        fun of(base: BeliefBase): MindState {
             val perceived = base.percepts.asSequence().take(MAX_OF_A_KIND)
             val (hidden, others) = base.asSequence().take(MAX_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }
                 .partition { it.isHidden }
-            return Mind(base.size() - hidden.size, (others.take(MAX_OF_A_KIND) + perceived).map(::belief))
+            return MindState(base.size() - hidden.size, (others.take(MAX_OF_A_KIND) + perceived).map(::belief))
         }
 
         private fun belief(literal: Literal): Belief {

@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit
  * What the numbers of one sensor were during the last minute, twice a second: the last ones of each half second. Not safe for use by
  * several threads.
  */
-internal class Course {
+internal class RecentNumbers {
     private val points = ArrayDeque<Point>()
 
     /** Notes that the sensor gave [numbers] at [nanos], which is never less than before. */
