@@ -34,7 +34,7 @@ import argo.acting.requireCommand
  * robot that speaks ROS also with `error(act_failed)` if it could not do what it was asked.
  */
 @Suppress("ClassName")
-open class act : BoardAction("argo.act", 1..2) {
+open class act : BoardInternalAction("argo.act", 1..2) {
     override val suspends get() = true
 
     override fun run(call: Call) {

@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
  *
  * @param wake wakes the agent; its argument is asked whether it has seen what came
  */
-class Inbox<T : Any>(private val wake: (seen: () -> Boolean) -> Unit) {
+class CompletionInbox<T : Any>(private val wake: (seen: () -> Boolean) -> Unit) {
     private val waiting = ConcurrentLinkedQueue<T>()
 
     /** Whether nothing waits. Any thread. */

@@ -18,7 +18,8 @@ import jason.asSyntax.Term
  *
  * An action either does its work at once, or suspends the intention, never the agent, until another thread has done it.
  */
-abstract class BoardAction internal constructor(private val name: String, private val arguments: IntRange) : ConcurrentInternalAction() {
+abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
+    ConcurrentInternalAction() {
     /** Whether the intention waits until [Call.resume] or [Call.fail]. */
     final override fun suspendIntention(): Boolean = suspends
 

@@ -13,7 +13,7 @@ import java.util.Collections
  * @property critical the percepts of [received] that critical rules meet, once for each such rule
  * @property nextDueMs when the next percept that is held back is to be delivered, in milliseconds of the caller's clock; null: none is
  */
-class Perception<P> internal constructor(
+class FilteredPercepts<P> internal constructor(
     val received: List<P>,
     kept: List<P>,
     seen: List<P>,
