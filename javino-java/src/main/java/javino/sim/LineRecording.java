@@ -25,7 +25,7 @@ import javino.PerceptsRequest;
  *
  * @param entries the messages; their times never go back
  */
-public record Recording(List<Entry> entries) {
+public record LineRecording(List<Entry> entries) {
     /** The first line of a file. */
     static final String HEADER = "javino-recording 1";
 
@@ -68,7 +68,7 @@ public record Recording(List<Entry> entries) {
     }
 
     /** @throws IllegalArgumentException if an entry is earlier than the one before */
-    public Recording {
+    public LineRecording {
         entries = List.copyOf(entries);
         for (int i = 1; i < entries.size(); i++) {
             if (entries.get(i).millis() < entries.get(i - 1).millis()) {
@@ -97,14 +97,14 @@ public record Recording(List<Entry> entries) {
      * @throws java.nio.file.FileSystemException if it cannot be read
      * @throws IOException also if it is not a recording; the message names file, line and what is wrong there
      */
-    public static Recording read(Path file) throws IOException {
+    public static LineRecording read(Path file) throws IOException {
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
             return read(reader, file.toString());
         }
     }
 
     /** As {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
-    public static Recording read(Reader text, String source) throws IOException {
+    public static LineRecording read(Reader text, String source) throws IOException {
         LineNumberReader lines = new LineNumberReader(text);
         List<Entry> entries = new ArrayList<>();
         try {
@@ -123,7 +123,7 @@ public record Recording(List<Entry> entries) {
         } catch (IllegalArgumentException e) {
             throw new IOException(source + ":" + Math.max(1, lines.getLineNumber()) + ": " + e.getMessage(), e);
         }
-        return new Recording(entries);
+        return new LineRecording(entries);
     }
 
     /** Reads the first line, but of another file no more than shows that it is no recording: it may have no end. */

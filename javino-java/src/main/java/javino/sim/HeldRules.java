@@ -10,7 +10,7 @@ import javino.wire.CommandItem;
 import javino.wire.WireFrame;
 
 /** The critical rules that a board watches. One thread at a time. */
-final class BoardRules {
+final class HeldRules {
     /**
      * A rule that begins to be met.
      *
@@ -32,7 +32,7 @@ final class BoardRules {
     private final int capacity;
     private final Map<Integer, Watched> rules = new TreeMap<>(); // by their numbers
 
-    BoardRules(int capacity) {
+    HeldRules(int capacity) {
         this.capacity = capacity;
     }
 

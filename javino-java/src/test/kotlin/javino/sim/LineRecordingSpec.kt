@@ -13,18 +13,18 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
-import javino.sim.Recording.Direction
+import javino.sim.LineRecording.Direction
 import java.io.IOException
 import java.io.Reader
 import java.io.StringReader
 import java.io.StringWriter
 
-class RecordingSpec : FunSpec({
+class LineRecordingSpec : FunSpec({
     val messages = Arb.list(Arb.char(Char(0)..Char(0xFF)), 0..12).map { it.joinToString("") }
     val entries =
         Arb.bind(Arb.int(0..5_000), Arb.enum<Direction>(), messages) { millis, direction, message -> Triple(millis, direction, message) }
 
-    fun read(text: String) = Recording.read(StringReader(text), "robot.rec")
+    fun read(text: String) = LineRecording.read(StringReader(text), "robot.rec")
 
     test("what was written is read again, whatever bytes it is of") {
         checkAll(Arb.list(entries, 0..8)) { entries ->
@@ -34,7 +34,7 @@ class RecordingSpec : FunSpec({
                 inOrder.forEach { (millis, direction, message) -> writer.add(START + millis * 1_000_000L, direction, message) }
             }
             read("$text").entries() shouldBe
-                inOrder.map { (millis, direction, message) -> Recording.Entry(millis.toLong(), direction, message) }
+                inOrder.map { (millis, direction, message) -> LineRecording.Entry(millis.toLong(), direction, message) }
         }
     }
 
@@ -47,15 +47,15 @@ class RecordingSpec : FunSpec({
 
     test("a file may hold comments, empty lines and line ends of any system") {
         read("javino-recording 1\r\n# by hand\r\n\r\n7\tout\tgetPercepts\r\n").entries() shouldBe
-            listOf(Recording.Entry(7, Direction.OUT, "getPercepts"))
+            listOf(LineRecording.Entry(7, Direction.OUT, "getPercepts"))
     }
 
     test("an editor's byte order mark is no part of it") {
-        read("\uFEFFjavino-recording 1\r7\tout\tledOn\r").entries() shouldBe listOf(Recording.Entry(7, Direction.OUT, "ledOn"))
+        read("\uFEFFjavino-recording 1\r7\tout\tledOn\r").entries() shouldBe listOf(LineRecording.Entry(7, Direction.OUT, "ledOn"))
     }
 
     test("of a file that is no recording no more is read than shows it, though it has no end") {
-        shouldThrow<IOException> { Recording.read(Endless(""), "zeros") }.message shouldContain "the first line of a recording is"
+        shouldThrow<IOException> { LineRecording.read(Endless(""), "zeros") }.message shouldContain "the first line of a recording is"
     }
 
     test("a message says no more of a line than shows which it is") {
@@ -91,7 +91,7 @@ class RecordingSpec : FunSpec({
     test("a file that is not UTF-8 is refused, not guessed at") {
         val file = tempfile()
         file.writeBytes("javino-recording 1\n9\tin\tü\n".toByteArray(Charsets.ISO_8859_1))
-        shouldThrow<IOException> { Recording.read(file.toPath()) }.message shouldBe "$file:1: bytes that are not UTF-8"
+        shouldThrow<IOException> { LineRecording.read(file.toPath()) }.message shouldBe "$file:1: bytes that are not UTF-8"
     }
 })
 

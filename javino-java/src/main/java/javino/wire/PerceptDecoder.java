@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** The computer's side of an answer: makes text of items, and keeps the shapes that it has learned in a session. One thread at a time. */
-public final class PerceptReader {
+public final class PerceptDecoder {
     private final Shape[] shapes = new Shape[PerceptItems.MAX_IDS];
     private int known;
 
