@@ -1,7 +1,6 @@
 package argo
 
 import argo.calls.ArgumentException
-import argo.calls.Failure
 import argo.connecting.PortOptions
 import argo.connecting.WantedPort
 import jason.asSyntax.ListTerm

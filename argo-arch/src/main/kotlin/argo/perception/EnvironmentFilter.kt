@@ -1,7 +1,5 @@
 package argo.perception
 
-import argo.Arch
-import argo.architectures
 import argo.filters.PerceptionFilter
 import argo.platform.Platform
 import argo.platform.Waker
@@ -11,7 +9,7 @@ import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
 
 /**
- * Filters what an agent without [Arch] perceives of its Jason environment. `argo.change_filter` puts it in front of the
+ * Filters what an agent without `argo.Arch` perceives of its Jason environment. `argo.change_filter` puts it in front of the
  * agent's architectures when the agent chooses a filter for the first time.
  */
 internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<Literal>) : AgArch() {
